@@ -1,0 +1,3 @@
+"""JAUS for Python."""
+
+__version__ = "0.1.0"

@@ -1,0 +1,69 @@
+"""JAUS ids: subsystem.node.component, with the standard's wildcards (AS5669A)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+from jauspy.errors import ConfigError
+
+ANY_SUBSYSTEM: Final = 0xFFFF
+ANY_NODE: Final = 0xFF
+ANY_COMPONENT: Final = 0xFF
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class JausID:
+    """The address of a component: subsystem 0..65535, node 0..255, component 0..255.
+
+    65535, 255 and 255 are wildcards; a zero part means "not assigned yet".
+    """
+
+    subsystem: int
+    node: int
+    component: int
+
+    def __post_init__(self) -> None:
+        for name, value, top in (
+            ("subsystem", self.subsystem, 0xFFFF),
+            ("node", self.node, 0xFF),
+            ("component", self.component, 0xFF),
+        ):
+            if not 0 <= value <= top:
+                raise ConfigError(f"{name} {value} of a JAUS id is outside 0..{top}")
+
+    @classmethod
+    def parse(cls, text: str) -> JausID:
+        """Read `"101.1.102"`; raises `ConfigError` that shows the form."""
+        parts = text.split(".")
+        if len(parts) != 3 or not all(part.isascii() and part.isdigit() for part in parts):
+            raise ConfigError(f"{text!r} is not a JAUS id; write SUBSYSTEM.NODE.COMPONENT, as in 101.1.102")
+        subsystem, node, component = map(int, parts)
+        return cls(subsystem, node, component)
+
+    @classmethod
+    def from_int(cls, value: int) -> JausID:
+        """The id of a 32-bit number, subsystem<<16 | node<<8 | component, as it is sent."""
+        return cls(value >> 16 & 0xFFFF, value >> 8 & 0xFF, value & 0xFF)
+
+    def __int__(self) -> int:
+        return self.subsystem << 16 | self.node << 8 | self.component
+
+    def __str__(self) -> str:
+        return f"{self.subsystem}.{self.node}.{self.component}"
+
+    @property
+    def is_wildcard(self) -> bool:
+        """True when any part addresses all of its level."""
+        return self.subsystem == ANY_SUBSYSTEM or self.node == ANY_NODE or self.component == ANY_COMPONENT
+
+    def matches(self, other: JausID) -> bool:
+        """True when this id, wildcards understood part by part, addresses `other`."""
+        return (
+            self.subsystem in (other.subsystem, ANY_SUBSYSTEM)
+            and self.node in (other.node, ANY_NODE)
+            and self.component in (other.component, ANY_COMPONENT)
+        )
+
+
+EVERYONE: Final = JausID(ANY_SUBSYSTEM, ANY_NODE, ANY_COMPONENT)

@@ -1,0 +1,1 @@
+"""JSIDL (SAE AS5684): XML to an immutable model."""

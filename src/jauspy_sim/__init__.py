@@ -1,0 +1,1 @@
+"""The MuJoCo backend of jauspy's platform contract."""
