@@ -1,0 +1,63 @@
+# make demo    sets everything up, then runs the whole system once
+# make test    sets everything up, then runs all checks and tests
+# Everything lives in .venv; nothing is reinstalled until pyproject.toml changes.
+
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+PORT ?= 3794
+PYTEST_ARGS ?=
+
+.DEFAULT_GOAL := help
+.PHONY: help setup dev demo test check lint types imports unit wheel-test bench format generate clean
+
+help:
+	@sed -n 's/^# //p' Makefile | head -3
+	@echo "others: lint types imports unit wheel-test bench format generate clean (see CONTRIBUTING.md)"
+
+$(VENV)/.installed: pyproject.toml tools/setup_venv.sh
+	@PYTHON=$(PYTHON) tools/setup_venv.sh $(VENV) user
+	@touch $@
+
+$(VENV)/.developing: $(VENV)/.installed
+	@PYTHON=$(PYTHON) tools/setup_venv.sh $(VENV) developer
+	@touch $@
+
+setup: $(VENV)/.installed
+dev: $(VENV)/.developing
+
+demo: setup
+	@$(BIN)/jauspy demo --port $(PORT)
+
+test: check wheel-test unit
+
+check: lint types imports
+
+lint: dev
+	$(BIN)/ruff check
+	$(BIN)/ruff format --check
+
+types: dev
+	$(BIN)/mypy
+
+imports: dev
+	$(BIN)/lint-imports
+
+unit: dev
+	$(BIN)/pytest -n 2 $(PYTEST_ARGS)
+
+wheel-test: dev
+	$(BIN)/python tools/wheel_test.py
+
+bench: dev
+	@for script in tools/bench/*.py; do echo "== $$script"; $(BIN)/python $$script || exit 1; done
+
+format: dev
+	$(BIN)/ruff check --fix
+	$(BIN)/ruff format
+
+generate: dev
+	$(BIN)/python tools/generate_messages.py
+
+clean:
+	rm -rf $(VENV) dist build .mypy_cache .pytest_cache .ruff_cache .hypothesis .import_linter_cache

@@ -1,0 +1,60 @@
+"""Build the wheel, install it alone into a fresh environment, and use it there.
+
+`--download` only fills the wheelhouse with what the wheel depends on, so that the test itself needs no network.
+"""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import tempfile
+import tomllib
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+WHEELHOUSE = Path(sys.prefix) / "wheelhouse"
+QUERY_STATUS = "02 00 1000 01 0b017e00 14017e00 0220 0400"
+
+
+def run(*command: str | Path, cwd: Path = ROOT) -> str:
+    """Run a command and return what it printed; ends the program when it fails."""
+    done = subprocess.run(list(map(str, command)), cwd=cwd, capture_output=True, text=True, check=False)
+    if done.returncode:
+        sys.exit(f"wheel-test: {' '.join(map(str, command))} failed:\n{done.stdout}{done.stderr}")
+    return done.stdout
+
+
+def expect(what: str, text: str) -> None:
+    """End the program unless `what` is in `text`."""
+    if what not in text:
+        sys.exit(f"wheel-test: expected {what!r} in:\n{text}")
+
+
+def download() -> None:
+    """Fill the wheelhouse with the core's dependencies."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    run(sys.executable, "-m", "pip", "wheel", "-q", "-w", WHEELHOUSE, *project["dependencies"])
+
+
+def main() -> None:
+    """Build, install, try."""
+    with tempfile.TemporaryDirectory(prefix="jauspy-wheel-") as name:
+        folder = Path(name)
+        run(sys.executable, "-m", "build", "--wheel", "--no-isolation", "--outdir", folder, ROOT)
+        (wheel,) = folder.glob("*.whl")
+        run(sys.executable, "-m", "venv", folder / "venv")
+        python = folder / "venv" / "bin" / "python"
+        run(python, "-m", "pip", "install", "-q", "--no-index", "--find-links", WHEELHOUSE, wheel)
+        jauspy = folder / "venv" / "bin" / "jauspy"
+        expect("decode", run(jauspy, "--help", cwd=folder))
+        expect("QueryStatus", run(jauspy, "decode", QUERY_STATUS, cwd=folder))
+        expect("PrimitiveDriver", run(python, "-c", "import jauspy.schema as s; print(s.load_builtin())", cwd=folder))
+        expect("inc1", run(python, "-c", "from jauspy.modules.robots import known; print(known())", cwd=folder))
+        print(f"wheel-test: {wheel.name} ({wheel.stat().st_size / 1e3:.0f} kB) works alone")
+
+
+if __name__ == "__main__":
+    if "--download" in sys.argv[1:]:
+        download()
+    else:
+        main()
