@@ -1,0 +1,82 @@
+"""Capture files: formats, ports, damage."""
+
+import io
+import struct
+
+import dpkt
+import pytest
+
+from jauspy.capture.reader import CaptureReader, is_capture
+from jauspy.errors import ConfigError
+
+MESSAGE = bytes.fromhex("02001000010a017e0014017e0002200200")
+
+
+def frame(payload=MESSAGE, sport=3794, dport=3794):
+    udp = dpkt.udp.UDP(sport=sport, dport=dport, data=payload)
+    udp.ulen = 8 + len(payload)
+    packet = dpkt.ip.IP(src=b"\x0a\0\0\1", dst=b"\x0a\0\0\2", p=17, data=udp)
+    return (bytes(dpkt.ethernet.Ethernet(data=packet, type=0x0800))).ljust(60, b"\0")
+
+
+def capture_file(frames, writer=dpkt.pcap.Writer, **options):
+    file = io.BytesIO()
+    recorder = writer(file, **options)
+    for number, data in enumerate(frames):
+        recorder.writepkt(data, ts=1000.0 + number / 4)
+    return file.getvalue()
+
+
+def read(data, **options):
+    reader = CaptureReader(io.BufferedReader(io.BytesIO(data)), name="x.pcap", **options)
+    return list(reader), reader.skipped
+
+
+@pytest.mark.parametrize("writer", [dpkt.pcap.Writer, dpkt.pcapng.Writer])
+def test_both_formats(writer):
+    data = capture_file([frame(), frame(dport=4000)], writer)
+    assert is_capture(data)
+    found, skipped = read(data)
+    assert [(d.number, d.time, d.payload) for d in found] == [(1, 1000.0, MESSAGE), (2, 1000.25, MESSAGE)]
+    assert found[1].destination == ("10.0.0.2", 4000)
+    assert not skipped
+
+
+def test_nanosecond_files():
+    found, _ = read(capture_file([frame()], nano=True))
+    assert found[0].time == 1000.0
+
+
+def test_port_filter():
+    data = capture_file([frame(sport=5000, dport=5001), frame()])
+    found, skipped = read(data)
+    assert [d.number for d in found] == [2]
+    assert skipped == {"other UDP port than 3794": 1}
+    assert [d.number for d in read(data, port=5001)[0]] == [1]
+    assert [d.number for d in read(data, port=None)[0]] == [1, 2]
+
+
+@pytest.mark.parametrize("writer", [dpkt.pcap.Writer, dpkt.pcapng.Writer])
+def test_a_file_cut_off_anywhere_gives_what_is_whole(writer):
+    data = capture_file([frame(), frame()], writer)
+    for length in range(4, len(data)):
+        try:
+            found, skipped = read(data[:length])
+        except ConfigError:
+            continue
+        assert len(found) <= 1 or not skipped
+        assert all(datagram.payload == MESSAGE for datagram in found)
+
+
+def test_garbage_is_no_capture():
+    assert not is_capture(b"")
+    assert not is_capture(b"020011")
+    with pytest.raises(ConfigError, match=r"x\.pcap is not a readable"):
+        read(b"\xa1\xb2\xc3\xd4\x00")
+
+
+def test_an_unknown_link_type_says_which_are_known():
+    data = bytearray(capture_file([frame()]))
+    data[20:24] = struct.pack(">I" if data[0] == 0xA1 else "<I", 105)
+    with pytest.raises(ConfigError, match=r"link type 105 is not supported.*Ethernet"):
+        read(bytes(data))
