@@ -59,10 +59,14 @@ class ValueRange:
 
 @dataclass(frozen=True, slots=True)
 class ValueSet:
-    """The allowed values of an integer: names and intervals; empty means any."""
+    """The allowed values of a number: names and intervals; empty means any.
+
+    `offset_to_lower_limit` is kept as written; public definitions set it only where the lowest value is 0.
+    """
 
     enums: tuple[ValueEnum, ...] = ()
     ranges: tuple[ValueRange, ...] = ()
+    offset_to_lower_limit: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,6 +127,7 @@ class TypeChoice:
     scale: Scale | None = None
     values: ValueSet | None = None
     name: str = ""
+    doc: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -272,7 +277,11 @@ class Action:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Transition:
-    """What a trigger does: `kind` says how the state changes, `end_state` (dotted path) where to."""
+    """What a trigger does: `kind` says how the state changes, `end_state` (dotted path) where to.
+
+    A simple transition without `end_state` stays where it is. An empty `trigger` (JSIDL's `default_transition`)
+    stands for every trigger that no other transition of the state handles.
+    """
 
     trigger: str
     kind: Literal["simple", "internal", "push", "pop"]
@@ -302,6 +311,7 @@ class StateMachine:
 
     name: str
     states: tuple[State, ...]
+    default_transitions: tuple[Transition, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,0 +1,207 @@
+"""The grammar of JSIDL (AS5684) as a table: which attributes and children each element has."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+from lxml.etree import _Element as Element
+
+from jauspy.schema.reading import suggestion, wrong
+
+
+class Group:
+    """Alternative children, and how many of them together there may be."""
+
+    def __init__(self, names: tuple[str, ...], minimum: int, maximum: int | None) -> None:
+        self.names = names
+        self.minimum = minimum
+        self.maximum = maximum
+
+    def __str__(self) -> str:
+        return " or ".join(f"<{name}>" for name in self.names)
+
+
+def _one(*names: str) -> Group:
+    return Group(names, 1, 1)
+
+
+def _maybe(*names: str) -> Group:
+    return Group(names, 0, 1)
+
+
+def _some(*names: str) -> Group:
+    return Group(names, 1, None)
+
+
+def _any(*names: str) -> Group:
+    return Group(names, 0, None)
+
+
+class Rule:
+    """What one element needs and allows; every element may have an `interpretation`."""
+
+    def __init__(self, required: str, optional: str, *groups: Group) -> None:
+        self.required = tuple(required.split())
+        self.attributes = frozenset((*self.required, *optional.split(), "interpretation"))
+        self.groups = groups
+        self.group_of = {name: index for index, group in enumerate(groups) for name in group.names}
+
+
+_SIMPLE = (
+    "fixed_field",
+    "variable_field",
+    "bit_field",
+    "fixed_length_string",
+    "variable_length_string",
+    "variable_length_field",
+    "variable_format_field",
+)
+_DECLARED_SIMPLE = tuple(f"declared_{name}" for name in _SIMPLE)
+_FIELDS = (*_SIMPLE, "array", *_DECLARED_SIMPLE, "declared_array")
+_COMPOSITES = ("record", "list", "variant", "sequence")
+_ANY_COMPOSITE = (*_COMPOSITES, *(f"declared_{name}" for name in _COMPOSITES))
+_MESSAGES = ("message_def", "declared_message_def")
+_PARTS = ("header", "body", "footer")
+_VALUES = ("value_set", "declared_value_set")
+_KINDS = ("simple", "internal", "push", "pop")
+_ACTIONS = _any("action", "send_action")
+_PART_GROUPS = tuple(_one(part, f"declared_{part}") for part in _PARTS)
+
+_DECLARABLE = (*_COMPOSITES, "array", *_SIMPLE, *_PARTS, "value_set", "message_def", "event_def")
+DECLARED = {f"declared_{name}": name for name in _DECLARABLE}
+"""The elements that refer to a declared type, and what they must find there."""
+
+_REFERENCE = Rule("name id version", "")
+_PART = Rule("name", "", _maybe(*_ANY_COMPOSITE))
+_COUNT = Rule("field_type_unsigned", "min_count max_count")
+
+RULES: dict[str, Rule] = {
+    "service_def": Rule(
+        "name id version",
+        "deprecated",
+        _maybe("description"),
+        _maybe("assumptions"),
+        _maybe("references"),
+        _maybe("declared_const_set"),
+        _maybe("declared_type_set"),
+        _one("message_set"),
+        _maybe("internal_events_set"),
+        _maybe("protocol_behavior"),
+    ),
+    "description": Rule("", ""),
+    "assumptions": Rule("", ""),
+    "references": Rule("", "", _maybe("inherits_from"), _any("client_of")),
+    "inherits_from": _REFERENCE,
+    "client_of": _REFERENCE,
+    # constants and declared types
+    "declared_const_set": Rule("name", "id version", _any("declared_const_set_ref", "const_def")),
+    "declared_const_set_ref": _REFERENCE,
+    "const_def": Rule("name const_type const_value", "field_units"),
+    "declared_type_set": Rule(
+        "name",
+        "id version",
+        _any("declared_const_set_ref", "declared_type_set_ref", *_DECLARABLE, *DECLARED),
+    ),
+    "declared_type_set_ref": _REFERENCE,
+    **{name: Rule("name declared_type_ref", "optional") for name in DECLARED},
+    # messages
+    "message_set": Rule("", "", _one("input_set"), _one("output_set")),
+    "input_set": Rule("", "", _any(*_MESSAGES)),
+    "output_set": Rule("", "", _any(*_MESSAGES)),
+    "internal_events_set": Rule("", "", _any("event_def", "declared_event_def")),
+    "message_def": Rule("name message_id", "is_command deprecated", _maybe("description"), *_PART_GROUPS),
+    "event_def": Rule("name", "deprecated", _maybe("description"), *_PART_GROUPS),
+    "header": _PART,
+    "body": _PART,
+    "footer": _PART,
+    # composites
+    "record": Rule("name", "optional", _maybe("presence_vector"), _some(*_FIELDS)),
+    "list": Rule("name", "optional", _one("count_field"), _one(*_ANY_COMPOSITE)),
+    "variant": Rule("name", "optional", _one("vtag_field"), _any(*_ANY_COMPOSITE)),
+    "sequence": Rule("name", "optional", _maybe("presence_vector"), _some(*_ANY_COMPOSITE)),
+    "presence_vector": Rule("field_type_unsigned", ""),
+    "count_field": _COUNT,
+    "vtag_field": _COUNT,
+    # fields
+    "array": Rule("name", "optional", _one(*_SIMPLE, *_DECLARED_SIMPLE), _some("dimension")),
+    "dimension": Rule("name size", ""),
+    "fixed_field": Rule("name field_type field_units", "optional", _maybe("scale_range", *_VALUES)),
+    "bit_field": Rule("name field_type_unsigned", "optional", _some("sub_field")),
+    "sub_field": Rule("name", "", _one("bit_range"), _maybe(*_VALUES)),
+    "bit_range": Rule("from_index to_index", ""),
+    "variable_field": Rule("name", "optional", _one("type_and_units_field")),
+    "type_and_units_field": Rule("", "", _some("type_and_units_enum")),
+    "type_and_units_enum": Rule("index field_type field_units", "name", _maybe("scale_range", *_VALUES)),
+    "fixed_length_string": Rule("name string_length", "optional"),
+    "variable_length_string": Rule("name", "optional", _one("count_field")),
+    "variable_length_field": Rule("name field_format", "optional", _one("count_field")),
+    "variable_format_field": Rule("name", "optional", _one("format_field"), _one("count_field")),
+    "format_field": Rule("", "", _some("format_enum")),
+    "format_enum": Rule("index field_format", ""),
+    "scale_range": Rule("real_lower_limit real_upper_limit integer_function", ""),
+    "value_set": Rule("", "name offset_to_lower_limit", _some("value_range", "value_enum")),
+    "value_range": Rule("lower_limit lower_limit_type upper_limit upper_limit_type", ""),
+    "value_enum": Rule("enum_index enum_const", ""),
+    # protocol behaviour
+    "protocol_behavior": Rule("", "is_stateless", _any("start"), _any("state_machine")),
+    "start": Rule("state_machine_name state_name", ""),
+    "state_machine": Rule("name", "", _some("state"), _maybe("default_state")),
+    "state": Rule(
+        "name",
+        "initial_state",
+        _maybe("entry"),
+        _maybe("exit"),
+        _any("transition"),
+        _any("default_transition"),
+        _any("state"),
+        _maybe("default_state"),
+    ),
+    "default_state": Rule("", "", _any("transition", "default_transition")),
+    "entry": Rule("", "", _ACTIONS),
+    "exit": Rule("", "", _ACTIONS),
+    "transition": Rule("name", "", _any("parameter"), _maybe("guard"), _one(*_KINDS), _ACTIONS),
+    "default_transition": Rule("", "", _maybe("guard"), _one(*_KINDS), _ACTIONS),
+    "parameter": Rule("type value", ""),
+    "guard": Rule("condition", ""),
+    "simple": Rule("", "", _maybe("end_state")),
+    "internal": Rule("", ""),
+    "push": Rule("", "", _one("end_state"), _maybe("simple")),
+    "pop": Rule("", "transition", _any("argument")),
+    "end_state": Rule("state", ""),
+    "action": Rule("name", "", _any("argument")),
+    "send_action": Rule("name", "", _any("argument")),
+    "argument": Rule("value", ""),
+}
+
+
+def check(root: Element) -> None:
+    """Raise `SchemaError` at the first element, attribute or child that is unknown, missing or too many."""
+    for element in root.iter():
+        rule = RULES[element.tag]  # the parent's rule has vouched for it
+        _check_attributes(element, rule)
+        _check_children(element, rule)
+
+
+def _check_attributes(element: Element, rule: Rule) -> None:
+    for name in element.keys():  # noqa: SIM118 - an Element iterates over its children
+        if name not in rule.attributes and not name.startswith("{"):
+            known = suggestion(name, rule.attributes)
+            raise wrong(element, f"<{element.tag}> has an unknown attribute '{name}'{known}")
+    for name in rule.required:
+        if element.get(name) is None:
+            raise wrong(element, f"<{element.tag}> needs the attribute '{name}'")
+
+
+def _check_children(element: Element, rule: Rule) -> None:
+    counts: Counter[int] = Counter()
+    for child in element:
+        index = rule.group_of.get(child.tag)
+        if index is None:
+            raise wrong(child, f"unexpected <{child.tag}> in <{element.tag}>{suggestion(child.tag, rule.group_of)}")
+        counts[index] += 1
+        maximum = rule.groups[index].maximum
+        if maximum is not None and counts[index] > maximum:
+            raise wrong(child, f"<{element.tag}> has more than {maximum} of {rule.groups[index]}")
+    for index, group in enumerate(rule.groups):
+        if counts[index] < group.minimum:
+            raise wrong(element, f"<{element.tag}> needs {group}")

@@ -1,0 +1,180 @@
+"""All loaded files together, and what a name in one of them refers to.
+
+A `Scope` is one file's names: its constants and declared types, and the other sets it refers to by a local
+name. A dotted path walks through those: `core.time.TimeStamp` is the type `TimeStamp` of the set that the
+set `core` calls `time`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field, replace
+from typing import TypeVar
+
+from lxml.etree import _Element as Element
+from lxml.etree import tostring
+
+from jauspy.schema.constants import ExpressionError, Number, evaluate
+from jauspy.schema.grammar import DECLARED
+from jauspy.schema.model import DeclaredType, Node
+from jauspy.schema.reading import file_of, flag, prose, required, suggestion, wrong
+
+AnyNode = TypeVar("AnyNode", bound=Node)
+Thing = TypeVar("Thing")
+Key = tuple[str, str]
+"""Id (URN) and version of a set or service."""
+
+MAX_REFERENCES = 64
+"""Declared types referring to declared types; real files have a handful of levels."""
+
+
+@dataclass(slots=True, eq=False)
+class Scope:
+    """The names of one file. `set_id` and `version` are those of the type set or service around it."""
+
+    name: str
+    set_id: str
+    version: str
+    consts: dict[str, Element] = field(default_factory=dict)
+    types: dict[str, Element] = field(default_factory=dict)
+    const_sets: dict[str, Element] = field(default_factory=dict)
+    type_sets: dict[str, Element] = field(default_factory=dict)
+    linked_consts: dict[str, Scope] = field(default_factory=dict)
+    linked_types: dict[str, Scope] = field(default_factory=dict)
+    cache: dict[str, object] = field(default_factory=dict)
+    open: list[str] = field(default_factory=list)
+
+    def number(self, element: Element, attribute: str) -> Number:
+        """A mandatory attribute that is a number or a constant expression."""
+        text = required(element, attribute)
+        try:
+            return evaluate(text, lambda path: self._constant(path, element))
+        except ExpressionError as error:
+            raise wrong(element, f"{attribute}: {error}") from error
+
+    def integer(self, element: Element, attribute: str) -> int:
+        """The same, where only a whole number makes sense."""
+        number = self.number(element, attribute)
+        if number != int(number):
+            raise wrong(element, f"{attribute}: expected a whole number, got {required(element, attribute)!r}")
+        return int(number)
+
+    def _constant(self, path: str, element: Element) -> Number:
+        home, name = self._walk(path, element, "linked_consts", "constant set")
+        definition = home.consts.get(name)
+        if definition is None:
+            raise wrong(element, f"no constant '{path}'{suggestion(name, home.consts)}")
+        return home.once(f"const {name}", definition, lambda: home.number(definition, "const_value"))
+
+    def find(self, element: Element) -> tuple[Scope, Element]:
+        """The definition a `declared_*` element refers to, and the scope it was written in."""
+        path = required(element, "declared_type_ref")
+        home, name = self._walk(path, element, "linked_types", "type set")
+        found = home.types.get(name)
+        if found is None:
+            raise wrong(element, f"no declared type '{path}'{suggestion(name, home.types)}")
+        kind = DECLARED.get(found.tag, found.tag)
+        if kind != DECLARED[element.tag]:
+            raise wrong(element, f"'{path}' is a {kind}, but <{element.tag}> needs a {DECLARED[element.tag]}")
+        return home, found
+
+    def declared(self, element: Element, read: Callable[[Element, Scope], AnyNode]) -> AnyNode:
+        """The node a `declared_*` element stands for: the definition under the element's own name."""
+        home, found = self.find(element)
+        node = home.once(required(found, "name"), element, lambda: read(found, home))
+        return replace(
+            node,
+            name=required(element, "name"),
+            optional=flag(element, "optional"),
+            doc=prose(element) or node.doc,
+            declared=node.declared or DeclaredType(home.set_id, home.version, required(found, "name")),
+        )
+
+    def once(self, name: str, element: Element, make: Callable[[], Thing]) -> Thing:
+        """Read a definition the first time only; a definition inside itself is an error at `element`."""
+        if name not in self.cache:
+            if name in self.open:
+                raise wrong(element, f"'{name}' contains itself")
+            self.open.append(name)
+            self.cache[name] = make()
+            self.open.pop()
+        found: Thing = self.cache[name]  # type: ignore[assignment]  # one name is one definition of one kind
+        return found
+
+    def _walk(self, path: str, element: Element, links: str, what: str) -> tuple[Scope, str]:
+        *sets, name = path.split(".")
+        scope = self
+        for local in sets:
+            known: dict[str, Scope] = getattr(scope, links)
+            if local not in known:
+                raise wrong(element, f"'{path}': no {what} is called '{local}' here{suggestion(local, known)}")
+            scope = known[local]
+        return scope, name
+
+
+def scope_of(root: Element) -> Scope:
+    """The scope of a `declared_const_set`, a `declared_type_set` or a `service_def`."""
+    scope = Scope(required(root, "name"), root.get("id", ""), root.get("version", ""))
+    for part in (root, *root.iterchildren("declared_const_set", "declared_type_set")):
+        _collect(part, scope)
+    return scope
+
+
+def _collect(part: Element, scope: Scope) -> None:
+    if part.tag == "service_def":
+        return
+    for element in part:
+        match element.tag:
+            case "const_def":
+                names = scope.consts
+            case "declared_const_set_ref":
+                names = scope.const_sets
+            case "declared_type_set_ref":
+                names = scope.type_sets
+            case _:
+                names = scope.types
+        add_once(names, element)
+
+
+def add_once(names: dict[str, Element], element: Element) -> None:
+    """Enter a named element; a name that is there already is an error."""
+    name = required(element, "name")
+    first = names.setdefault(name, element)
+    if first is not element:
+        raise wrong(element, f"duplicate name '{name}'; the first is at {file_of(first)}:{first.sourceline}")
+
+
+class Library:
+    """The sets of all files by id and version."""
+
+    def __init__(self) -> None:
+        self.roots: dict[tuple[str, Key], Element] = {}
+        self.scopes: dict[tuple[str, Key], Scope] = {}
+
+    def add(self, root: Element) -> bool:
+        """Enter a root element; False when the same content is there already (sets come in several folders)."""
+        key = (str(root.tag), (required(root, "id"), required(root, "version")))
+        first = self.roots.get(key)
+        if first is not None:
+            if tostring(first, method="c14n") == tostring(root, method="c14n"):
+                return False
+            where = f"{file_of(first)}:{first.sourceline}"
+            raise wrong(root, f"{key[1][0]} {key[1][1]} is defined differently at {where}")
+        self.roots[key] = root
+        self.scopes[key] = scope_of(root)
+        return True
+
+    def link(self) -> None:
+        """Find the sets that sets refer to."""
+        for scope in self.scopes.values():
+            self._link(scope.const_sets.values(), "declared_const_set", scope.linked_consts)
+            self._link(scope.type_sets.values(), "declared_type_set", scope.linked_types)
+
+    def _link(self, references: Iterable[Element], tag: str, links: dict[str, Scope]) -> None:
+        for reference in references:
+            key = (required(reference, "id"), required(reference, "version"))
+            found = self.scopes.get((tag, key))
+            if found is None:
+                known = [f"{id} {version}" for kind, (id, version) in self.scopes if kind == tag]
+                raise wrong(reference, f"no {tag} {key[0]} {key[1]} is loaded{suggestion(' '.join(key), known)}")
+            links[required(reference, "name")] = found

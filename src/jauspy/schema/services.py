@@ -1,0 +1,108 @@
+"""Service definitions, and what they inherit from each other."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+from lxml.etree import _Element as Element
+
+from jauspy.schema.behavior import read_behavior
+from jauspy.schema.library import Scope
+from jauspy.schema.messages import read_events, read_messages
+from jauspy.schema.model import Message, Reference, Service
+from jauspy.schema.reading import location, required, suggestion, text_of, wrong
+
+_VERSION = re.compile(r"\d+\.\d+")
+
+
+def version_key(version: str) -> tuple[int, ...]:
+    """For sorting: 1.10 comes after 1.9."""
+    return tuple(int(part) for part in version.split("."))
+
+
+def read_service(element: Element, jsidl: str, scope: Scope) -> Service:
+    """One service; its `inherits_from` is as written, see `resolve_parents`."""
+    if not _VERSION.fullmatch(required(element, "version")):
+        raise wrong(element, f"version: expected major.minor, got {element.get('version')!r}")
+    message_set = element.find("message_set")
+    inputs = read_messages(message_set, "input_set", scope)
+    outputs = read_messages(message_set, "output_set", scope)
+    _check_both_ways(element, inputs, outputs)
+    return Service(
+        name=required(element, "name"),
+        id=required(element, "id"),
+        version=required(element, "version"),
+        jsidl=jsidl,
+        doc=text_of(element, "description"),
+        assumptions=text_of(element, "assumptions"),
+        inherits_from=next((_reference(part) for part in element.iterfind("references/inherits_from")), None),
+        client_of=tuple(_reference(part) for part in element.iterfind("references/client_of")),
+        inputs=inputs,
+        outputs=outputs,
+        internal_events=read_events(element.find("internal_events_set"), scope),
+        behavior=read_behavior(element.find("protocol_behavior")),
+        where=location(element),
+    )
+
+
+def _reference(element: Element) -> Reference:
+    return Reference(required(element, "name"), required(element, "id"), required(element, "version"))
+
+
+def _check_both_ways(element: Element, inputs: Sequence[Message], outputs: Sequence[Message]) -> None:
+    """A message may come and go, but one code must not mean two things."""
+    codes = {message.code: message for message in inputs}
+    for message in outputs:
+        other = codes.get(message.code)
+        if other is not None and other.body != message.body:
+            where = message.where.line if message.where else element.sourceline
+            raise wrong(
+                element, f"duplicate message_id '{message.code:04X}': {other.name} and {message.name} (line {where})"
+            )
+
+
+def resolve_parents(services: Sequence[Service], roots: Mapping[tuple[str, str], Element]) -> tuple[Service, ...]:
+    """Check that all parents are there, and replace version patterns such as `1.*` by the newest match."""
+    versions: dict[str, list[str]] = {}
+    for service in services:
+        versions.setdefault(service.id, []).append(service.version)
+    resolved = tuple(_resolve_parent(service, versions, roots[service.id, service.version]) for service in services)
+    _refuse_cycles(resolved, roots)
+    return resolved
+
+
+def _resolve_parent(service: Service, versions: Mapping[str, list[str]], root: Element) -> Service:
+    parent = service.inherits_from
+    if parent is None:
+        return service
+    matches = [version for version in versions.get(parent.id, ()) if _matches(version, parent.version)]
+    if not matches:
+        known = [f"{id} {version}" for id, found in versions.items() for version in found]
+        at = root.find("references/inherits_from")
+        wanted = f"{parent.id} {parent.version}"
+        raise wrong(
+            root if at is None else at, f"inherits_from: no service {wanted} is loaded{suggestion(wanted, known)}"
+        )
+    return replace(service, inherits_from=replace(parent, version=max(matches, key=version_key)))
+
+
+def _matches(version: str, pattern: str) -> bool:
+    return all(want in ("*", have) for have, want in zip(version.split("."), pattern.split("."), strict=False))
+
+
+def _refuse_cycles(services: Sequence[Service], roots: Mapping[tuple[str, str], Element]) -> None:
+    parents = {
+        (service.id, service.version): service.inherits_from
+        and (service.inherits_from.id, service.inherits_from.version)
+        for service in services
+    }
+    for start in parents:
+        key = parents[start]
+        for _ in parents:
+            if key is None:
+                break
+            if key == start:
+                raise wrong(roots[start], f"{start[0]} inherits from itself")
+            key = parents[key]
