@@ -8,7 +8,7 @@ from typing import Literal
 from lxml.etree import _Element as Element
 
 from jauspy.schema.model import Action, Behavior, Parameter, Start, State, StateMachine, Transition
-from jauspy.schema.reading import flag, location, required, suggestion, wrong
+from jauspy.schema.reading import flag, line_of, location, required, suggestion, wrong
 
 Kind = Literal["simple", "internal", "push", "pop"]
 
@@ -35,25 +35,16 @@ def _unique(elements: Iterable[Element]) -> None:
         name = required(element, "name")
         first = seen.setdefault(name, element)
         if first is not element:
-            raise wrong(element, f"duplicate {element.tag} '{name}'; the first is in line {first.sourceline}")
+            raise wrong(element, f"duplicate {element.tag} '{name}'; the first is in line {line_of(first)}")
 
 
 def _start(element: Element, machines: tuple[StateMachine, ...]) -> Start:
     start = Start(required(element, "state_machine_name"), required(element, "state_name"))
     for machine in machines:
         if machine.name == start.machine:
-            _check_path(element, start.state, machine.states)
             return start
     known = suggestion(start.machine, (machine.name for machine in machines))
     raise wrong(element, f"no state machine '{start.machine}'{known}")
-
-
-def _check_path(element: Element, path: str, states: tuple[State, ...]) -> None:
-    for name in path.split("."):
-        found = next((state for state in states if state.name == name), None)
-        if found is None:
-            raise wrong(element, f"'{path}': no state '{name}'{suggestion(name, (state.name for state in states))}")
-        states = found.states
 
 
 def _machine(element: Element) -> StateMachine:
@@ -70,20 +61,13 @@ def _states(parent: Element) -> tuple[State, ...]:
 
 
 def _state(element: Element) -> State:
-    states = _states(element)
-    initial = element.get("initial_state")
-    names = [state.name for state in states]
-    if initial is not None and initial not in names:
-        raise wrong(
-            element, f"initial_state: no state '{initial}' in '{element.get('name')}'{suggestion(initial, names)}"
-        )
     return State(
         name=required(element, "name"),
-        initial=initial,
+        initial=element.get("initial_state"),
         entry=_actions(element.find("entry")),
         exit=_actions(element.find("exit")),
         transitions=_transitions(element),
-        states=states,
+        states=_states(element),
         default_transitions=_defaults(element),
     )
 

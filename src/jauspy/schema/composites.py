@@ -10,7 +10,7 @@ from jauspy.schema.fields import read_field
 from jauspy.schema.grammar import DECLARED
 from jauspy.schema.library import Scope
 from jauspy.schema.model import Composite, List, Node, Record, Sequence, Unsigned, Variant
-from jauspy.schema.reading import flag, prose, required, wrong
+from jauspy.schema.reading import child, flag, prose, required, wrong
 from jauspy.schema.values import read_count, unsigned
 
 _AUXILIARY = frozenset(("presence_vector", "count_field", "vtag_field"))
@@ -34,11 +34,11 @@ def read_content(part: Element, scope: Scope) -> Composite | None:
 
 
 def _members(element: Element) -> list[Element]:
-    return [child for child in element if child.tag not in _AUXILIARY]
+    return [part for part in element if part.tag not in _AUXILIARY]
 
 
 def _record(element: Element, scope: Scope) -> Record:
-    fields = tuple(read_field(child, scope) for child in _members(element))
+    fields = tuple(read_field(member, scope) for member in _members(element))
     return Record(
         name=required(element, "name"),
         optional=flag(element, "optional"),
@@ -49,7 +49,7 @@ def _record(element: Element, scope: Scope) -> Record:
 
 
 def _sequence(element: Element, scope: Scope) -> Sequence:
-    items = tuple(read_composite(child, scope) for child in _members(element))
+    items = tuple(read_composite(member, scope) for member in _members(element))
     return Sequence(
         name=required(element, "name"),
         optional=flag(element, "optional"),
@@ -65,17 +65,17 @@ def _presence(element: Element, members: Iterable[Node]) -> Unsigned | None:
     vector = element.find("presence_vector")
     if vector is not None:
         return unsigned(vector)
-    for member, child in zip(members, _members(element), strict=True):
+    for member, part in zip(members, _members(element), strict=True):
         if member.optional:
-            raise wrong(child, f"'{member.name}' is optional, but '{element.get('name')}' has no <presence_vector>")
+            raise wrong(part, f"'{member.name}' is optional, but '{element.get('name')}' has no <presence_vector>")
     return None
 
 
 def _check_names(element: Element, members: Iterable[Node]) -> None:
     seen: set[str] = set()
-    for member, child in zip(members, _members(element), strict=True):
+    for member, part in zip(members, _members(element), strict=True):
         if member.name in seen:
-            raise wrong(child, f"duplicate name '{member.name}' in '{element.get('name')}'")
+            raise wrong(part, f"duplicate name '{member.name}' in '{element.get('name')}'")
         seen.add(member.name)
 
 
@@ -84,14 +84,14 @@ def _list(element: Element, scope: Scope) -> List:
         name=required(element, "name"),
         optional=flag(element, "optional"),
         doc=prose(element),
-        count=read_count(element.find("count_field"), scope),
+        count=read_count(child(element, "count_field"), scope),
         element=read_composite(_members(element)[0], scope),
     )
 
 
 def _variant(element: Element, scope: Scope) -> Variant:
-    tag = read_count(element.find("vtag_field"), scope)
-    arms = tuple(read_composite(child, scope) for child in _members(element))
+    tag = read_count(child(element, "vtag_field"), scope)
+    arms = tuple(read_composite(member, scope) for member in _members(element))
     _check_names(element, arms)
     if not arms:  # a public definition has a variant that is a tag and nothing else
         arms = tuple(Record(name=f"Empty{index}", fields=()) for index in range(min(tag.maximum + 1, _MAX_EMPTY_ARMS)))

@@ -23,7 +23,7 @@ from jauspy.schema.model import (
     VariableLengthField,
     VariableString,
 )
-from jauspy.schema.reading import bounded, flag, prose, required, wrong
+from jauspy.schema.reading import bounded, child, flag, prose, required, wrong
 from jauspy.schema.values import BITS, read_count, read_scale, read_values, scalar, unsigned
 
 
@@ -40,13 +40,6 @@ def read_simple(element: Element, scope: Scope) -> SimpleField:
     """A field that is no array, written out or declared."""
     reader = _READERS.get(element.tag)
     return scope.declared(element, read_simple) if reader is None else reader(element, scope)
-
-
-def _child(element: Element, tag: str) -> Element:
-    child = element.find(tag)
-    if child is None:
-        raise wrong(element, f"<{element.tag}> needs <{tag}>")
-    return child
 
 
 def _fixed_field(element: Element, scope: Scope) -> FixedField:
@@ -73,14 +66,14 @@ def _bit_field(element: Element, scope: Scope) -> BitField:
 
 
 def _sub_field(element: Element, bits: int, scope: Scope) -> SubField:
-    bit_range = _child(element, "bit_range")
+    bit_range = child(element, "bit_range")
     first = bounded(bit_range, "from_index", 0, bits - 1)
     last = bounded(bit_range, "to_index", first, bits - 1)
     return SubField(required(element, "name"), first, last, read_values(element, scope), prose(element))
 
 
 def _variable_field(element: Element, scope: Scope) -> VariableField:
-    choices = tuple(_type_choice(part, scope) for part in _child(element, "type_and_units_field"))
+    choices = tuple(_type_choice(part, scope) for part in child(element, "type_and_units_field"))
     return VariableField(
         name=required(element, "name"), optional=flag(element, "optional"), doc=prose(element), choices=choices
     )
@@ -112,7 +105,7 @@ def _variable_string(element: Element, scope: Scope) -> VariableString:
         name=required(element, "name"),
         optional=flag(element, "optional"),
         doc=prose(element),
-        count=read_count(_child(element, "count_field"), scope),
+        count=read_count(child(element, "count_field"), scope),
     )
 
 
@@ -122,18 +115,18 @@ def _variable_length_field(element: Element, scope: Scope) -> VariableLengthFiel
         optional=flag(element, "optional"),
         doc=prose(element),
         format=required(element, "field_format"),
-        count=read_count(_child(element, "count_field"), scope),
+        count=read_count(child(element, "count_field"), scope),
     )
 
 
 def _variable_format_field(element: Element, scope: Scope) -> VariableFormatField:
-    formats = _child(element, "format_field")
+    formats = child(element, "format_field")
     return VariableFormatField(
         name=required(element, "name"),
         optional=flag(element, "optional"),
         doc=prose(element),
         formats=tuple(Format(bounded(part, "index", 0, 255), required(part, "field_format")) for part in formats),
-        count=read_count(_child(element, "count_field"), scope),
+        count=read_count(child(element, "count_field"), scope),
     )
 
 

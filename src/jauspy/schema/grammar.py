@@ -183,7 +183,7 @@ def check(root: Element) -> None:
 
 
 def _check_attributes(element: Element, rule: Rule) -> None:
-    for name in element.keys():  # noqa: SIM118 - an Element iterates over its children
+    for name in map(str, element.keys()):
         if name not in rule.attributes and not name.startswith("{"):
             known = suggestion(name, rule.attributes)
             raise wrong(element, f"<{element.tag}> has an unknown attribute '{name}'{known}")

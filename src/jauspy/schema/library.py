@@ -9,23 +9,19 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
-from typing import TypeVar
+from typing import TypeVar, cast
 
 from lxml.etree import _Element as Element
-from lxml.etree import tostring
 
 from jauspy.schema.constants import ExpressionError, Number, evaluate
 from jauspy.schema.grammar import DECLARED
 from jauspy.schema.model import DeclaredType, Node
-from jauspy.schema.reading import file_of, flag, prose, required, suggestion, wrong
+from jauspy.schema.reading import file_of, flag, line_of, prose, required, suggestion, wrong
 
 AnyNode = TypeVar("AnyNode", bound=Node)
 Thing = TypeVar("Thing")
 Key = tuple[str, str]
 """Id (URN) and version of a set or service."""
-
-MAX_REFERENCES = 64
-"""Declared types referring to declared types; real files have a handful of levels."""
 
 
 @dataclass(slots=True, eq=False)
@@ -98,18 +94,31 @@ class Scope:
             self.open.append(name)
             self.cache[name] = make()
             self.open.pop()
-        found: Thing = self.cache[name]  # type: ignore[assignment]  # one name is one definition of one kind
-        return found
+        return cast("Thing", self.cache[name])  # one name is one definition of one kind
 
     def _walk(self, path: str, element: Element, links: str, what: str) -> tuple[Scope, str]:
         *sets, name = path.split(".")
         scope = self
         for local in sets:
-            known: dict[str, Scope] = getattr(scope, links)
-            if local not in known:
+            found = _linked(scope, local, links)
+            if found is None:
+                known: dict[str, Scope] = getattr(scope, links)
                 raise wrong(element, f"'{path}': no {what} is called '{local}' here{suggestion(local, known)}")
-            scope = known[local]
+            scope = found
         return scope, name
+
+
+def _linked(scope: Scope, local: str, links: str) -> Scope | None:
+    """The set with this local name, else one that a referred set calls so: public files rely on that."""
+    waiting, seen = [scope], {id(scope)}
+    for current in waiting:
+        known: dict[str, Scope] = getattr(current, links)
+        if local in known:
+            return known[local]
+        fresh = [other for other in known.values() if id(other) not in seen]
+        seen.update(map(id, fresh))
+        waiting += fresh
+    return None
 
 
 def scope_of(root: Element) -> Scope:
@@ -141,7 +150,18 @@ def add_once(names: dict[str, Element], element: Element) -> None:
     name = required(element, "name")
     first = names.setdefault(name, element)
     if first is not element:
-        raise wrong(element, f"duplicate name '{name}'; the first is at {file_of(first)}:{first.sourceline}")
+        raise wrong(element, f"duplicate name '{name}'; the first is at {file_of(first)}:{line_of(first)}")
+
+
+def _signature(root: Element) -> list[tuple[object, ...]]:
+    """All that matters of a definition: its elements and attributes, but no prose and no line breaks."""
+    return [
+        (element.tag, *sorted((key, " ".join(str(text).split())) for key, text in element.items() if key not in _PROSE))
+        for element in root.iter()
+    ]
+
+
+_PROSE = frozenset(("interpretation", "{http://www.w3.org/XML/1998/namespace}space"))
 
 
 class Library:
@@ -156,9 +176,9 @@ class Library:
         key = (str(root.tag), (required(root, "id"), required(root, "version")))
         first = self.roots.get(key)
         if first is not None:
-            if tostring(first, method="c14n") == tostring(root, method="c14n"):
+            if _signature(first) == _signature(root):
                 return False
-            where = f"{file_of(first)}:{first.sourceline}"
+            where = f"{file_of(first)}:{line_of(first)}"
             raise wrong(root, f"{key[1][0]} {key[1][1]} is defined differently at {where}")
         self.roots[key] = root
         self.scopes[key] = scope_of(root)
@@ -175,6 +195,6 @@ class Library:
             key = (required(reference, "id"), required(reference, "version"))
             found = self.scopes.get((tag, key))
             if found is None:
-                known = [f"{id} {version}" for kind, (id, version) in self.scopes if kind == tag]
+                known = [" ".join(other) for kind, other in self.scopes if kind == tag]
                 raise wrong(reference, f"no {tag} {key[0]} {key[1]} is loaded{suggestion(' '.join(key), known)}")
             links[required(reference, "name")] = found

@@ -13,9 +13,10 @@ from jauspy.errors import SchemaError
 from jauspy.schema.composites import read_composite, read_content
 from jauspy.schema.fields import read_field
 from jauspy.schema.grammar import DECLARED
-from jauspy.schema.library import Library, Scope
+from jauspy.schema.library import Key, Library, Scope
 from jauspy.schema.messages import read_event, read_message
 from jauspy.schema.model import Schema, Service
+from jauspy.schema.reading import required, wrong
 from jauspy.schema.services import read_service, resolve_parents, version_key
 from jauspy.schema.source import read
 from jauspy.schema.values import read_value_set
@@ -24,13 +25,14 @@ from jauspy.schema.values import read_value_set
 def load_files(paths: Iterable[Path]) -> Schema:
     """Read JSIDL files that may refer to each other, in any order; `SchemaError` says what is wrong where."""
     library = Library()
-    versions: dict[tuple[str, str], str] = {}
-    roots: dict[tuple[str, str], Element] = {}
+    versions: dict[Key, str] = {}
+    roots: dict[Key, Element] = {}
     for path in paths:
         root, jsidl = read(path)
+        key = required(root, "id"), required(root, "version")
         if library.add(root) and root.tag == "service_def":
-            roots[root.attrib["id"], root.attrib["version"]] = root
-            versions[root.attrib["id"], root.attrib["version"]] = jsidl
+            roots[key] = root
+            versions[key] = jsidl
     library.link()
     for scope in library.scopes.values():
         _read_all_types(scope)
@@ -46,7 +48,10 @@ def _order(service: Service) -> tuple[str, tuple[int, ...]]:
 def _read_all_types(scope: Scope) -> None:
     """Also those that no message uses: an error in them would otherwise wait for its first user."""
     for name, element in scope.types.items():
-        scope.once(name, element, _reader(element, scope))
+        try:
+            scope.once(name, element, _reader(element, scope))
+        except RecursionError as error:
+            raise wrong(element, f"'{name}' refers to declared types too deeply") from error
 
 
 def _reader(element: Element, scope: Scope) -> Callable[[], object]:

@@ -11,7 +11,7 @@ from lxml.etree import _Element as Element
 from jauspy.schema.composites import read_content
 from jauspy.schema.library import Scope
 from jauspy.schema.model import DeclaredType, FixedField, InternalEvent, Message, Record
-from jauspy.schema.reading import flag, location, prose, required, text_of, wrong
+from jauspy.schema.reading import flag, line_of, location, prose, required, text_of, wrong
 
 _CODE = re.compile(r"[0-9A-Fa-f]{4}")
 
@@ -26,7 +26,7 @@ def read_messages(message_set: Element, direction: str, scope: Scope) -> tuple[M
             first = seen.setdefault(key, element)
             if first is not element:
                 shown = key if isinstance(key, str) else f"{key:04X}"
-                raise wrong(element, f"duplicate {what} '{shown}'; the first is in line {first.sourceline}")
+                raise wrong(element, f"duplicate {what} '{shown}'; the first is in line {line_of(first)}")
         messages.append(message)
     return tuple(messages)
 

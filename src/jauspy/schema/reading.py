@@ -19,14 +19,20 @@ def file_of(element: Element) -> str:
     return element.getroottree().docinfo.URL or "<unknown>"
 
 
+def line_of(element: Element) -> int:
+    """The line of the start tag; 0 when libxml2 has lost it."""
+    line: object = element.sourceline
+    return line if isinstance(line, int) else 0
+
+
 def location(element: Element) -> Location:
     """File and line of an element, for the model."""
-    return Location(file_of(element), element.sourceline or 0)
+    return Location(file_of(element), line_of(element))
 
 
 def wrong(element: Element, message: str) -> SchemaError:
     """The error to raise about this element."""
-    return SchemaError(message, file=file_of(element), line=element.sourceline)
+    return SchemaError(message, file=file_of(element), line=line_of(element))
 
 
 def suggestion(name: str, known: Iterable[str]) -> str:
@@ -48,11 +54,19 @@ def required(element: Element, name: str) -> str:
     return text
 
 
+def child(element: Element, tag: str) -> Element:
+    """A mandatory child."""
+    found = element.find(tag)
+    if found is None:
+        raise wrong(element, f"<{element.tag}> needs <{tag}>")
+    return found
+
+
 def choice(element: Element, name: str, values: Mapping[str, Value], default: str | None = None) -> Value:
     """A mandatory attribute (unless there is a default) with a fixed vocabulary, translated."""
     text = required(element, name) if default is None else element.get(name, default)
     try:
-        return values[text]
+        return values[" ".join(text.split())]
     except KeyError:
         raise wrong(element, f"{name}: expected one of {', '.join(map(repr, values))}, got {text!r}") from None
 

@@ -9,10 +9,10 @@ from dataclasses import replace
 from lxml.etree import _Element as Element
 
 from jauspy.schema.behavior import read_behavior
-from jauspy.schema.library import Scope
+from jauspy.schema.library import Key, Scope
 from jauspy.schema.messages import read_events, read_messages
 from jauspy.schema.model import Message, Reference, Service
-from jauspy.schema.reading import location, required, suggestion, text_of, wrong
+from jauspy.schema.reading import child, location, required, suggestion, text_of, wrong
 
 _VERSION = re.compile(r"\d+\.\d+")
 
@@ -26,7 +26,7 @@ def read_service(element: Element, jsidl: str, scope: Scope) -> Service:
     """One service; its `inherits_from` is as written, see `resolve_parents`."""
     if not _VERSION.fullmatch(required(element, "version")):
         raise wrong(element, f"version: expected major.minor, got {element.get('version')!r}")
-    message_set = element.find("message_set")
+    message_set = child(element, "message_set")
     inputs = read_messages(message_set, "input_set", scope)
     outputs = read_messages(message_set, "output_set", scope)
     _check_both_ways(element, inputs, outputs)
@@ -57,13 +57,11 @@ def _check_both_ways(element: Element, inputs: Sequence[Message], outputs: Seque
     for message in outputs:
         other = codes.get(message.code)
         if other is not None and other.body != message.body:
-            where = message.where.line if message.where else element.sourceline
-            raise wrong(
-                element, f"duplicate message_id '{message.code:04X}': {other.name} and {message.name} (line {where})"
-            )
+            names = f"{other.name} and {message.name}"
+            raise wrong(element, f"message_id '{message.code:04X}' means two things: {names}")
 
 
-def resolve_parents(services: Sequence[Service], roots: Mapping[tuple[str, str], Element]) -> tuple[Service, ...]:
+def resolve_parents(services: Sequence[Service], roots: Mapping[Key, Element]) -> tuple[Service, ...]:
     """Check that all parents are there, and replace version patterns such as `1.*` by the newest match."""
     versions: dict[str, list[str]] = {}
     for service in services:
@@ -79,7 +77,7 @@ def _resolve_parent(service: Service, versions: Mapping[str, list[str]], root: E
         return service
     matches = [version for version in versions.get(parent.id, ()) if _matches(version, parent.version)]
     if not matches:
-        known = [f"{id} {version}" for id, found in versions.items() for version in found]
+        known = [f"{urn} {version}" for urn, found in versions.items() for version in found]
         at = root.find("references/inherits_from")
         wanted = f"{parent.id} {parent.version}"
         raise wrong(
@@ -92,17 +90,18 @@ def _matches(version: str, pattern: str) -> bool:
     return all(want in ("*", have) for have, want in zip(version.split("."), pattern.split("."), strict=False))
 
 
-def _refuse_cycles(services: Sequence[Service], roots: Mapping[tuple[str, str], Element]) -> None:
-    parents = {
-        (service.id, service.version): service.inherits_from
-        and (service.inherits_from.id, service.inherits_from.version)
-        for service in services
-    }
-    for start in parents:
-        key = parents[start]
+def _refuse_cycles(services: Sequence[Service], roots: Mapping[Key, Element]) -> None:
+    parents = {(service.id, service.version): _parent(service) for service in services}
+    for start in parents:  # noqa: PLC0206 - the walk follows keys, not items
+        ancestor = parents[start]
         for _ in parents:
-            if key is None:
+            if ancestor is None:
                 break
-            if key == start:
+            if ancestor == start:
                 raise wrong(roots[start], f"{start[0]} inherits from itself")
-            key = parents[key]
+            ancestor = parents[ancestor]
+
+
+def _parent(service: Service) -> Key | None:
+    parent = service.inherits_from
+    return None if parent is None else (parent.id, parent.version)

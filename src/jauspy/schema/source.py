@@ -27,7 +27,7 @@ _DOCTYPE = re.compile(rb"<!(DOCTYPE|ENTITY)")
 def read(path: Path) -> tuple[Element, str]:
     """The root element of a file and its JSIDL version; tags have lost their namespace."""
     root = _parse(_bytes(path), path)
-    if root.getroottree().docinfo.doctype:
+    if root.getroottree().docinfo.doctype:  # type: ignore[attr-defined]  # lxml-stubs lacks it
         raise wrong(root, "a document type declaration is not allowed")
     version = NAMESPACES.get(etree.QName(root).namespace or "")
     if version is None:
