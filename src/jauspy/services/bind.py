@@ -1,0 +1,172 @@
+"""Binds what a JSIDL state machine names to methods of the services, once, when a component is made."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Iterator, Mapping
+from typing import Final, TypeAlias
+
+from jauspy.codec.names import snake
+from jauspy.errors import ConfigError
+from jauspy.schema import model
+from jauspy.services import guards
+from jauspy.services.machine import BoundState, Rule, Step
+from jauspy.services.service import Service
+from jauspy.services.tree import Owned, StateNode
+from jauspy.services.trigger import ANY_MESSAGE, Key, Trigger
+
+Reply: TypeAlias = Callable[[object, Trigger, bool], None]
+"""Sends (what a report method returned, the trigger, whether to its source or else to the controlling client)."""
+
+_GETTERS: Final[Mapping[str, Callable[[Trigger], object]]] = {
+    "msg": lambda trigger: trigger.msg,
+    "query": lambda trigger: trigger.msg,
+    "source": lambda trigger: trigger.source,
+}
+
+
+class Binder:
+    """Finds the method for each action, predicate and Send; what is not found is collected in `problems`."""
+
+    def __init__(self, definitions: Mapping[str, model.Service], services: Mapping[str, Service], reply: Reply) -> None:
+        self._definitions = definitions
+        self._services = services
+        self._reply = reply
+        self.problems: list[str] = []
+
+    def states(self, root: StateNode) -> dict[StateNode, BoundState]:
+        """Everything below `root`, bound."""
+        return {node: self._state(node, root) for node in root.all() if node.path}
+
+    def raise_problems(self) -> None:
+        """Raise one `ConfigError` with everything that is missing."""
+        if self.problems:
+            raise ConfigError("the services cannot run:\n  " + "\n  ".join(dict.fromkeys(self.problems)))
+
+    def _state(self, node: StateNode, root: StateNode) -> BoundState:
+        return BoundState(
+            # Around the others: what a parent sets up comes before, and goes after, what builds on it.
+            entry=tuple(self._step(action, node) for action in reversed(node.entry)),
+            exit=tuple(self._step(action, node) for action in node.exit),
+            transitions=tuple(self._rule(transition, node, root) for transition in node.transitions),
+            defaults=tuple(self._rule(transition, node, root) for transition in node.defaults),
+        )
+
+    def _rule(self, owned: Owned[model.Transition], node: StateNode, root: StateNode) -> Rule:
+        owner, transition = owned.owner, owned.item
+        where = f"{owner.name}, state {node}"
+        return Rule(
+            name=f"{where}, {_described(transition)}",
+            key=self._key(owner, transition, where),
+            kind=transition.kind,
+            guard=self._guard(owned, where),
+            steps=tuple(self._step(Owned(owner, action), node) for action in transition.actions),
+            end=self._end(transition, root, where),
+        )
+
+    def _key(self, owner: model.Service, transition: model.Transition, where: str) -> Key:
+        event = transition.trigger.rpartition(".")[2]
+        if event != "Receive":
+            return event
+        if not transition.parameters:
+            return ANY_MESSAGE
+        wanted = transition.parameters[0].type
+        for definition in self._line(owner):
+            for message in definition.inputs:
+                if message.name == wanted:
+                    return message.code
+        self.problems.append(f"{where}: receives {wanted}, which is no input of {owner.name} or its parents")
+        return wanted
+
+    def _end(self, transition: model.Transition, root: StateNode, where: str) -> StateNode | None:
+        if transition.end_state is None:
+            if transition.kind in ("simple", "push"):
+                self.problems.append(f"{where}: a {transition.kind} transition without an end state")
+            return None
+        end = root.find(transition.end_state)
+        if end is None:
+            self.problems.append(f"{where}: goes to {transition.end_state}, which is not a state")
+        return end
+
+    def _guard(self, owned: Owned[model.Transition], where: str) -> Callable[[Trigger], bool] | None:
+        if not owned.item.guard.strip():
+            return None
+
+        def resolve(call: guards.Call) -> Callable[[Trigger], bool]:
+            method = self._method(owned.owner, call.name, f"{where}: predicate")
+            bound = self._by_name(method, call.arguments, f"{where}: predicate {call.name}")
+            return lambda trigger: bool(bound(trigger))
+
+        return guards.compile_guard(guards.parse(owned.item.guard), resolve)
+
+    def _step(self, owned: Owned[model.Action], node: StateNode) -> Step:
+        owner, action = owned.owner, owned.item
+        where = f"{owner.name}, state {node}"
+        name = f"{where}, action {action.name}"
+        if action.name.rpartition(".")[2] == "Send":
+            return self._send(owned, where)
+        method = self._method(owner, action.name, f"{where}: action")
+        return Step(name, self._by_name(method, action.arguments, f"{where}: action {action.name}"))
+
+    def _send(self, owned: Owned[model.Action], where: str) -> Step:
+        """`Send('Message', ['CODE',] [msg,] [transportData])`; without transportData to the controlling client."""
+        arguments = [argument.strip() for argument in owned.item.arguments]
+        # One published definition quotes the name of the parameter; it means the same.
+        to_source = any(argument.strip("'\"") == "transportData" for argument in arguments)
+        message, *literals = [text for text in _literals(arguments) if text != "transportData"] or [""]
+        method = self._method(owned.owner, message, f"{where}: Send of")
+        make = self._by_name(method, literals, f"{where}: Send of {message}", quoted=False)
+        reply = self._reply
+        return Step(f"{where}, Send {message}", lambda trigger: reply(make(trigger), trigger, to_source))
+
+    def _line(self, owner: model.Service) -> Iterator[model.Service]:
+        """The definition and its ancestors, nearest first."""
+        definition: model.Service | None = owner
+        while definition is not None:
+            yield definition
+            parent = definition.inherits_from
+            definition = self._definitions.get(parent.id) if parent else None
+
+    def _method(self, owner: model.Service, dotted: str, what: str) -> Callable[..., object]:
+        name = snake(dotted.rpartition(".")[2])
+        for definition in self._line(owner):
+            service = self._services[definition.id]
+            method = getattr(service, name, None)
+            if callable(method) and (definition is owner or not service.private):
+                return method  # type: ignore[no-any-return]  # getattr by a computed name
+            if definition is owner and name in service.omits:
+                return _nothing
+        self.problems.append(f"{what} {dotted} needs a method `{name}` of {type(self._services[owner.id]).__name__}")
+        return _nothing
+
+    def _by_name(
+        self, method: Callable[..., object], arguments: tuple[str, ...] | list[str], what: str, *, quoted: bool = True
+    ) -> Callable[[Trigger], object]:
+        """A call of `method` with what its parameters name."""
+        literals = _literals(arguments) if quoted else list(arguments)
+        code = literals[0] if literals else None
+        getters: list[Callable[[Trigger], object]] = []
+        for parameter in inspect.signature(method).parameters.values():
+            if parameter.name in _GETTERS and parameter.kind is parameter.POSITIONAL_OR_KEYWORD:
+                getters.append(_GETTERS[parameter.name])
+            elif parameter.name == "code" and parameter.kind is parameter.POSITIONAL_OR_KEYWORD:
+                getters.append(lambda _: code)
+            elif parameter.default is parameter.empty:
+                known = ", ".join((*_GETTERS, "code"))
+                self.problems.append(f"{what}: parameter `{parameter.name}` is not one of {known}")
+        if not getters:
+            return lambda _: method()
+        return lambda trigger: method(*[get(trigger) for get in getters])
+
+
+def _literals(arguments: tuple[str, ...] | list[str]) -> list[str]:
+    return [argument[1:-1] for argument in arguments if argument[:1] in ("'", '"')]
+
+
+def _described(transition: model.Transition) -> str:
+    what = transition.parameters[0].type if transition.parameters else transition.trigger.rpartition(".")[2]
+    return f"on {what}"
+
+
+def _nothing() -> None:
+    """Stands for a missing method until all of them are known."""

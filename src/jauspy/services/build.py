@@ -1,0 +1,87 @@
+"""Puts a component's services together: definitions, merged machines, bound actions and the messages it takes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+from jauspy import messages
+from jauspy.codec.base import Message
+from jauspy.codec.registry import Registry
+from jauspy.errors import ConfigError
+from jauspy.schema import load_builtin
+from jauspy.schema.model import Schema, Service as Definition
+from jauspy.services.bind import Binder, Reply
+from jauspy.services.core.defaults import DEFAULTS
+from jauspy.services.isolation import Containment
+from jauspy.services.lineage import definitions_of
+from jauspy.services.machine import Machine
+from jauspy.services.service import Service
+from jauspy.services.tree import merge, start_of
+from jauspy.services.trigger import Key
+
+
+@dataclass(frozen=True, slots=True)
+class Built:
+    """The parts of a component."""
+
+    services: Mapping[str, Service]
+    definitions: Mapping[str, Definition]
+    machines: Mapping[str, Machine]
+    inputs: Mapping[int, type[Message]]
+    events: Mapping[str, Machine]
+
+    def route(self, key: Key) -> Machine | None:
+        """The machine that a message or an internal event is for."""
+        return self.machines.get("ReceiveFSM") if isinstance(key, int) else self.events.get(key)
+
+
+def build(
+    services: Iterable[Service], schema: Schema | None, registry: Registry | None, reply: Reply, contain: Containment
+) -> Built:
+    """Everything bound and checked; raises `ConfigError` with all that is missing."""
+    given = _by_urn(services)
+    definitions = definitions_of(given.values(), schema or load_builtin())
+    all_services = {urn: given.get(urn) or _default(urn) for urn in definitions}
+    binder = Binder(definitions, all_services, reply)
+    roots = merge(list(definitions.values()))
+    bound = {name: binder.states(root) for name, root in roots.items()}
+    binder.raise_problems()
+    starts = {name: start_of(root, name, list(definitions.values())) for name, root in roots.items()}
+    machines = {name: Machine(states, starts[name], contain) for name, states in bound.items()}
+    events = {
+        rule.key: machines[name]
+        for name, states in bound.items()
+        for state in states.values()
+        for rule in state.transitions + state.defaults
+        if isinstance(rule.key, str)
+    }
+    return Built(all_services, definitions, machines, _inputs(definitions, registry or messages.registry), events)
+
+
+def _by_urn(services: Iterable[Service]) -> dict[str, Service]:
+    found: dict[str, Service] = {}
+    for service in services:
+        if not service.urn:
+            raise ConfigError(f"{type(service).__name__} names no definition; write class ...(Service, urn='urn:...')")
+        if service.urn in found:
+            raise ConfigError(f"{service.urn} is given twice; a component has each service once")
+        found[service.urn] = service
+    return found
+
+
+def _default(urn: str) -> Service:
+    if urn not in DEFAULTS:
+        raise ConfigError(f"{urn} is inherited from and is not among the component's services; add it")
+    return DEFAULTS[urn]()
+
+
+def _inputs(definitions: Mapping[str, Definition], registry: Registry) -> dict[int, type[Message]]:
+    """The message class for each code the component takes: that of the version of the service it runs."""
+    found: dict[int, type[Message]] = {}
+    for definition in definitions.values():
+        for message in definition.inputs:
+            for kind in registry.by_code(message.code):
+                if (kind.SERVICE, kind.VERSION) == (definition.id, definition.version):
+                    found.setdefault(message.code, kind)
+    return found

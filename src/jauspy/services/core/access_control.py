@@ -1,0 +1,115 @@
+"""AccessControl: one client at a time is in control, by authority, and only as long as it keeps asking (AS5710)."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from jauspy.errors import ConfigError
+from jauspy.ids import JausID
+from jauspy.messages.core import (
+    ConfirmControl,
+    RejectControl,
+    ReportAuthority,
+    ReportControl,
+    ReportTimeout,
+    RequestControl,
+    SetAuthority,
+)
+from jauspy.services.service import Service
+
+_TIMER: Final = "access control"
+_NOBODY: Final = JausID(0, 0, 0)
+
+
+class AccessControl(Service, urn="urn:jaus:jss:core:AccessControl"):
+    """Exclusive control over all services of the component.
+
+    `default_authority`: 0..255, what a client needs at least. `timeout`: whole seconds, 1..255, within which the
+    client must request control again; 0 never takes it back.
+    """
+
+    def __init__(self, *, default_authority: int = 1, timeout: int = 5) -> None:
+        for name, value in (("default_authority", default_authority), ("timeout", timeout)):
+            if not 0 <= value <= 255:
+                raise ConfigError(f"access control: {name} is {value}; it must be 0..255")
+        self.default_authority = default_authority
+        self.timeout = timeout
+        self.authority = default_authority
+        self.controller: JausID | None = None
+
+    # --- actions
+
+    def init(self) -> None:
+        """Nobody is in control."""
+        self.authority = self.default_authority
+        self.host.cancel_timer(_TIMER)
+        self._hand_to(None)
+
+    def store_address(self, source: JausID) -> None:
+        """`source` is in control from now on."""
+        self._hand_to(source)
+
+    def set_authority(self, msg: RequestControl | SetAuthority) -> None:
+        """The controlling client's authority."""
+        self.authority = msg.authority_code
+
+    def reset_timer(self) -> None:
+        """The controlling client has its full time again."""
+        if self.timeout:
+            self.host.set_timer(_TIMER, self.host.now + self.timeout, self._time_out)
+
+    def _time_out(self) -> None:
+        # Emergency swallows Timedout: the timer goes on, so that a dead client is dropped after the emergency.
+        self.reset_timer()
+        self.host.fire("Timedout")
+
+    def _hand_to(self, client: JausID | None) -> None:
+        before, self.controller = self.controller, client
+        if before not in (None, client):
+            self.host.control_lost()
+
+    # --- predicates
+
+    def is_controlling_client(self, source: JausID) -> bool:
+        """The sender is in control."""
+        return self.controller == source
+
+    def is_default_authority_greater(self, msg: RequestControl) -> bool:
+        """The request has not even the default authority."""
+        return self.default_authority > msg.authority_code
+
+    def is_current_authority_less(self, msg: RequestControl) -> bool:
+        """The request outranks the client in control."""
+        return self.authority < msg.authority_code
+
+    def is_authority_valid(self, msg: SetAuthority) -> bool:
+        """A client may lower its authority, down to the default one."""
+        return self.default_authority <= msg.authority_code <= self.authority
+
+    # --- reports
+
+    def confirm_control(self, code: str) -> ConfirmControl:
+        """The answer to a request."""
+        return ConfirmControl(response_code=ConfirmControl.ResponseCode[code])
+
+    def reject_control(self, code: str) -> RejectControl:
+        """Control was given up or taken away."""
+        return RejectControl(response_code=RejectControl.ResponseCode[code])
+
+    def report_control(self) -> ReportControl:
+        """Who is in control; all zero for nobody."""
+        client = self.controller
+        return ReportControl(
+            subsystem_id=(client or _NOBODY).subsystem,
+            node_id=(client or _NOBODY).node,
+            component_id=(client or _NOBODY).component,
+            authority_code=self.authority if client else 0,
+        )
+
+    def report_authority(self) -> ReportAuthority:
+        """The authority needed to take control: of the client in control, else the default."""
+        return ReportAuthority(authority_code=self.authority)
+
+    def report_timeout(self) -> ReportTimeout:
+        """Seconds, 0 when control never times out."""
+        return ReportTimeout(timeout=self.timeout)

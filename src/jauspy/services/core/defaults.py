@@ -1,0 +1,16 @@
+"""The core services that a component gets by itself when something inherits from them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Final
+
+from jauspy.services.core.access_control import AccessControl
+from jauspy.services.core.events import Events
+from jauspy.services.core.management import Management
+from jauspy.services.core.transport import Transport
+from jauspy.services.service import Service
+
+DEFAULTS: Final[Mapping[str, Callable[[], Service]]] = {
+    kind.urn: kind for kind in (Transport, Events, AccessControl, Management)
+}

@@ -1,0 +1,166 @@
+"""Discovery: who is there, and which services they offer (AS5710)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from itertools import groupby
+from typing import Final
+
+from jauspy.ids import JausID
+from jauspy.messages.core import (
+    QueryConfiguration,
+    QueryIdentification,
+    QueryServiceList,
+    QueryServices,
+    RegisterServices,
+    ReportConfiguration,
+    ReportIdentification,
+    ReportServiceList,
+    ReportServices,
+    ReportSubsystemList,
+)
+from jauspy.services.core.directory import Directory, Offer
+from jauspy.services.service import Service
+
+SYSTEM, SUBSYSTEM, NODE, COMPONENT = 1, 2, 3, 4
+"""The levels of a query (its field QueryType)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Identity:
+    """A name (at most 255 bytes), and the type number of AS5710: 10001 vehicle, 40001 node, 60001 component, ..."""
+
+    name: str
+    type: int
+
+
+DEFAULT_IDENTITIES: Final[Mapping[int, Identity]] = {
+    SYSTEM: Identity("jauspy", 10001),
+    SUBSYSTEM: Identity("jauspy vehicle", 10001),
+    NODE: Identity("jauspy node", 40001),
+    COMPONENT: Identity("jauspy component", 60001),
+}
+
+
+class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
+    """Answers for its own component, and for those of the same subsystem that registered with it.
+
+    `identities` by level: 1 system, 2 subsystem, 3 node, 4 component; what is not given has a default.
+    """
+
+    def __init__(self, identities: Mapping[int, Identity] | None = None) -> None:
+        self.identities = {**DEFAULT_IDENTITIES, **(identities or {})}
+        self.directory = Directory()
+
+    def attached(self) -> None:
+        """The component's own services, those it inherits included."""
+        self.directory.register(self.host.id, own_offers(self))
+
+    def publish_services(self, msg: RegisterServices, source: JausID) -> None:
+        """Take up another component of this subsystem."""
+        if source.subsystem != self.host.id.subsystem or source == self.host.id:
+            self.host.count("foreign_registration", str(source))
+            return
+        offers = (Offer(each.uri, each.major_version_number, each.minor_version_number) for each in msg.service_list)
+        if not self.directory.register(source, offers):
+            self.host.count("registration_dropped", str(source))
+
+    def report_identification(self, query: QueryIdentification) -> ReportIdentification | None:
+        """Name and type at the level asked for; no answer for a reserved level."""
+        identity = self.identities.get(int(query.query_type))
+        if identity is None:
+            return None
+        return ReportIdentification(query_type=query.query_type, type=identity.type, identification=identity.name)
+
+    def report_configuration(self, query: QueryConfiguration) -> ReportConfiguration | None:
+        """Nodes and components of the subsystem, or of this node alone; no answer for a reserved level."""
+        if query.query_type not in (SUBSYSTEM, NODE):
+            return None
+        me = self.host.id
+        here = [
+            id
+            for id in self.directory.all()
+            if id.subsystem == me.subsystem and (query.query_type == SUBSYSTEM or id.node == me.node)
+        ]
+        return ReportConfiguration(
+            node_list=[
+                ReportConfiguration.NodeSeq(
+                    node_rec=ReportConfiguration.NodeRec(node_id=node),
+                    component_list=[
+                        ReportConfiguration.ComponentRec(component_id=id.component, instance_id=0) for id in ids
+                    ],
+                )
+                for node, ids in groupby(here, key=lambda id: id.node)
+            ]
+        )
+
+    def report_subsystem_list(self) -> ReportSubsystemList:
+        """This subsystem, and where to ask about it: here."""
+        me = self.host.id
+        record = ReportSubsystemList.SubsystemRec(subsystem_id=me.subsystem, node_id=me.node, component_id=me.component)
+        return ReportSubsystemList(subsystem_list=[record])
+
+    def report_services(self, query: QueryServices) -> ReportServices:
+        """The services of every component asked for that is known; wildcards (255) are understood."""
+        found: dict[JausID, tuple[Offer, ...]] = {}
+        for node in query.node_list:
+            for component in node.component_list:
+                found |= self.directory.matching(self.host.id.subsystem, node.node_rec.node_id, component.component_id)
+        return ReportServices(node_list=list(_nodes(ReportServices, found)))
+
+    def report_service_list(self, query: QueryServiceList) -> ReportServiceList:
+        """As `report_services`, over subsystems; a search filter keeps the services whose URI contains it."""
+        found: dict[JausID, tuple[Offer, ...]] = {}
+        for subsystem in query.subsystem_list:
+            for node in subsystem.node_list:
+                for component in node.component_list:
+                    matching = self.directory.matching(
+                        subsystem.subsystem_rec.subsystem_id, node.node_rec.node_id, component.component_id
+                    )
+                    for id, offers in matching:
+                        wanted = _filtered(offers, component.search_filter)
+                        found[id] = tuple(dict.fromkeys(found.get(id, ()) + wanted))
+        found = {id: offers for id, offers in found.items() if offers}
+        subsystems = groupby(sorted(found), key=lambda id: id.subsystem)
+        return ReportServiceList(
+            subsystem_list=[
+                ReportServiceList.SubsystemSeq(
+                    subsystem_rec=ReportServiceList.SubsystemRec(subsystem_id=number),
+                    node_list=list(_nodes(ReportServiceList, {id: found[id] for id in ids})),
+                )
+                for number, ids in subsystems
+            ]
+        )
+
+
+def own_offers(service: Service) -> list[Offer]:
+    """What the component of `service` offers, as for its registration at another component's Discovery."""
+    offers = []
+    for urn, definition in service.host.definitions.items():
+        major, _, minor = definition.version.partition(".")
+        offers.append(Offer(urn, int(major), int(minor or 0)))
+    return sorted(offers)
+
+
+def _filtered(offers: tuple[Offer, ...], wanted: str | None) -> tuple[Offer, ...]:
+    return offers if not wanted else tuple(offer for offer in offers if wanted in offer.uri)
+
+
+def _nodes(report: type[ReportServices] | type[ReportServiceList], found: Mapping[JausID, Iterable[Offer]]) -> Iterator:
+    for node, ids in groupby(sorted(found), key=lambda id: id.node):
+        yield report.NodeSeq(
+            node_rec=report.NodeRec(node_id=node),
+            component_list=[
+                report.ComponentSeq(
+                    component_rec=report.ComponentRec(component_id=id.component, instance_id=0),
+                    service_list=[
+                        report.ServiceRec(
+                            uri=offer.uri, major_version_number=offer.major, minor_version_number=offer.minor
+                        )
+                        for offer in found[id]
+                    ],
+                )
+                for id in ids
+            ],
+        )

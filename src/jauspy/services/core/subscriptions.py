@@ -1,0 +1,76 @@
+"""The event subscriptions of a component: a bounded table, each entry known to its creator alone."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from jauspy.codec.base import Message
+from jauspy.ids import JausID
+
+
+@dataclass(slots=True, eq=False)
+class Subscription:
+    """One event. `due` (time) and `period` (seconds) are what is really kept; the client was told the rate `confirmed` (Hz)."""
+
+    id: int
+    client: JausID
+    request_id: int
+    kind: int
+    query: Message
+    due: float
+    period: float = 1.0
+    confirmed: float = 1.0
+    sequence: int = 0
+    last: bytes | None = None
+
+
+class Subscriptions:
+    """By event id, 0..255, unique in the component."""
+
+    def __init__(self, limit: int, limit_per_client: int) -> None:
+        self._limit = min(limit, 256)
+        self._limit_per_client = limit_per_client
+        self._by_id: dict[int, Subscription] = {}
+        self._next_id = 0
+
+    def __len__(self) -> int:
+        return len(self._by_id)
+
+    def full_for(self, client: JausID) -> bool:
+        """True when this client cannot have one more."""
+        return len(self._by_id) >= self._limit or sum(1 for _ in self.of(client)) >= self._limit_per_client
+
+    def free_id(self) -> int:
+        """An id that is not in use; ids of cancelled events come back last."""
+        while self._next_id in self._by_id:
+            self._next_id = self._next_id + 1 & 0xFF
+        taken = self._next_id
+        self._next_id = taken + 1 & 0xFF
+        return taken
+
+    def add(self, subscription: Subscription) -> None:
+        """Keep it under its id."""
+        self._by_id[subscription.id] = subscription
+
+    def remove(self, subscription: Subscription) -> None:
+        """Forget it; fine when it is gone."""
+        if self.holds(subscription):
+            del self._by_id[subscription.id]
+
+    def holds(self, subscription: Subscription) -> bool:
+        """True while this very subscription is in the table."""
+        return self._by_id.get(subscription.id) is subscription
+
+    def find(self, id: int, client: JausID) -> Subscription | None:
+        """The client's event with this id; another client's is unknown to it."""
+        found = self._by_id.get(id)
+        return found if found and found.client == client else None
+
+    def same(self, client: JausID, kind: int, query: bytes) -> Subscription | None:
+        """The client's event of this kind with this very query."""
+        return next((each for each in self.of(client) if each.kind == kind and each.query.encode() == query), None)
+
+    def of(self, client: JausID) -> Iterator[Subscription]:
+        """The client's events in the order of their ids."""
+        return (self._by_id[id] for id in sorted(self._by_id) if self._by_id[id].client == client)

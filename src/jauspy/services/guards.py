@@ -1,0 +1,166 @@
+"""Guards of JSIDL transitions: predicate calls joined by `&&`, `||`, `!` and parentheses.
+
+`parse` makes a tree, `compile_guard` turns the tree into one callable over whatever the predicates take.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import Final, TypeAlias, TypeVar
+
+from jauspy.errors import SchemaError
+
+_TOKEN: Final = re.compile(r"\s*(?:(&&|\|\||[!(),])|('[^']*'|\"[^\"]*\"|[\w.]+))")
+_MAX_DEPTH: Final = 64
+
+T = TypeVar("T")
+Predicate: TypeAlias = Callable[[T], bool]
+
+
+@dataclass(frozen=True, slots=True)
+class Call:
+    """A predicate and its arguments as they are written; a literal keeps its quotes."""
+
+    name: str
+    arguments: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Not:
+    """True when its operand is not."""
+
+    operand: Guard
+
+
+@dataclass(frozen=True, slots=True)
+class And:
+    """True when all operands are."""
+
+    operands: tuple[Guard, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Or:
+    """True when any operand is."""
+
+    operands: tuple[Guard, ...]
+
+
+Guard: TypeAlias = Call | Not | And | Or
+
+
+def parse(text: str) -> Guard:
+    """Read a guard; `!` binds tighter than `&&`, `&&` tighter than `||`. Raises `SchemaError`."""
+    reader = _Reader(text)
+    guard = reader.either(0)
+    if reader.token:
+        raise reader.error("an operator or the end")
+    return guard
+
+
+def calls(guard: Guard) -> Iterator[Call]:
+    """Every predicate call, from left to right."""
+    match guard:
+        case Call():
+            yield guard
+        case Not(operand):
+            yield from calls(operand)
+        case And(operands) | Or(operands):
+            for operand in operands:
+                yield from calls(operand)
+
+
+def compile_guard(guard: Guard, resolve: Callable[[Call], Predicate[T]]) -> Predicate[T]:
+    """One callable for the guard, with each predicate resolved once; operands are evaluated lazily, left to right."""
+    match guard:
+        case Call():
+            return resolve(guard)
+        case Not(operand):
+            inner = compile_guard(operand, resolve)
+            return lambda given: not inner(given)
+        case And(operands):
+            every = [compile_guard(operand, resolve) for operand in operands]
+            return lambda given: all(part(given) for part in every)
+        case Or(operands):
+            some = [compile_guard(operand, resolve) for operand in operands]
+            return lambda given: any(part(given) for part in some)
+
+
+class _Reader:
+    """Recursive descent over the tokens; `token` is the next one, empty at the end."""
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+        self._at = 0
+        self.token = ""
+        self.advance()
+
+    def advance(self) -> str:
+        """Step to the next token and return the one before it."""
+        taken = self.token
+        match = _TOKEN.match(self.text, self._at)
+        if match is None and self.text[self._at :].strip():
+            raise self.error("a predicate, an operator or a parenthesis")
+        self.token = match[1] or match[2] if match else ""
+        self._at = match.end() if match else len(self.text)
+        return taken
+
+    def error(self, expected: str) -> SchemaError:
+        """What was expected where."""
+        found = self.token or self.text[self._at :].strip() or "the end"
+        return SchemaError(f"guard {self.text!r}: expected {expected}, found {found!r}")
+
+    def either(self, depth: int) -> Guard:
+        """`a || b || ...`."""
+        operands = [self.both(depth)]
+        while self.token == "||":
+            self.advance()
+            operands.append(self.both(depth))
+        return operands[0] if len(operands) == 1 else Or(tuple(operands))
+
+    def both(self, depth: int) -> Guard:
+        """`a && b && ...`."""
+        operands = [self.single(depth)]
+        while self.token == "&&":
+            self.advance()
+            operands.append(self.single(depth))
+        return operands[0] if len(operands) == 1 else And(tuple(operands))
+
+    def single(self, depth: int) -> Guard:
+        """`!a`, `(a)` or a predicate."""
+        if depth > _MAX_DEPTH:
+            raise SchemaError(f"guard {self.text[:40]!r}... is nested deeper than {_MAX_DEPTH}")
+        if self.token == "!":
+            self.advance()
+            return Not(self.single(depth + 1))
+        if self.token == "(":
+            self.advance()
+            inner = self.either(depth + 1)
+            self.expect(")")
+            return inner
+        return self.call()
+
+    def call(self) -> Call:
+        """`name(argument, ...)`; the parentheses may be missing."""
+        if not self.token.replace(".", "_").isidentifier():
+            raise self.error("the name of a predicate")
+        name = self.advance()
+        arguments: list[str] = []
+        if self.token == "(":
+            self.advance()
+            while self.token != ")":
+                if not self.token or self.token in "&&||!(,":
+                    raise self.error("an argument or ')'")
+                arguments.append(self.advance())
+                if self.token != ")":
+                    self.expect(",")
+            self.advance()
+        return Call(name, tuple(arguments))
+
+    def expect(self, token: str) -> None:
+        """Step over exactly this token."""
+        if self.token != token:
+            raise self.error(repr(token))
+        self.advance()

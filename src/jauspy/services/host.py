@@ -1,0 +1,265 @@
+"""A component without I/O: its services, their merged state machines, timers and what it wants to send."""
+
+from __future__ import annotations
+
+import logging
+from collections import Counter, deque
+from collections.abc import Callable, Hashable, Iterable, Mapping
+from datetime import datetime
+from typing import TYPE_CHECKING, Any, Final, TypeVar
+
+from jauspy.codec.base import Message
+from jauspy.codec.registry import Registry
+from jauspy.errors import DecodeError, EncodeError
+from jauspy.ids import JausID
+from jauspy.protocol.header import Broadcast, Priority
+from jauspy.schema.model import Schema, Service as Definition
+from jauspy.services.build import Built, build
+from jauspy.services.core.access_control import AccessControl
+from jauspy.services.core.management import Management
+from jauspy.services.isolation import Attempt
+from jauspy.services.machine import Outcome
+from jauspy.services.outbox import Outbox, Outgoing
+from jauspy.services.presence import mask
+from jauspy.services.service import Service
+from jauspy.services.timers import Timers
+from jauspy.services.trigger import Trigger
+
+if TYPE_CHECKING:
+    from jauspy.messages.core import ReportStatus
+
+S = TypeVar("S", bound=Service)
+
+_LOG: Final = logging.getLogger("jauspy.services")
+_MAX_EVENTS: Final = 256
+"""Internal events that may wait at once; more is a bug of a service, and dropped."""
+
+
+class Host:
+    """Runs the services of one component.
+
+    `utc_now` is the wall clock; every other time is `now`, seconds of one monotonic clock. Core services that are
+    inherited from but not given are added with their defaults. Raises `ConfigError` that names every action, predicate
+    and report a service lacks.
+    """
+
+    def __init__(
+        self,
+        id: JausID,
+        services: Iterable[Service],
+        *,
+        utc_now: Callable[[], datetime],
+        now: float = 0.0,
+        schema: Schema | None = None,
+        registry: Registry | None = None,
+        max_output: int = 1024,
+    ) -> None:
+        self.id = id
+        self.utc_now = utc_now
+        self.now = now
+        self.counters: Counter[str] = Counter()
+        self._outbox = Outbox(max_output, self.counters)
+        self._captured: list[Outgoing] | None = None
+        self._timers = Timers()
+        self._events: deque[Trigger] = deque()
+        self._busy = False
+        self._logged: set[str] = set()
+        self._built: Built = build(services, schema, registry, self._reply, self._contain)
+        for service in self.services:
+            service.host = self
+        for service in self.services:
+            service.attached()
+        self._busy = True
+        for machine in self._built.machines.values():
+            machine.start()
+        self._settle()
+
+    # --- what the shell calls -------------------------------------------------------------------------------------
+
+    def receive(self, payload: bytes, source: JausID, now: float) -> None:
+        """Take one message (two id bytes, then the body). Never raises for what it contains."""
+        self.now = now
+        message = self._decoded(payload, source)
+        if message is not None:
+            self.counters["received"] += 1
+            self._run(Trigger(message.CODE, message, source))
+
+    def poll_output(self, now: float) -> list[Outgoing]:
+        """What is to be sent, oldest first; empty afterwards."""
+        self.now = now
+        return self._outbox.drain()
+
+    def next_timeout(self) -> float | None:
+        """When `handle_timeout` wants to be called; None when nothing is waited for."""
+        return self._timers.next()
+
+    def handle_timeout(self, now: float) -> None:
+        """Let every timer that is due by `now` do its work, once."""
+        self.now = now
+        for due in self._timers.due(now):
+            call = self._timers.take(due)
+            if call is not None:
+                with self._contain(f"timer {due[2]}", Trigger("timer")):
+                    call()
+
+    def close(self, now: float) -> None:
+        """Tell the services that nobody is in control any more: what moves stops. Twice is fine."""
+        self.now = now
+        self.control_lost()
+
+    # --- what may be asked ----------------------------------------------------------------------------------------
+
+    @property
+    def services(self) -> tuple[Service, ...]:
+        """The services of the component, most derived first, parents included."""
+        return tuple(self._built.services.values())
+
+    @property
+    def definitions(self) -> Mapping[str, Definition]:
+        """The definitions of the services, by URN, in the order of `services`."""
+        return self._built.definitions
+
+    @property
+    def state(self) -> str:
+        """The innermost active state of the receiving machine, as a dotted path."""
+        machine = self._built.machines.get("ReceiveFSM")
+        return machine.state if machine else ""
+
+    @property
+    def status(self) -> ReportStatus.Status | None:
+        """What Management reports; None without that service."""
+        management = self.service(Management)
+        return management.status if management else None
+
+    @property
+    def controller(self) -> JausID | None:
+        """The client in control, if any."""
+        access = self.service(AccessControl)
+        return access.controller if access else None
+
+    def service(self, kind: type[S]) -> S | None:
+        """The service of this class, if the component has one."""
+        return next((service for service in self.services if isinstance(service, kind)), None)
+
+    # --- what services call ---------------------------------------------------------------------------------------
+
+    def send(
+        self,
+        destination: JausID,
+        message: Message,
+        *,
+        priority: Priority = Priority.STANDARD,
+        broadcast: Broadcast = Broadcast.NONE,
+    ) -> None:
+        """Send a message; one that cannot be encoded is logged, counted and not sent."""
+        try:
+            payload = message.encode()
+        except EncodeError as error:
+            self.count("unencodable", f"{message.NAME}: {error}")
+            return
+        event = {Broadcast.NONE: "Send", Broadcast.LOCAL: "BroadcastLocal", Broadcast.GLOBAL: "BroadcastGlobal"}
+        self._dispatch(Trigger(event[broadcast], Outgoing(destination, message, payload, priority, broadcast)))
+
+    def output(self, outgoing: Outgoing) -> None:
+        """Queue an encoded message; only the Transport service calls this."""
+        if self._captured is not None:
+            self._captured.append(outgoing)
+        else:
+            self._outbox.put(outgoing)
+
+    def ask(self, query: Message, source: JausID) -> Outgoing | None:
+        """What the component would answer `source` now; nothing is sent, and the state cannot change."""
+        outer, self._captured = self._captured, []
+        try:
+            self._built.machines["ReceiveFSM"].ask(Trigger(query.CODE, query, source))
+            return next((each for each in self._captured if each.destination == source), None)
+        finally:
+            self._captured = outer
+
+    def fire(self, event: str, msg: Any = None, source: JausID | None = None) -> None:
+        """Raise an internal event of the JSIDL; handled as soon as what happens now is done."""
+        if len(self._events) >= _MAX_EVENTS:
+            self.count("event_dropped", event)
+            return
+        self._events.append(Trigger(event, msg, source))
+        if not self._busy:
+            self._busy = True
+            self._settle()
+
+    def set_timer(self, key: Hashable, at: float, call: Callable[[], None]) -> None:
+        """Call `call` at time `at`; a timer with the same key is replaced."""
+        self._timers.set(key, at, call)
+
+    def cancel_timer(self, key: Hashable) -> None:
+        """Forget the timer, if there is one."""
+        self._timers.cancel(key)
+
+    def control_lost(self) -> None:
+        """Tell every service that the controlling client is gone, or is another one now."""
+        for service in self.services:
+            with self._contain(f"{type(service).__name__}.control_lost", Trigger("control_lost")):
+                service.control_lost()
+
+    def accepts(self, message: Message) -> bool:
+        """True when this very message class is an input of the component."""
+        return self._built.inputs.get(message.CODE) is type(message)
+
+    def count(self, reason: str, detail: str) -> None:
+        """Count something dropped; logged at DEBUG the first time."""
+        self.counters[reason] += 1
+        if reason not in self._logged:
+            self._logged.add(reason)
+            _LOG.debug("%s: first %s: %s", self.id, reason, detail)
+
+    # --- inside ---------------------------------------------------------------------------------------------------
+
+    def _decoded(self, payload: bytes, source: JausID) -> Message | None:
+        if source.is_wildcard:
+            self.count("bad_source", str(source))
+        elif len(payload) < 2:
+            self.count("too_short", payload.hex())
+        elif (kind := self._built.inputs.get(int.from_bytes(payload[:2], "little"))) is None:
+            self.count("unknown_message", payload[:2].hex())
+        else:
+            try:
+                return kind.decode(payload)
+            except DecodeError as error:
+                self.count(f"malformed_{kind.NAME}", f"from {source}: {error}")
+        return None
+
+    def _run(self, trigger: Trigger) -> None:
+        self._busy = True
+        if self._dispatch(trigger) is Outcome.IGNORED:
+            self.counters["ignored"] += 1
+        self._settle()
+
+    def _settle(self) -> None:
+        """Handle the internal events that came up, and those that these bring up."""
+        for _ in range(_MAX_EVENTS):
+            if not self._events:
+                break
+            self._dispatch(self._events.popleft())
+        else:
+            self.counters["event_dropped"] += len(self._events)
+            self._events.clear()
+        self._busy = False
+
+    def _dispatch(self, trigger: Trigger) -> Outcome:
+        machine = self._built.route(trigger.key)
+        return machine.handle(trigger) if machine else Outcome.IGNORED
+
+    def _reply(self, result: object, trigger: Trigger, to_source: bool) -> None:
+        """Send what a report method made: to the sender, or to whom an internal event is about, or to the controller."""
+        if not isinstance(result, Message):
+            return
+        about = to_source or not trigger.is_message
+        destination = (trigger.source if about else None) or self.controller
+        if destination is None:
+            self.count("nobody_to_send_to", result.NAME)
+            return
+        if isinstance(trigger.msg, Message) and not trigger.msg.IS_COMMAND:
+            result = mask(result, trigger.msg)
+        self.send(destination, result)
+
+    def _contain(self, name: str, trigger: Trigger) -> Attempt:
+        return Attempt(name, trigger, self.counters)

@@ -1,0 +1,65 @@
+"""Which definitions a component runs: those of its services and of everything they inherit from."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from jauspy.errors import ConfigError
+from jauspy.schema.model import Schema, Service as Definition
+from jauspy.services.service import Service
+
+
+def definitions_of(services: Iterable[Service], schema: Schema) -> dict[str, Definition]:
+    """Definitions by URN, most derived first, all ancestors included."""
+    found: dict[str, Definition] = {}
+    services = list(services)
+    # Those that name a version, or that others inherit from by version, decide before those that take any.
+    for service in sorted(services, key=lambda service: service.version is None):
+        if service.version is not None or not _inherited(service.urn, services, schema):
+            _add(found, _lookup(schema, service.urn, service.version, type(service).__name__), schema)
+    for service in services:
+        if service.urn not in found:
+            _add(found, _lookup(schema, service.urn, service.version, type(service).__name__), schema)
+    depths = {urn: _depth(urn, found) for urn in found}
+    return {urn: found[urn] for urn in sorted(found, key=lambda urn: -depths[urn])}
+
+
+def _inherited(urn: str, services: Iterable[Service], schema: Schema) -> bool:
+    """True when another of the services has this one as an ancestor, and so chooses its version."""
+    return any(
+        parent.id == urn
+        for service in services
+        if service.urn != urn
+        for parent in _ancestors(_lookup(schema, service.urn, service.version, service.urn), schema)
+    )
+
+
+def _ancestors(definition: Definition, schema: Schema) -> Iterable[Definition]:
+    while definition.inherits_from:
+        parent = definition.inherits_from
+        definition = _lookup(schema, parent.id, parent.version, definition.name)
+        yield definition
+
+
+def _add(found: dict[str, Definition], definition: Definition, schema: Schema) -> None:
+    for each in (definition, *_ancestors(definition, schema)):
+        there = found.setdefault(each.id, each)
+        if there.version != each.version:
+            raise ConfigError(
+                f"{definition.name} needs {each.id} {each.version}, but another service of this component needs "
+                f"{there.version}; give each version a component of its own"
+            )
+
+
+def _depth(urn: str, found: dict[str, Definition]) -> int:
+    parent = found[urn].inherits_from
+    return 1 + _depth(parent.id, found) if parent else 0
+
+
+def _lookup(schema: Schema, urn: str, version: str | None, who: str) -> Definition:
+    if not any(service.id == urn and version in (None, service.version) for service in schema.services):
+        known = ", ".join(f"{service.version}" for service in schema.services if service.id == urn)
+        raise ConfigError(
+            f"{who}: no definition of {urn} {version or ''} is loaded (versions there: {known or 'none'})"
+        )
+    return schema.service(urn, version)

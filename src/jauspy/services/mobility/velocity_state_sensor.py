@@ -1,0 +1,31 @@
+"""VelocityStateSensor: how fast the platform moves and turns, in its own frame (AS6009)."""
+
+from __future__ import annotations
+
+import math
+
+from jauspy.messages.mobility import QueryVelocityStateExt, ReportVelocityState, ReportVelocityStateExt
+from jauspy.platform.contract import DriveBase
+from jauspy.services.mobility.frames import jaus_twist
+from jauspy.services.service import Service
+from jauspy.services.stamps import epoch_seconds, time_stamp
+
+
+class VelocityStateSensor(Service, urn="urn:jaus:jss:mobility:VelocityStateSensor"):
+    """Velocities (m/s) and rates (rad/s) in JAUS body axes: x forward, y right, z down."""
+
+    def __init__(self, drive: DriveBase) -> None:
+        self._drive = drive
+
+    def report_velocity_state(self) -> ReportVelocityState:
+        """Everything that is measured; there is no estimate of the errors."""
+        twist = jaus_twist(self._drive.twist())
+        return ReportVelocityState(
+            velocity_x=twist.vx,
+            velocity_y=twist.vy,
+            velocity_z=twist.vz,
+            roll_rate=twist.wx,
+            pitch_rate=twist.wy,
+            yaw_rate=twist.wz,
+            time_stamp=time_stamp(ReportVelocityState, self.host.utc_now()),
+        )

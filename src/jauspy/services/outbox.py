@@ -1,0 +1,43 @@
+"""What a component wants to send, in a bounded queue."""
+
+from __future__ import annotations
+
+from collections import Counter, deque
+from dataclasses import dataclass
+
+from jauspy.codec.base import Message
+from jauspy.ids import JausID
+from jauspy.protocol.header import Broadcast, Priority
+
+
+@dataclass(frozen=True, slots=True)
+class Outgoing:
+    """One message on its way out; `payload` is `message`, encoded."""
+
+    destination: JausID
+    message: Message
+    payload: bytes
+    priority: Priority = Priority.STANDARD
+    broadcast: Broadcast = Broadcast.NONE
+
+
+class Outbox:
+    """First in, first out; when full, the oldest of the lowest priority is dropped and counted."""
+
+    def __init__(self, limit: int, counters: Counter[str]) -> None:
+        self._limit = limit
+        self._counters = counters
+        self._queue: deque[Outgoing] = deque()
+
+    def put(self, outgoing: Outgoing) -> None:
+        """Queue one more."""
+        self._queue.append(outgoing)
+        if len(self._queue) > self._limit:
+            self._queue.remove(min(self._queue, key=lambda each: each.priority))
+            self._counters["output_dropped"] += 1
+
+    def drain(self) -> list[Outgoing]:
+        """Everything that waits, oldest first; the queue is empty afterwards."""
+        taken = list(self._queue)
+        self._queue.clear()
+        return taken

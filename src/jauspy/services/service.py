@@ -1,0 +1,43 @@
+"""The base of a JAUS service: a JSIDL definition named by its URN, and a Python class with its actions."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, ClassVar
+
+if TYPE_CHECKING:
+    from jauspy.services.host import Host
+
+
+class Service:
+    """What one JAUS service does.
+
+    A subclass names its definition: `class PrimitiveDriver(Service, urn="urn:jaus:jss:mobility:PrimitiveDriver")`.
+    Every action and predicate of the JSIDL is a method with its name in snake_case (`isControllingClient` ->
+    `is_controlling_client`); `Send('ReportX', ...)` calls `report_x` and sends what it returns (None: nothing).
+    Methods take what they need by name: `msg` or `query` (the message that triggered), `source` (its sender),
+    `code` (the literal that the JSIDL gives, as in `'CONTROL_RELEASED'`).
+    """
+
+    urn: ClassVar[str] = ""
+    version: ClassVar[str | None] = None
+    """The version of the definition; None takes what the services that inherit from it ask for, else the newest."""
+    private: ClassVar[bool] = False
+    """True when services that inherit from this one must not use its actions as theirs."""
+
+    omits: ClassVar[frozenset[str]] = frozenset()
+    """Methods for actions that are never reached, since a predicate of this class rules them out."""
+
+    host: Host
+    """The component this service runs in; set before `attached`."""
+
+    def __init_subclass__(cls, *, urn: str = "", version: str | None = None, private: bool = False) -> None:
+        super().__init_subclass__()
+        cls.urn = urn or cls.urn
+        cls.version = version or cls.version
+        cls.private = private or cls.private
+
+    def attached(self) -> None:
+        """Called once, when `host` is there and before anything is received."""
+
+    def control_lost(self) -> None:
+        """Called when the controlling client lost or gave up control, or another took it. Stop what moves."""

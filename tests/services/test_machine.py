@@ -1,0 +1,356 @@
+"""The engine alone, over tiny definitions made by hand."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+import pytest
+
+from jauspy.errors import ConfigError
+from jauspy.ids import JausID
+from jauspy.schema import model
+from jauspy.services.bind import Binder
+from jauspy.services.isolation import Attempt
+from jauspy.services.machine import MAX_PUSHED, Machine, Outcome
+from jauspy.services.service import Service
+from jauspy.services.tree import merge, start_of
+from jauspy.services.trigger import STAY, Trigger
+
+CLIENT = JausID(42, 1, 1)
+CODES = {"Go": 1, "Back": 2, "Ask": 3, "Other": 4}
+
+
+def on(
+    what: str, kind: str = "internal", end: str | None = None, *, do: str = "", guard: str = "", event: bool = False
+):
+    """A transition; `do`: actions separated by blanks."""
+    return model.Transition(
+        trigger=f"x.{what}" if event else "x.Receive",
+        parameters=() if event else (model.Parameter(what, "msg"),),
+        kind=kind,
+        end_state=end,
+        guard=guard,
+        actions=tuple(model.Action(name) for name in do.split()),
+    )
+
+
+def state(name: str, *states: model.State, **more) -> model.State:
+    more = {k: tuple(model.Action(a) for a in v.split()) if k in ("entry", "exit") else v for k, v in more.items()}
+    return model.State(name=name, states=states, **more)
+
+
+def definition(name: str, *states: model.State, start: str, parent: str | None = None) -> model.Service:
+    prefix = f"{parent}." if parent else ""
+    return model.Service(
+        name=name,
+        id=name,
+        version="1.0",
+        jsidl="1.1",
+        inherits_from=model.Reference(parent, parent, "1.0") if parent else None,
+        inputs=tuple(model.Message(name=n, code=c, is_command=True, body=None) for n, c in CODES.items()),
+        behavior=model.Behavior(
+            machines=(model.StateMachine(name=f"{prefix}ReceiveFSM", states=states),),
+            start=(model.Start(f"{prefix}ReceiveFSM", start),),
+        ),
+    )
+
+
+class Actions(Service):
+    """Logs every action by its name."""
+
+    def __init__(self) -> None:
+        self.log: list[str] = []
+        self.allowed = True
+
+    def is_allowed(self) -> bool:
+        return self.allowed
+
+    def is_broken(self) -> bool:
+        raise RuntimeError("predicate")
+
+    def fail(self) -> None:
+        raise RuntimeError("action")
+
+    def veto(self):
+        return STAY
+
+
+for _name in ("a", "b", "c", "in_top", "out_top", "in_a", "out_a", "in_b", "out_b"):
+    setattr(Actions, _name, lambda self, _name=_name: self.log.append(_name))
+
+
+class Rig:
+    def __init__(self, *definitions: model.Service, **services: Service) -> None:
+        self.counters: Counter[str] = Counter()
+        self.sent: list[tuple[object, bool]] = []
+        self.service = Actions()
+        by_urn = {d.id: services.get(d.id, self.service) for d in definitions}
+        binder = Binder(
+            {d.id: d for d in definitions},
+            by_urn,
+            lambda result, trigger, to_source: self.sent.append((result, to_source)),
+        )
+        root = merge(definitions)["ReceiveFSM"]
+        bound = binder.states(root)
+        binder.raise_problems()
+        self.machine = Machine(
+            bound,
+            start_of(root, "ReceiveFSM", definitions),
+            lambda name, trigger: Attempt(name, trigger, self.counters),
+        )
+
+    def get(self, what: str) -> Outcome:
+        return self.machine.handle(Trigger(CODES.get(what, what), what, CLIENT))
+
+    @property
+    def log(self) -> list[str]:
+        taken, self.service.log = self.service.log, []
+        return taken
+
+
+def two_states(*, a=(), b=(), top=(), defaults=(), start="Top.A") -> model.Service:
+    return definition(
+        "S",
+        state(
+            "Top",
+            state("A", transitions=a, entry="inA", exit="outA"),
+            state("B", transitions=b, entry="inB", exit="outB"),
+            initial="A",
+            entry="inTop",
+            exit="outTop",
+            transitions=top,
+            default_transitions=defaults,
+        ),
+        start=start,
+    )
+
+
+def test_start_enters_from_the_outside_in_and_initial_states() -> None:
+    rig = Rig(two_states(start="Top"))
+    rig.machine.start()
+    assert rig.machine.state == "Top.A"
+    assert rig.log == ["in_top", "in_a"]
+
+
+def test_simple_runs_actions_then_exit_then_entry_and_keeps_what_is_around() -> None:
+    rig = Rig(two_states(a=(on("Go", "simple", "Top.B", do="a b"),)))
+    assert rig.get("Go") is Outcome.TAKEN
+    assert rig.log == ["a", "b", "out_a", "in_b"]
+    assert rig.machine.state == "Top.B"
+
+
+def test_a_transition_to_an_active_state_leaves_and_enters_it() -> None:
+    rig = Rig(two_states(a=(on("Go", "simple", "Top"), on("Back", "simple", "Top.A"))))
+    rig.get("Go")
+    assert rig.log == ["out_a", "out_top", "in_top", "in_a"]
+    rig.get("Back")
+    assert rig.log == ["out_a", "in_a"]
+
+
+def test_innermost_first_then_defaults_then_own_of_each_state_around() -> None:
+    everything = {"a": (on("Ask", do="a"),), "defaults": (on("Ask", do="b"),), "top": (on("Ask", do="c"),)}
+    for missing, expected in (((), "a"), (("a",), "b"), (("a", "defaults"), "c")):
+        rig = Rig(two_states(**{k: v for k, v in everything.items() if k not in missing}))
+        rig.get("Ask")
+        assert rig.log == [expected]
+
+
+def test_a_false_guard_passes_on_to_the_next() -> None:
+    rig = Rig(two_states(a=(on("Ask", do="a", guard="isAllowed()"), on("Ask", do="b")), top=(on("Ask", do="c"),)))
+    rig.get("Ask")
+    rig.service.allowed = False
+    rig.get("Ask")
+    assert rig.log == ["a", "b"]
+
+
+def test_internal_without_actions_swallows() -> None:
+    rig = Rig(two_states(a=(on("Ask"),), top=(on("Ask", do="c"),)))
+    assert rig.get("Ask") is Outcome.IGNORED
+    assert rig.log == []
+    assert rig.get("Other") is Outcome.IGNORED
+
+
+def test_receive_without_parameters_takes_every_message_last_of_all() -> None:
+    rest = model.Transition(trigger="Receive", kind="internal", actions=(model.Action("c"),))
+    rig = Rig(two_states(a=(on("Ask", do="a"),), top=(rest,)))
+    rig.get("Ask")
+    rig.get("Other")
+    assert rig.get("Timedout") is Outcome.IGNORED
+    assert rig.log == ["a", "c"]
+
+
+def test_internal_events_match_by_the_last_part_of_their_name() -> None:
+    rig = Rig(two_states(a=(on("Timedout", "simple", "Top.B", event=True),)))
+    rig.get("Timedout")
+    assert rig.machine.state == "Top.B"
+
+
+def test_push_runs_exit_and_entry_and_pop_returns() -> None:
+    rig = Rig(two_states(a=(on("Go", "push", "Top.B", do="a"),), b=(on("Back", "pop", do="b"),)))
+    rig.get("Go")
+    assert (rig.machine.state, rig.machine.pushed, rig.log) == ("Top.B", ("Top.A",), ["a", "out_a", "in_b"])
+    rig.get("Back")
+    assert (rig.machine.state, rig.machine.pushed, rig.log) == ("Top.A", (), ["b", "out_b", "in_a"])
+
+
+def test_pushing_the_active_state_does_not_stack() -> None:
+    rig = Rig(two_states(defaults=(on("Go", "push", "Top.B", do="a"),), b=(on("Back", "pop"),)))
+    for _ in range(3):
+        rig.get("Go")
+    assert rig.log == ["a", "out_a", "in_b", "a", "a"]
+    rig.get("Back")
+    assert rig.machine.state == "Top.A"
+
+
+def test_endless_pushing_is_bounded() -> None:
+    rig = Rig(two_states(a=(on("Go", "push", "Top.B"),), b=(on("Go", "push", "Top.A"),)))
+    for _ in range(10 * MAX_PUSHED):
+        rig.get("Go")
+    assert len(rig.machine.pushed) == MAX_PUSHED
+
+
+def test_pop_of_nothing_stays() -> None:
+    rig = Rig(two_states(a=(on("Back", "pop", do="a"),)))
+    assert rig.get("Back") is Outcome.TAKEN
+    assert (rig.machine.state, rig.log) == ("Top.A", ["a"])
+
+
+def test_an_action_may_veto_the_change() -> None:
+    rig = Rig(two_states(a=(on("Go", "simple", "Top.B", do="veto a"),)))
+    rig.get("Go")
+    assert (rig.machine.state, rig.log) == ("Top.A", ["a"])
+
+
+def test_a_failing_action_keeps_the_state_and_skips_the_rest() -> None:
+    rig = Rig(two_states(a=(on("Go", "simple", "Top.B", do="a fail b"),)))
+    assert rig.get("Go") is Outcome.FAILED
+    assert (rig.machine.state, rig.log, rig.counters["action_failed"]) == ("Top.A", ["a"], 1)
+
+
+def test_a_failing_exit_action_does_not_stop_the_change() -> None:
+    top = state(
+        "Top", state("A", exit="fail outA", transitions=(on("Go", "simple", "Top.B"),)), state("B"), initial="A"
+    )
+    rig = Rig(definition("S", top, start="Top.A"))
+    rig.get("Go")
+    assert (rig.machine.state, rig.log, rig.counters["action_failed"]) == ("Top.B", ["out_a"], 1)
+
+
+@pytest.mark.parametrize("guard", ["isBroken()", "!isBroken()", "isAllowed() && !isBroken()"])
+def test_a_failing_predicate_makes_its_guard_false(guard: str) -> None:
+    rig = Rig(two_states(a=(on("Ask", do="a", guard=guard), on("Ask", do="b"))))
+    rig.get("Ask")
+    assert (rig.log, rig.counters["action_failed"]) == (["b"], 1)
+
+
+def test_asking_does_not_change_the_state() -> None:
+    rig = Rig(two_states(a=(on("Go", "simple", "Top.B", do="a"), on("Ask", do="b"))))
+    assert rig.machine.ask(Trigger(CODES["Go"])) is Outcome.IGNORED
+    assert rig.machine.ask(Trigger(CODES["Ask"])) is Outcome.TAKEN
+    assert (rig.machine.state, rig.log) == ("Top.A", ["b"])
+
+
+# --- several services
+
+
+def child(*, start: str = "Top.A.Inner") -> model.Service:
+    top = state(
+        "Top",
+        state("A", state("Inner", transitions=(on("Ask", do="b"),)), initial="Inner", exit="b", entry="b"),
+        state("B", exit="b"),
+        initial="A",
+    )
+    return definition("Child", top, start=start, parent="S")
+
+
+def test_states_of_parent_and_child_are_one_and_the_child_comes_first() -> None:
+    parent = two_states(a=(on("Ask", do="a"), on("Go", "simple", "Top.B")), b=(on("Back", "simple", "Top.A"),))
+    rig = Rig(child(), parent)
+    assert rig.machine.state == "Top.A.Inner"
+    rig.get("Ask")
+    assert rig.log == ["b"]
+    rig.get("Go")
+    assert rig.log == ["b", "out_a", "in_b"]
+    rig.get("Back")
+    assert (rig.machine.state, rig.log) == ("Top.A.Inner", ["b", "out_b", "in_a", "b"])
+
+
+def test_the_deepest_start_wins_and_contradictions_are_refused() -> None:
+    assert Rig(child(start="Top"), two_states(start="Top.A")).machine.state == "Top.A.Inner"
+    with pytest.raises(ConfigError, match=r"Child starts ReceiveFSM in Top\.A\.Inner, but S in Top\.B"):
+        Rig(child(), two_states(start="Top.B"))
+
+
+def test_everything_missing_is_told_at_once_with_service_state_and_action() -> None:
+    parent = two_states(
+        a=(on("Go", "simple", "Top.Nowhere", do="doThis"), on("Ask", guard="isThere(msg)"), on("Nothing")),
+        b=(on("Go", "push"),),
+    )
+    with pytest.raises(ConfigError) as caught:
+        Rig(parent)
+    text = str(caught.value)
+    for expected in (
+        "S, state Top.A: action doThis needs a method `do_this` of Actions",
+        "S, state Top.A: predicate isThere needs a method `is_there` of Actions",
+        "S, state Top.A: goes to Top.Nowhere, which is not a state",
+        "S, state Top.A: receives Nothing, which is no input of S or its parents",
+        "S, state Top.B: a push transition without an end state",
+    ):
+        assert expected in text
+
+
+def test_a_private_parent_does_not_lend_its_actions() -> None:
+    class Private(Actions, private=True):
+        pass
+
+    class Own(Service):
+        pass
+
+    parent = two_states()
+    asks = definition("Child", state("Top", state("A", transitions=(on("Ask", do="a"),))), start="Top", parent="S")
+    assert Rig(asks, parent, Child=Own()).get("Ask") is Outcome.TAKEN
+    with pytest.raises(ConfigError, match="Child, state Top.A: action a needs a method `a` of Own"):
+        Rig(asks, parent, Child=Own(), S=Private())
+
+
+class Sends(Service):
+    def __init__(self) -> None:
+        self.got: list[tuple[object, ...]] = []
+
+    def report_it(self, query: str, source: JausID, code: str | None, extra: int = 5) -> str:
+        self.got.append((query, source, code))
+        return "report"
+
+    def wrong(self, message: str) -> None: ...
+
+
+def sending(*arguments: str) -> model.Service:
+    transition = model.Transition(
+        trigger="Receive",
+        parameters=(model.Parameter("Ask", "msg"),),
+        kind="internal",
+        actions=(model.Action("transport.Send", arguments),),
+    )
+    return definition("S", state("Top", transitions=(transition,)), start="Top")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code", "to_source"),
+    [
+        (("'ReportIt'", "transportData"), None, True),
+        (("'ReportIt'", "msg", "transportData"), None, True),
+        (("'ReportIt'", "'A_CODE'"), "A_CODE", False),
+        (("'ReportIt'", "'A_CODE'", "'transportData'"), "A_CODE", True),
+    ],
+)
+def test_send_calls_the_report_method_by_name(arguments: tuple[str, ...], code: str | None, to_source: bool) -> None:
+    service = Sends()
+    rig = Rig(sending(*arguments), S=service)
+    rig.get("Ask")
+    assert service.got == [("Ask", CLIENT, code)]
+    assert rig.sent == [("report", to_source)]
+
+
+def test_an_unknown_parameter_is_refused() -> None:
+    with pytest.raises(ConfigError, match="parameter `message` is not one of msg, query, source, code"):
+        Rig(sending("'Wrong'"), S=Sends())
