@@ -39,7 +39,7 @@ def _unique(elements: Iterable[Element]) -> None:
 
 
 def _start(element: Element, machines: tuple[StateMachine, ...]) -> Start:
-    start = Start(required(element, "state_machine_name"), required(element, "state_name"))
+    start = Start(required(element, "state_machine_name"), required(element, "state_name"), location(element))
     for machine in machines:
         if machine.name == start.machine:
             return start
@@ -69,6 +69,7 @@ def _state(element: Element) -> State:
         transitions=_transitions(element),
         states=_states(element),
         default_transitions=_defaults(element),
+        where=location(element),
     )
 
 

@@ -19,6 +19,7 @@ from jauspy.schema.model import Schema, Service
 from jauspy.schema.reading import required, wrong
 from jauspy.schema.services import read_service, resolve_parents, version_key
 from jauspy.schema.source import read
+from jauspy.schema.states import check_states
 from jauspy.schema.values import read_value_set
 
 
@@ -38,6 +39,7 @@ def load_files(paths: Iterable[Path]) -> Schema:
         _read_all_types(scope)
     services = [read_service(root, versions[key], library.scopes["service_def", key]) for key, root in roots.items()]
     resolved = resolve_parents(services, roots)
+    check_states(resolved)
     return Schema(services=tuple(sorted(resolved, key=_order)))
 
 

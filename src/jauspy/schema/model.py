@@ -303,6 +303,7 @@ class State:
     transitions: tuple[Transition, ...] = ()
     states: tuple[State, ...] = ()
     default_transitions: tuple[Transition, ...] = ()
+    where: Location | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -320,6 +321,7 @@ class Start:
 
     machine: str
     state: str
+    where: Location | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
