@@ -1,0 +1,161 @@
+"""The base classes of generated messages, and the two roads through the codec.
+
+Generated `_unpack` and `_pack` are straight-line code for valid input; whatever they cannot do ends in one of `FAST_ERRORS`.
+Then the careful codec (`jauspy.codec.layout`) goes over the same input field by field: it finds what is wrong and where,
+clamps, or keeps what a tolerant reader can keep. It costs about ten times as much and is linear in the input, too.
+"""
+
+from __future__ import annotations
+
+import struct
+from dataclasses import dataclass, fields
+from functools import cache
+from typing import TYPE_CHECKING, Any, ClassVar, Final, Self
+
+from jauspy.errors import DecodeError
+
+if TYPE_CHECKING:
+    from jauspy.codec.items import Item
+
+MAX_NESTING: Final = 8
+"""Levels of messages inside messages that are decoded; deeper ones stay bytes."""
+
+
+class Reject(Exception):  # noqa: N818 - a signal, no error a user sees
+    """Straight-line code met something it does not handle."""
+
+
+FAST_ERRORS: Final = (
+    Reject,
+    struct.error,
+    LookupError,
+    TypeError,
+    ValueError,
+    AttributeError,
+    OverflowError,
+    RecursionError,
+)
+"""All that straight-line code may raise on bad bytes or bad values."""
+
+
+@dataclass(frozen=True, slots=True)
+class Deviation:
+    """Something a tolerant decoder put up with; `offset` counts from the first byte of the message id."""
+
+    offset: int
+    path: str
+    reason: str
+
+    def __str__(self) -> str:
+        return f"byte {self.offset}: {self.path + ': ' if self.path else ''}{self.reason}"
+
+
+@cache
+def _layout_of(cls: type[Struct]) -> Item:
+    return cls._layout()
+
+
+class Struct:
+    """A record, sequence, bit field or variable field inside a message."""
+
+    __slots__ = ()
+
+    @classmethod
+    def _layout(cls) -> Item:
+        raise Reject
+
+    @classmethod
+    def layout(cls) -> Item:
+        """How this class lies on the wire: fields with types, units and ranges."""
+        return _layout_of(cls)
+
+    def to_dict(self) -> dict[str, Any]:
+        """A JSON-able, lossless form: absent optionals left out, enum members by name, bytes as `{"hex": ...}`."""
+        data: dict[str, Any] = self.layout().to_json(self)
+        return data
+
+    @classmethod
+    def from_dict(cls, data: dict[str, Any]) -> Self:
+        """The inverse of `to_dict`; enum members by name or number. Raises `EncodeError` with the field path."""
+        value = cls.layout().from_json(data, "")
+        assert isinstance(value, cls)
+        return value
+
+    def __repr__(self) -> str:
+        shown = ((f.name, getattr(self, f.name)) for f in fields(self) if f.init)  # type: ignore[arg-type]  # generated classes are dataclasses
+        parts = [f"{name}={value!r}" for name, value in shown if not _is_silent(name, value)]
+        return f"{type(self).__qualname__}({', '.join(parts)})"
+
+
+def _is_silent(name: str, value: object) -> bool:
+    return value is None or (value == 0 and name in ("reserved_presence", "reserved_bits"))
+
+
+class Message(Struct):
+    """A JAUS message: two id bytes, then its fields. Subclasses are generated dataclasses."""
+
+    __slots__ = ()
+
+    CODE: ClassVar[int]
+    NAME: ClassVar[str]
+    SERVICE: ClassVar[str]
+    VERSION: ClassVar[str]
+    IS_COMMAND: ClassVar[bool]
+
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        """Decode valid bytes; anything else ends in one of `FAST_ERRORS`."""
+        raise Reject
+
+    def _pack(self, strict: bool) -> bytes:
+        """Encode valid values; anything else ends in one of `FAST_ERRORS`."""
+        raise Reject
+
+    def encode(self, *, clamp: bool = False, strict: bool = True) -> bytes:
+        """The message as bytes, the two id bytes first.
+
+        Raises `EncodeError` with field path, value and range. `clamp=True` moves numbers that are out of range to the
+        nearest limit instead. `strict=False` leaves value sets and count limits unchecked, as for messages that came
+        from `decode_tolerant`.
+        """
+        if not clamp:
+            try:
+                return self._pack(strict)
+            except FAST_ERRORS:
+                pass
+        from jauspy.codec.careful import encode  # noqa: PLC0415 - off the fast road
+
+        return encode(self, clamp=clamp, strict=strict)
+
+    @classmethod
+    def decode(cls, data: bytes | bytearray | memoryview) -> Self:
+        """Read one whole message; raises `DecodeError` with offset, field path and reason."""
+        if data.__class__ is not bytes:
+            data = bytes(data)
+        try:
+            return cls._unpack(data, 0)
+        except FAST_ERRORS:
+            pass
+        from jauspy.codec.careful import decode  # noqa: PLC0415 - off the fast road
+
+        return decode(cls, data)
+
+    @classmethod
+    def decode_tolerant(cls, data: bytes | bytearray | memoryview) -> tuple[Self, tuple[Deviation, ...]]:
+        """Read what can be read; the deviations say what was wrong, none means that `decode` takes it as well.
+
+        Values outside their set stay numbers, what is missing gets a default, bytes left over are reported.
+        Raises `DecodeError` only when the id bytes are not this message's.
+        """
+        from jauspy.codec.careful import decode_tolerant  # noqa: PLC0415 - off the fast road
+
+        return decode_tolerant(cls, bytes(data))
+
+
+def check_code(cls: type[Message], data: bytes) -> None:
+    """Raise `DecodeError` unless the two id bytes are those of `cls`."""
+    if len(data) < 2:
+        raise DecodeError(f"{len(data)} bytes are too short for a message id")
+    code = data[0] | data[1] << 8
+    if code != cls.CODE:
+        raise DecodeError(f"message id 0x{code:04X} is not 0x{cls.CODE:04X} ({cls.NAME})")

@@ -1,0 +1,37 @@
+"""A schema to Python source: one module per service, deterministic, ready to be committed or executed."""
+
+from __future__ import annotations
+
+from jauspy.codec.generator_classes import class_lines
+from jauspy.codec.generator_packages import NOTE, packages, root, table
+from jauspy.codec.plan import ModulePlan
+from jauspy.codec.planner import module_alias, plan
+from jauspy.schema.model import Schema
+
+
+def generate(schema: Schema, package: str = "jauspy.messages") -> dict[str, str]:
+    """The source of all files of `package`, by path relative to it; raises `SchemaError`."""
+    modules = plan(schema)
+    files = {f"{module.name.replace('.', '/')}.py": module_source(module, package) for module in modules}
+    files |= packages(modules, package)
+    files["__init__.py"] = root(package)
+    files["_table.py"] = table(modules, package)
+    return dict(sorted(files.items()))
+
+
+def module_source(module: ModulePlan, package: str) -> str:
+    """The source of one module."""
+    body: list[str] = []
+    for made in module.classes:
+        body += ["", "", *class_lines(made, module)]
+    text = "\n".join(body).replace(f"{module_alias(module.name)}.", "")
+    lines = [f'"""{module.doc} {NOTE}"""', "", "from __future__ import annotations", ""]
+    lines += ["from dataclasses import dataclass"]
+    lines += ["from enum import IntEnum"] if "(IntEnum)" in text else []
+    lines += ["from typing import ClassVar"] if "ClassVar[" in text else []
+    lines += ["", "from jauspy.codec import runtime as rt"]
+    lines += [f"from {package} import registry as _registry"] if "_registry" in text else []
+    for name in sorted(module.imports):
+        head, _, tail = f"{package}.{name}".rpartition(".")
+        lines.append(f"from {head} import {tail} as {module_alias(name)}")
+    return "\n".join(lines) + "\n" + text + "\n"

@@ -1,0 +1,132 @@
+"""Source of the packages around the message modules: lazy re-exports and the registry's table."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from jauspy.codec.generator_text import indent, quote, tuple_of
+from jauspy.codec.plan import ModulePlan
+
+NOTE = "Generated from schemas/; do not edit."
+
+
+def version_key(version: str) -> tuple[int, ...]:
+    """Orders versions."""
+    return tuple(int(part) for part in version.replace("v", "").replace("_", ".").split(".") if part.isdigit())
+
+
+def root(package: str) -> str:
+    """`jauspy/messages/__init__.py`."""
+    return "\n".join(
+        [
+            f'"""The built-in messages, one package per service set. {NOTE}"""',
+            "",
+            "from __future__ import annotations",
+            "",
+            "from typing import Final",
+            "",
+            "from jauspy.codec.registry import Registry",
+            f"from {package}._table import TABLE",
+            "",
+            "registry: Final = Registry(TABLE)",
+            '"""All built-in messages, by name and by code; modules are imported on use."""',
+            "",
+        ]
+    )
+
+
+def table(modules: Iterable[ModulePlan], package: str) -> str:
+    """`_table.py`: code, name, service, version and module of every message."""
+    rows = [
+        f"Entry(0x{plan.message.code:04X}, {quote(plan.message.name)}, {quote(module.service)}, "
+        f"{quote(module.version)}, {quote(f'{package}.{module.name}')}, {quote(plan.name)}),"
+        for module in sorted(modules, key=lambda module: module.name)
+        for plan in module.classes
+        if plan.message
+    ]
+    return "\n".join(
+        [
+            f'"""Which messages there are, and where. {NOTE}"""',
+            "",
+            "from __future__ import annotations",
+            "",
+            "from typing import Final",
+            "",
+            "from jauspy.codec.registry import Entry",
+            "",
+            "TABLE: Final = (",
+            *indent(rows),
+            ")",
+            "",
+        ]
+    )
+
+
+def packages(modules: list[ModulePlan], package: str) -> dict[str, str]:
+    """The `__init__.py` of every set and version, by path."""
+    groups: dict[str, list[ModulePlan]] = {}
+    for module in modules:
+        family, version, _ = module.name.split(".")
+        groups.setdefault(family, []).append(module)
+        groups.setdefault(f"{family}.{version}", []).append(module)
+    return {f"{name.replace('.', '/')}/__init__.py": _lazy(name, found, package) for name, found in groups.items()}
+
+
+def _lazy(name: str, modules: list[ModulePlan], package: str) -> str:
+    exported = _exports(modules)
+    by_module: dict[str, list[str]] = {}
+    for cls, module in exported.items():
+        by_module.setdefault(module, []).append(cls)
+    title = f"Messages of {name.split('.')[0]}" + (f", {name.split('.')[1]}" if "." in name else ", newest versions")
+    return "\n".join(
+        [
+            f'"""{title}; loaded on use. {NOTE}"""',
+            "",
+            "from __future__ import annotations",
+            "",
+            "from importlib import import_module",
+            "from typing import TYPE_CHECKING",
+            "",
+            "if TYPE_CHECKING:",
+            *indent(_imports(by_module, package)),
+            "",
+            "_MODULES = {",
+            *indent(f"{quote(cls)}: {quote(f'{package}.{module}')}," for cls, module in sorted(exported.items())),
+            "}",
+            "",
+            f"__all__ = {tuple_of(quote(cls) for cls in sorted(exported))}",
+            "",
+            "",
+            "def __getattr__(name: str) -> object:",
+            "    if name not in _MODULES:",
+            '        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")',
+            "    value: object = getattr(import_module(_MODULES[name]), name)",
+            "    globals()[name] = value",
+            "    return value",
+            "",
+            "",
+            "def __dir__() -> list[str]:",
+            "    return sorted({*globals(), *_MODULES})",
+            "",
+        ]
+    )
+
+
+def _imports(by_module: dict[str, list[str]], package: str) -> list[str]:
+    lines = []
+    for module, classes in sorted(by_module.items()):
+        lines += [f"from {package}.{module} import ("]
+        lines += [f"    {cls} as {cls}," for cls in sorted(classes)]
+        lines += [")"]
+    return lines
+
+
+def _exports(modules: list[ModulePlan]) -> dict[str, str]:
+    """Class name to module: the newest version wins, services go before shared types, then by name."""
+    found: dict[str, str] = {}
+    ordered = sorted(modules, key=lambda module: (module.name.endswith(".types"), module.name))
+    ordered.sort(key=lambda module: version_key(module.name.split(".")[1]), reverse=True)
+    for module in sorted(ordered, key=lambda module: module.name.endswith(".types")):
+        for plan in module.classes:
+            found.setdefault(plan.name, module.name)
+    return found

@@ -1,0 +1,232 @@
+"""Layouts of what contains other values: records and sequences, lists, variants, arrays."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from difflib import get_close_matches
+from typing import Any
+
+from jauspy.codec.base import Struct
+from jauspy.codec.items import Count, Item, check_class, integer_of, join
+from jauspy.codec.names import attribute
+from jauspy.codec.streams import Reader, Writer
+from jauspy.codec.wire import SIZES, limits
+from jauspy.errors import EncodeError
+
+
+@dataclass(frozen=True, slots=True)
+class Slot:
+    """One attribute of a class: its name here, its JAUS name, and how it lies on the wire."""
+
+    name: str
+    jaus: str
+    item: Item
+    optional: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Composite(Item):
+    """A record or sequence: the attributes of `cls` one after the other, behind a presence vector if there is one."""
+
+    cls: type[Struct]
+    slots: tuple[Slot, ...]
+    presence: str | None = None
+
+    @property
+    def minimum(self) -> int:
+        vector = SIZES[self.presence] if self.presence else 0
+        return vector + sum(slot.item.minimum for slot in self.slots if not slot.optional)
+
+    @property
+    def undefined(self) -> int:
+        """The presence bits that stand for nothing."""
+        if not self.presence:
+            return 0
+        return limits(self.presence)[1] & ~((1 << sum(slot.optional for slot in self.slots)) - 1)
+
+    def read(self, reader: Reader, path: str) -> Struct:
+        mask = (reader.count(self.presence, path) or 0) if self.presence else 0
+        values: dict[str, Any] = {}
+        bit = 1
+        for slot in self.slots:
+            if slot.optional:
+                present, bit = mask & bit and not reader.stopped, bit << 1
+                values[slot.name] = slot.item.read(reader, join(path, slot.name)) if present else None
+            else:
+                values[slot.name] = slot.item.read(reader, join(path, slot.name))
+        if self.undefined:
+            values["reserved_presence"] = mask & self.undefined
+        return self.cls(**values)
+
+    def write(self, writer: Writer, value: Any, path: str) -> None:
+        check_class(value, self.cls, path)
+        if self.presence:
+            writer.number(self.presence, self._mask(value, path))
+        for slot in self.slots:
+            part = getattr(value, slot.name)
+            if part is None and slot.optional:
+                continue
+            if part is None:
+                raise EncodeError("a value is required", path=join(path, slot.name))
+            slot.item.write(writer, part, join(path, slot.name))
+
+    def _mask(self, value: Any, path: str) -> int:
+        mask = 0
+        if self.undefined:
+            mask = integer_of(value.reserved_presence, join(path, "reserved_presence"))
+            if mask & ~self.undefined:
+                reason = f"0x{mask:X} has bits outside 0x{self.undefined:X}"
+                raise EncodeError(reason, path=join(path, "reserved_presence"))
+        bit = 1
+        for slot in self.slots:
+            if slot.optional:
+                mask |= bit if getattr(value, slot.name) is not None else 0
+                bit <<= 1
+        return mask
+
+    def to_json(self, value: Any) -> Any:
+        parts = ((slot, getattr(value, slot.name)) for slot in self.slots)
+        data = {slot.name: slot.item.to_json(part) for slot, part in parts if part is not None}
+        if self.undefined and value.reserved_presence:
+            data["reserved_presence"] = value.reserved_presence
+        return data
+
+    def from_json(self, data: Any, path: str) -> Struct:
+        names = [slot.name for slot in self.slots]
+        if not isinstance(data, dict):
+            raise EncodeError(f"{data!r} is not a mapping of fields", path=path)
+        for key in data:
+            if key not in names and not (key == "reserved_presence" and self.undefined):
+                raise EncodeError(f"unknown field {key!r}{_hint(key, names)}", path=path)
+        values: dict[str, Any] = {}
+        for slot in self.slots:
+            part = data.get(slot.name)
+            if part is None and not slot.optional:
+                raise EncodeError("a value is required", path=join(path, slot.name))
+            values[slot.name] = None if part is None else slot.item.from_json(part, join(path, slot.name))
+        if "reserved_presence" in data:
+            values["reserved_presence"] = data["reserved_presence"]
+        return self.cls(**values)
+
+
+def _hint(key: object, names: list[str]) -> str:
+    close = get_close_matches(str(key), names, 1)
+    if close:
+        return f", did you mean {close[0]!r}?"
+    return f", expected {', '.join(names)}" if names else ", there are no fields"
+
+
+@dataclass(frozen=True, slots=True)
+class Repeat(Item):
+    """A counted list of one item."""
+
+    count: Count
+    item: Item
+
+    @property
+    def minimum(self) -> int:
+        return SIZES[self.count.code]
+
+    def read(self, reader: Reader, path: str) -> list[Any]:
+        values: list[Any] = []
+        for number in range(self.count.read(reader, path, self.item.minimum)):
+            if reader.stopped:
+                break
+            if not reader.left:
+                reader.stop(f"{number} items were there, the count says more", path)
+                break
+            values.append(self.item.read(reader, f"{path}[{number}]"))
+        return values
+
+    def write(self, writer: Writer, value: Any, path: str) -> None:
+        if not isinstance(value, (list, tuple)):
+            raise EncodeError(f"{value!r} is not a list", path=path)
+        self.count.write(writer, len(value), path)
+        for number, part in enumerate(value):
+            self.item.write(writer, part, f"{path}[{number}]")
+
+    def to_json(self, value: Any) -> Any:
+        return [self.item.to_json(part) for part in value]
+
+    def from_json(self, data: Any, path: str) -> list[Any]:
+        if not isinstance(data, (list, tuple)):
+            raise EncodeError(f"{data!r} is not a list", path=path)
+        return [self.item.from_json(part, f"{path}[{number}]") for number, part in enumerate(data)]
+
+
+@dataclass(frozen=True, slots=True)
+class Union(Item):
+    """A tag, then the arm it stands for; the class of a value says which arm it is."""
+
+    code: str
+    arms: tuple[Composite, ...]
+
+    @property
+    def minimum(self) -> int:
+        return SIZES[self.code] + min((arm.minimum for arm in self.arms), default=0)
+
+    def read(self, reader: Reader, path: str) -> Struct:
+        offset = reader.at
+        tag = reader.count(self.code, path)
+        if tag is not None and tag >= len(self.arms):
+            reader.stop(f"tag {tag} is outside 0..{len(self.arms) - 1}", path, offset)
+        arm = self.arms[tag if tag is not None and tag < len(self.arms) else 0]
+        return arm.read(reader, join(path, attribute(arm.cls.__name__)))
+
+    def write(self, writer: Writer, value: Any, path: str) -> None:
+        for tag, arm in enumerate(self.arms):
+            if type(value) is arm.cls:
+                writer.number(self.code, tag)
+                arm.write(writer, value, join(path, attribute(arm.cls.__name__)))
+                return
+        raise EncodeError(f"{value!r} is none of {', '.join(arm.cls.__qualname__ for arm in self.arms)}", path=path)
+
+    def to_json(self, value: Any) -> Any:
+        arm = next(arm for arm in self.arms if arm.cls is type(value))
+        return {attribute(arm.cls.__name__): arm.to_json(value)}
+
+    def from_json(self, data: Any, path: str) -> Struct:
+        arms = {attribute(arm.cls.__name__): arm for arm in self.arms}
+        if not isinstance(data, dict) or len(data) != 1 or next(iter(data)) not in arms:
+            raise EncodeError(f"{data!r} is not a mapping with one of {', '.join(arms)}", path=path)
+        name, fields = next(iter(data.items()))
+        return arms[name].from_json(fields, join(path, name))
+
+
+@dataclass(frozen=True, slots=True)
+class Grid(Item):
+    """An array: lists in lists, the first dimension outermost."""
+
+    item: Item
+    sizes: tuple[int, ...]
+
+    @property
+    def minimum(self) -> int:
+        total = self.item.minimum
+        for size in self.sizes:
+            total *= size
+        return total
+
+    def _inner(self) -> Item:
+        return Grid(self.item, self.sizes[1:]) if len(self.sizes) > 1 else self.item
+
+    def read(self, reader: Reader, path: str) -> list[Any]:
+        inner = self._inner()
+        return [inner.read(reader, f"{path}[{number}]") for number in range(self.sizes[0])]
+
+    def write(self, writer: Writer, value: Any, path: str) -> None:
+        if not isinstance(value, (list, tuple)) or len(value) != self.sizes[0]:
+            raise EncodeError(f"{value!r} is not a list of {self.sizes[0]}", path=path)
+        inner = self._inner()
+        for number, part in enumerate(value):
+            inner.write(writer, part, f"{path}[{number}]")
+
+    def to_json(self, value: Any) -> Any:
+        inner = self._inner()
+        return [inner.to_json(part) for part in value]
+
+    def from_json(self, data: Any, path: str) -> list[Any]:
+        if not isinstance(data, (list, tuple)):
+            raise EncodeError(f"{data!r} is not a list", path=path)
+        inner = self._inner()
+        return [inner.from_json(part, f"{path}[{number}]") for number, part in enumerate(data)]

@@ -1,0 +1,68 @@
+"""JAUS names to Python names: `Velocity_X` to `velocity_x`, `CONTROL ACCEPTED` to `CONTROL_ACCEPTED`."""
+
+from __future__ import annotations
+
+import keyword
+import re
+from collections.abc import Callable
+
+_WORDS = re.compile(
+    r"[A-Z]+s(?![a-z])"  # IDs
+    r"|[A-Z]+\d*(?![a-z])"  # URI, P1, CBRN4
+    r"|[A-Z]?[a-z]+(?:\d+d?(?![a-z]))?"  # Velocity, Joint1, Map2d
+    r"|[A-Z]+"
+    r"|\d+"
+)
+_ACRONYM_THEN_WORD = re.compile(r"([A-Z]+)([A-Z](?!s(?![a-z]))[a-z])")
+_DIMENSIONS = re.compile(r"(?<=\d)D(?![a-z])")
+_RESERVED = frozenset({"encode", "decode", "decode_tolerant", "to_dict", "from_dict", "layout", "mro", "self", "cls"})
+
+
+def snake(name: str) -> str:
+    """`PropulsiveLinearEffortX` to `propulsive_linear_effort_x`; `""` when there is no letter or digit in it."""
+    text = _ACRONYM_THEN_WORD.sub(r"\1_\2", _DIMENSIONS.sub("d_", name))
+    return "_".join(word.lower() for word in _WORDS.findall(text))
+
+
+def attribute(name: str) -> str:
+    """A valid attribute name that collides with nothing a message already has."""
+    text = snake(name) or "unnamed"
+    if text[0].isdigit():
+        text = f"n{text}"
+    return f"{text}_" if keyword.iskeyword(text) or text in _RESERVED else text
+
+
+def constant(name: str) -> str:
+    """A valid name of an enum member."""
+    text = snake(name).upper() or "UNNAMED"
+    return f"N{text}" if text[0].isdigit() else text
+
+
+def class_name(name: str) -> str:
+    """A valid class name that keeps the JAUS spelling where it can."""
+    text = re.sub(r"\W+", "_", name).strip("_") or "Unnamed"
+    text = text[0].upper() + text[1:]
+    return f"N{text}" if text[0].isdigit() else f"{text}_" if keyword.iskeyword(text) else text
+
+
+def unique(name: str, taken: Callable[[str], bool]) -> str:
+    """`name`, or `name` with the lowest number from 2 that is free."""
+    if not taken(name):
+        return name
+    number = 2
+    while taken(f"{name}_{number}"):
+        number += 1
+    return f"{name}_{number}"
+
+
+def service_set(urn: str) -> str:
+    """The set a service or type set belongs to: `core` of `urn:jaus:jss:core:AccessControl`."""
+    parts = urn.split(":")
+    if "jss" in parts[:-1]:
+        return snake(parts[parts.index("jss") + 1]) or "unnamed"
+    return snake(parts[-2] if len(parts) > 1 else parts[0]) or "unnamed"
+
+
+def version_package(version: str) -> str:
+    """`v1_1` of `1.1`."""
+    return "v" + re.sub(r"\W+", "_", version)

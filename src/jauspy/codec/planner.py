@@ -1,0 +1,350 @@
+"""Makes the plan of a schema: names, owners, shared classes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+
+from jauspy.codec.names import attribute, class_name, constant, service_set, snake, unique, version_package
+from jauspy.codec.plan import (
+    Allowed,
+    BitPlan,
+    BlobPlan,
+    ClassPlan,
+    EnumPlan,
+    GridPlan,
+    ItemPlan,
+    ModulePlan,
+    NumberPlan,
+    ObjectPlan,
+    RepeatPlan,
+    SlotPlan,
+    TextPlan,
+    UnionPlan,
+)
+from jauspy.codec.scaling import Scaling
+from jauspy.codec.wire import CODES, FLOATS, SIZES, limits
+from jauspy.errors import SchemaError
+from jauspy.schema.model import (
+    Array,
+    BitField,
+    Composite,
+    FixedField,
+    FixedString,
+    List,
+    Message,
+    Node,
+    Record,
+    Scalar,
+    Scale,
+    Schema,
+    Service,
+    TypeChoice,
+    ValueSet,
+    VariableField,
+    VariableFormatField,
+    VariableLengthField,
+    VariableString,
+    Variant,
+)
+from jauspy.schema.model import Sequence as SequenceNode
+
+JAUS_MESSAGE = "jaus message"
+_OWN_NAMES = frozenset({"CODE", "NAME", "SERVICE", "VERSION", "IS_COMMAND"})
+
+
+def plan(schema: Schema) -> list[ModulePlan]:
+    """The modules of a schema: one per service, and one per set and version for declared types."""
+    shared = SharedTypes({service.id for service in schema.services})
+    modules = [_service_module(service, shared) for service in schema.services if service.messages]
+    return modules + shared.modules()
+
+
+def _service_module(service: Service, shared: SharedTypes) -> ModulePlan:
+    package = f"{service_set(service.id)}.{version_package(service.version)}"
+    name = f"{package}.{attribute(service.name)}"
+    module = ModulePlan(name, f"{service.id} {service.version}.", service.id, service.version)
+    taken: set[str] = set()
+    for message in service.messages:
+        if message.name not in taken:
+            taken.add(message.name)
+            owner = Owner(class_name(message.name), shared, module)
+            module.classes.append(owner.message(message))
+    return module
+
+
+class SharedTypes:
+    """The classes of declared type sets, made when they are first needed."""
+
+    def __init__(self, services: set[str]) -> None:
+        self._services = services
+        self._modules: dict[str, ModulePlan] = {}
+        self._classes: dict[Node, ClassPlan] = {}
+
+    def modules(self) -> list[ModulePlan]:
+        """The modules that are needed."""
+        return list(self._modules.values())
+
+    def owns(self, node: Node) -> bool:
+        """True when a node comes from a type set, not from a service's own declarations."""
+        return node.declared is not None and node.declared.set_id not in self._services
+
+    def use(self, node: Node, user: ModulePlan) -> ClassPlan:
+        """The class of a declared node; `user` will import its module."""
+        assert node.declared is not None
+        key = _bare(replace(node, name=node.declared.name))
+        name = f"{service_set(node.declared.set_id)}.{version_package(node.declared.version)}.types"
+        module = self._modules.setdefault(name, ModulePlan(name, "Declared types that several messages share."))
+        if user is not module:
+            user.imports.add(name)
+        if key not in self._classes:
+            taken = {plan.name for plan in module.classes}
+            owner = Owner(unique(class_name(node.declared.name), taken.__contains__), self, module, module_name=name)
+            made = owner.declared(key)
+            self._classes[key] = made
+            module.classes.append(made)
+        return self._classes[key]
+
+
+def _bare(node: Node) -> Node:
+    return replace(node, optional=False, doc="")
+
+
+class Owner:
+    """Builds one class at module level with everything nested in it."""
+
+    def __init__(self, name: str, shared: SharedTypes, module: ModulePlan, module_name: str = "") -> None:
+        self.name = name
+        self.path = f"{module_alias(module_name)}.{name}" if module_name else name
+        self._shared = shared
+        self._module = module
+        self._nested: list[EnumPlan | ClassPlan] = []
+        self._known: dict[object, ClassPlan | EnumPlan] = {}
+        self._taken: set[str] = set(_OWN_NAMES)
+
+    def message(self, message: Message) -> ClassPlan:
+        """The class of a message; its body's fields become its own attributes."""
+        made = ClassPlan("message", self.name, self.path, message.doc, message=message)
+        if message.body is not None:
+            self._fill(made, message.body)
+        made.nested = self._nested
+        return made
+
+    def declared(self, node: Node) -> ClassPlan:
+        """The class of a declared record, sequence, bit field, variable field or variable-format field."""
+        made = self._class_of(node, self.name, self.path)
+        made.nested = self._nested
+        return made
+
+    def _fill(self, made: ClassPlan, node: Composite) -> None:
+        if isinstance(node, (Record, SequenceNode)):
+            parts: Sequence[Node] = node.fields if isinstance(node, Record) else node.items
+            made.presence = CODES[node.presence] if node.presence else None
+        else:
+            parts = (replace(node, optional=False),)
+        made.slots = self._slots(parts, has_presence=made.presence is not None)
+
+    def _slots(self, nodes: Sequence[Node], *, has_presence: bool) -> tuple[SlotPlan, ...]:
+        taken = {"reserved_presence"}
+        slots = []
+        for node in nodes:
+            name = unique(attribute(node.name), taken.__contains__)
+            taken.add(name)
+            item = self._item(node)
+            slots.append(SlotPlan(name, node.name, item, node.optional and has_presence, node.doc))
+        return tuple(slots)
+
+    def _item(self, node: Node) -> ItemPlan:
+        match node:
+            case FixedField():
+                return self._number(node.type, node.units, node.scale, node.values, node.name)
+            case FixedString():
+                return TextPlan(length=node.length)
+            case VariableString():
+                return TextPlan(count=node.count)
+            case VariableLengthField():
+                return self._blob(node)
+            case Array():
+                return GridPlan(self._item(node.element), tuple(d.size for d in node.dimensions))
+            case List():
+                item = self._item(node.element)
+                if not minimum(item):
+                    raise SchemaError(f"list {node.name} repeats an item without content; the data cannot bound it")
+                return RepeatPlan(node.count, item)
+            case Variant():
+                return self._union(node)
+            case _:
+                return ObjectPlan(self._class(node))
+
+    def _blob(self, node: VariableLengthField) -> BlobPlan:
+        if node.format.lower() != JAUS_MESSAGE:
+            return BlobPlan(node.count, is_message=False, format=node.format)
+        # deployed systems send no message as a count of 0, whatever lower limit the definitions give
+        return BlobPlan(replace(node.count, minimum=0), is_message=True, format=node.format)
+
+    def _union(self, node: Variant) -> UnionPlan:
+        arms: list[ClassPlan] = []
+        for arm in node.arms:
+            made = self._class(arm)
+            if made in arms:
+                made = self._nest(replace(arm, declared=None), key=(arm, len(arms)))
+            arms.append(made)
+        return UnionPlan(CODES[node.tag.type], tuple(arms))
+
+    def _class(self, node: Node) -> ClassPlan:
+        if self._shared.owns(node):
+            return self._shared.use(node, self._module)
+        return self._nest(node, key=_bare(node))
+
+    def _nest(self, node: Node, key: object) -> ClassPlan:
+        known = self._known.get(key)
+        if isinstance(known, ClassPlan):
+            return known
+        name = self._free(class_name(node.name))
+        made = self._class_of(node, name, f"{self.path}.{name}")
+        self._known[key] = made
+        self._nested.append(made)
+        return made
+
+    def _free(self, name: str) -> str:
+        name = unique(name, self._taken.__contains__)
+        self._taken.add(name)
+        return name
+
+    def _class_of(self, node: Node, name: str, path: str) -> ClassPlan:
+        match node:
+            case BitField():
+                return self._bits(node, name, path)
+            case VariableField():
+                return self._choice(node, name, path)
+            case VariableFormatField():
+                return self._format(node, name, path)
+            case Record() | SequenceNode() | List() | Variant():
+                made = ClassPlan("composite", name, path, node.doc)
+                self._fill(made, node)
+                return made
+            case _:
+                raise SchemaError(f"{node.name}: a {type(node).__name__} cannot stand here")
+
+    def _bits(self, node: BitField, name: str, path: str) -> ClassPlan:
+        made = ClassPlan("bits", name, path, node.doc, code=CODES[node.type])
+        taken = {"reserved_bits"}
+        bits = []
+        for sub in node.subfields:
+            attr = unique(attribute(sub.name), taken.__contains__)
+            taken.add(attr)
+            mask = (1 << (sub.last - sub.first + 1)) - 1
+            bits.append(BitPlan(attr, sub.first, mask, self._allowed(sub.values, sub.name, made.code), sub.doc))
+        made.bits = tuple(bits)
+        return made
+
+    def _choice(self, node: VariableField, name: str, path: str) -> ClassPlan:
+        made = ClassPlan("choice", name, path, node.doc)
+        names = [(choice.index, choice.name or choice.units) for choice in node.choices]
+        made.allowed = Allowed(self._enum(f"{name}Choice", tuple(names)))
+        made.choices = tuple((c.index, self._choice_number(c, name)) for c in node.choices)
+        return made
+
+    def _choice_number(self, choice: TypeChoice, name: str) -> NumberPlan:
+        return self._number(choice.type, choice.units, choice.scale, choice.values, f"{name}{class_name(choice.name)}")
+
+    def _format(self, node: VariableFormatField, name: str, path: str) -> ClassPlan:
+        made = ClassPlan("format", name, path, node.doc, count=node.count)
+        made.allowed = Allowed(self._enum(f"{name}Format", tuple((f.index, f.name) for f in node.formats)))
+        made.message_formats = tuple(f.index for f in node.formats if f.name.lower() == JAUS_MESSAGE)
+        return made
+
+    def _number(
+        self, scalar: Scalar, units: str, scale: Scale | None, values: ValueSet | None, name: str
+    ) -> NumberPlan:
+        code = CODES[scalar]
+        if scale is not None and code not in FLOATS:
+            scaling = Scaling(float(scale.lower), float(scale.upper), limits(code)[1], scale.function)
+            if not scaling.lower < scaling.upper:
+                raise SchemaError(f"{name}: the range {scale.lower}..{scale.upper} is empty")
+            return NumberPlan(code, units, scaling)
+        return NumberPlan(code, units, None, self._allowed(values, name, code))
+
+    def _allowed(self, values: ValueSet | None, name: str, code: str) -> Allowed:
+        if values is None or not (values.enums or values.ranges):
+            return Allowed()
+        enum = self._enum(class_name(name), tuple((e.value, e.name) for e in values.enums))
+        return Allowed(enum, intervals(values, code))
+
+    def _enum(self, name: str, values: tuple[tuple[int, str], ...]) -> EnumPlan | None:
+        if not values:
+            return None
+        known = self._known.get((name, values))
+        if isinstance(known, EnumPlan):
+            return known
+        free = self._free(name)
+        made = EnumPlan(free, f"{self.path}.{free}", _members(values))
+        self._known[name, values] = made
+        self._nested.append(made)
+        return made
+
+
+def _members(values: tuple[tuple[int, str], ...]) -> tuple[tuple[str, int], ...]:
+    """Unique member names; several values of one name (as `Reserved`) get their value appended."""
+    names = [constant(name) for _, name in values]
+    made: dict[str, int] = {}
+    seen: set[int] = set()
+    for (value, _), name in zip(values, names, strict=True):
+        if value in seen:
+            continue
+        seen.add(value)
+        wanted = name if names.count(name) == 1 else f"{name}_{value}".replace("-", "MINUS_")
+        made[unique(wanted, made.__contains__)] = value
+    return tuple(made.items())
+
+
+def intervals(values: ValueSet, code: str) -> tuple[tuple[float, float], ...]:
+    """The ranges with both ends included, integers for integer codes."""
+    made: list[tuple[float, float]] = []
+    for r in values.ranges:
+        if code in FLOATS:
+            low = r.lower if r.lower_inclusive else math.nextafter(r.lower, math.inf)
+            high = r.upper if r.upper_inclusive else math.nextafter(r.upper, -math.inf)
+        else:
+            low = math.ceil(r.lower) if r.lower_inclusive else math.floor(r.lower) + 1
+            high = math.floor(r.upper) if r.upper_inclusive else math.ceil(r.upper) - 1
+        if low <= high:
+            made.append((low, high))
+    return tuple(made)
+
+
+def minimum(item: ItemPlan) -> int:
+    """The fewest bytes an item takes."""
+    match item:
+        case NumberPlan():
+            return SIZES[item.code]
+        case TextPlan():
+            return SIZES[CODES[item.count.type]] if item.count else item.length
+        case BlobPlan() | RepeatPlan():
+            return SIZES[CODES[item.count.type]]
+        case UnionPlan():
+            return SIZES[item.code] + min((class_minimum(arm) for arm in item.arms), default=0)
+        case GridPlan():
+            return minimum(item.item) * math.prod(item.sizes)
+        case ObjectPlan():
+            return class_minimum(item.cls)
+
+
+def class_minimum(made: ClassPlan) -> int:
+    """The fewest bytes a class takes, without the id bytes of a message."""
+    if made.kind == "bits":
+        return SIZES[made.code]
+    if made.kind == "choice":
+        return 1 + min((SIZES[number.code] for _, number in made.choices), default=0)
+    if made.kind == "format":
+        return 1 + (SIZES[CODES[made.count.type]] if made.count else 0)
+    vector = SIZES[made.presence] if made.presence else 0
+    return vector + sum(minimum(slot.item) for slot in made.slots if not slot.optional)
+
+
+def module_alias(name: str) -> str:
+    """How a module of shared types is called where it is imported."""
+    return snake(name.replace(".", " ")) or name
+
+

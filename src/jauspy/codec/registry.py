@@ -1,0 +1,136 @@
+"""Finding message classes by name and by code; modules are imported when a message of theirs is first used."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from difflib import get_close_matches
+from importlib import import_module
+from typing import Any
+
+from jauspy.codec.base import FAST_ERRORS, MAX_NESTING, Deviation, Message
+from jauspy.errors import ConfigError, DecodeError
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """One message of one service version, and the module and class it lives in."""
+
+    code: int
+    name: str
+    service: str
+    version: str
+    module: str
+    cls: str
+
+    def load(self) -> type[Message]:
+        """The message class."""
+        found = getattr(import_module(self.module), self.cls)
+        assert issubclass(found, Message)
+        return found
+
+    @property
+    def order(self) -> tuple[int, ...]:
+        """Orders versions, oldest first."""
+        return tuple(int(part) for part in self.version.split(".") if part.isdigit())
+
+
+class Registry:
+    """The known messages. One layered over another (`base`) finds its own first."""
+
+    def __init__(self, entries: Iterable[Entry], base: Registry | None = None) -> None:
+        self._base = base
+        newest_first = sorted(entries, key=lambda entry: entry.order, reverse=True)
+        self._entries: tuple[Entry, ...] = (*newest_first, *(base._entries if base else ()))
+        self._codes: dict[int, tuple[Entry, ...]] = {}
+        self._names: dict[str, tuple[Entry, ...]] = {}
+        for entry in self._entries:
+            self._codes[entry.code] = (*self._codes.get(entry.code, ()), entry)
+            key = entry.name.casefold()
+            self._names[key] = (*self._names.get(key, ()), entry)
+        self._newest: dict[int, type[Message]] = {}
+
+    def __len__(self) -> int:
+        return len(self._entries)
+
+    def __iter__(self) -> Iterator[type[Message]]:
+        """Every message class; imports all modules."""
+        return (entry.load() for entry in self._entries)
+
+    def __repr__(self) -> str:
+        return f"<Registry of {len(self)} messages>"
+
+    @property
+    def entries(self) -> tuple[Entry, ...]:
+        """What is known without importing a message: own layer first, newest version first."""
+        return self._entries
+
+    def by_code(self, code: int) -> tuple[type[Message], ...]:
+        """The classes of this message id, newest version first; empty when there is none."""
+        return tuple(entry.load() for entry in self._codes.get(code, ()))
+
+    def by_name(self, name: str, *, service: str | None = None, version: str | None = None) -> type[Message]:
+        """The newest message of this JAUS name, upper and lower case alike; `ConfigError` with close matches."""
+        found = _choose(self._names.get(name.casefold(), ()), service, version)
+        if found is not None:
+            return found.load()
+        names = sorted({entry.name for entry in self._entries})
+        by_key = {known.casefold(): known for known in names}
+        close = [by_key[key] for key in get_close_matches(name.casefold(), by_key, 3, 0.6)]
+        which = " ".join(part for part in (name, f"of {service}" if service else "", version) if part)
+        hint = f"; did you mean {' or '.join(close)}?" if close else ""
+        raise ConfigError(f"no message {which} is known{hint}")
+
+    def decode(
+        self, data: bytes | bytearray | memoryview, *, service: str | None = None, version: str | None = None
+    ) -> Message:
+        """The message these bytes are, newest version unless told otherwise; raises `DecodeError`."""
+        return self._class_for(bytes(data), service, version).decode(data)
+
+    def decode_tolerant(
+        self, data: bytes | bytearray | memoryview, *, service: str | None = None, version: str | None = None
+    ) -> tuple[Message, tuple[Deviation, ...]]:
+        """As `Message.decode_tolerant`; raises `DecodeError` only for an unknown or missing message id."""
+        return self._class_for(bytes(data), service, version).decode_tolerant(data)
+
+    def _class_for(self, data: bytes, service: str | None, version: str | None) -> type[Message]:
+        if len(data) < 2:
+            raise DecodeError(f"{len(data)} bytes are too short for a message id")
+        code = data[0] | data[1] << 8
+        if service is None and version is None:
+            cls = self._newest.get(code)
+            if cls is not None:
+                return cls
+        entry = _choose(self._codes.get(code, ()), service, version)
+        if entry is None:
+            which = " ".join(part for part in (f"of {service}" if service else "", version) if part)
+            raise DecodeError(f"unknown message id 0x{code:04X}{' ' + which if which else ''}")
+        cls = entry.load()
+        if service is None and version is None:
+            self._newest[code] = cls
+        return cls
+
+    def nested(self, data: bytes, depth: int) -> Message | bytes:
+        """The message inside a message when it decodes strictly and encodes to the same bytes, else the bytes."""
+        if depth >= MAX_NESTING or len(data) < 2 or (data[0] | data[1] << 8) not in self._codes:
+            return data
+        try:
+            message = self._class_for(data, None, None)._unpack(data, depth + 1)
+            return message if message._pack(strict=True) == data else data
+        except FAST_ERRORS:
+            return data
+
+    def from_dict(self, data: Mapping[str, Any]) -> Message:
+        """The inverse of `message_to_dict`: `message` names it, `service` and `version` may, `fields` has the rest."""
+        name = data.get("message")
+        if not isinstance(name, str):
+            raise ConfigError(f"{data!r} does not say which message it is")
+        cls = self.by_name(name, service=data.get("service"), version=data.get("version"))
+        return cls.from_dict(dict(data.get("fields") or {}))
+
+
+def _choose(entries: tuple[Entry, ...], service: str | None, version: str | None) -> Entry | None:
+    for entry in entries:
+        if service in (None, entry.service) and version in (None, entry.version):
+            return entry
+    return None

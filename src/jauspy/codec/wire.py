@@ -1,0 +1,28 @@
+"""Number types on the wire: `struct` codes, sizes and limits. Everything in JAUS is little-endian."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from jauspy.schema.model import Scalar
+
+CODES: Final[dict[Scalar, str]] = {
+    "u8": "B",
+    "u16": "H",
+    "u32": "I",
+    "u64": "Q",
+    "i8": "b",
+    "i16": "h",
+    "i32": "i",
+    "i64": "q",
+    "f32": "f",
+    "f64": "d",
+}
+SIZES: Final[dict[str, int]] = {"B": 1, "H": 2, "I": 4, "Q": 8, "b": 1, "h": 2, "i": 4, "q": 8, "f": 4, "d": 8}
+FLOATS: Final = frozenset("fd")
+
+
+def limits(code: str) -> tuple[int, int]:
+    """The smallest and largest value of an integer code."""
+    bits = 8 * SIZES[code]
+    return (0, 2**bits - 1) if code.isupper() else (-(2 ** (bits - 1)), 2 ** (bits - 1) - 1)

@@ -1,0 +1,182 @@
+"""urn:jaus:jss:core:Management 1.1. Generated from schemas/; do not edit."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import ClassVar
+
+from jauspy.codec import runtime as rt
+
+
+@dataclass(slots=True, repr=False)
+class Shutdown(rt.Message):
+    """Shutdown (0x0002): Makes the component release its resources and stop."""
+
+    CODE: ClassVar[int] = 0x0002
+    NAME: ClassVar[str] = "Shutdown"
+    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Management"
+    VERSION: ClassVar[str] = "1.1"
+    IS_COMMAND: ClassVar[bool] = True
+
+    @classmethod
+    def _layout(cls) -> rt.Item:
+        return rt.Composite(cls, ())
+
+
+@dataclass(slots=True, repr=False)
+class Standby(rt.Message):
+    """Standby (0x0003): Moves the component from Ready to Standby."""
+
+    CODE: ClassVar[int] = 0x0003
+    NAME: ClassVar[str] = "Standby"
+    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Management"
+    VERSION: ClassVar[str] = "1.1"
+    IS_COMMAND: ClassVar[bool] = True
+
+    @classmethod
+    def _layout(cls) -> rt.Item:
+        return rt.Composite(cls, ())
+
+
+@dataclass(slots=True, repr=False)
+class Resume(rt.Message):
+    """Resume (0x0004): Moves the component from Standby to Ready."""
+
+    CODE: ClassVar[int] = 0x0004
+    NAME: ClassVar[str] = "Resume"
+    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Management"
+    VERSION: ClassVar[str] = "1.1"
+    IS_COMMAND: ClassVar[bool] = True
+
+    @classmethod
+    def _layout(cls) -> rt.Item:
+        return rt.Composite(cls, ())
+
+
+@dataclass(slots=True, repr=False)
+class Reset(rt.Message):
+    """Reset (0x0005): Makes the component initialise again."""
+
+    CODE: ClassVar[int] = 0x0005
+    NAME: ClassVar[str] = "Reset"
+    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Management"
+    VERSION: ClassVar[str] = "1.1"
+    IS_COMMAND: ClassVar[bool] = True
+
+    @classmethod
+    def _layout(cls) -> rt.Item:
+        return rt.Composite(cls, ())
+
+
+@dataclass(slots=True, repr=False)
+class SetEmergency(rt.Message):
+    """SetEmergency (0x0006): Puts the component into the Emergency state; needs no control.
+
+    emergency_code: EmergencyCode. The kind of emergency
+    """
+
+    CODE: ClassVar[int] = 0x0006
+    NAME: ClassVar[str] = "SetEmergency"
+    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Management"
+    VERSION: ClassVar[str] = "1.1"
+    IS_COMMAND: ClassVar[bool] = True
+
+    class EmergencyCode(IntEnum):
+        """Values of EmergencyCode."""
+
+        STOP = 1
+
+    emergency_code: SetEmergency.EmergencyCode | int
+
+    @classmethod
+    def _layout(cls) -> rt.Item:
+        return rt.Composite(
+            cls,
+            (
+                rt.Slot("emergency_code", "EmergencyCode", rt.Number("H", rt.Values(SetEmergency.EmergencyCode))),
+            ),
+        )
+
+
+@dataclass(slots=True, repr=False)
+class ClearEmergency(rt.Message):
+    """ClearEmergency (0x0007): Ends the emergency that the same client has set.
+
+    emergency_code: EmergencyCode. The kind of emergency
+    """
+
+    CODE: ClassVar[int] = 0x0007
+    NAME: ClassVar[str] = "ClearEmergency"
+    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Management"
+    VERSION: ClassVar[str] = "1.1"
+    IS_COMMAND: ClassVar[bool] = True
+
+    class EmergencyCode(IntEnum):
+        """Values of EmergencyCode."""
+
+        STOP = 1
+
+    emergency_code: ClearEmergency.EmergencyCode | int
+
+    @classmethod
+    def _layout(cls) -> rt.Item:
+        return rt.Composite(
+            cls,
+            (
+                rt.Slot("emergency_code", "EmergencyCode", rt.Number("H", rt.Values(ClearEmergency.EmergencyCode))),
+            ),
+        )
+
+
+@dataclass(slots=True, repr=False)
+class QueryStatus(rt.Message):
+    """QueryStatus (0x2002): Asks for the state of the component."""
+
+    CODE: ClassVar[int] = 0x2002
+    NAME: ClassVar[str] = "QueryStatus"
+    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Management"
+    VERSION: ClassVar[str] = "1.1"
+    IS_COMMAND: ClassVar[bool] = False
+
+    @classmethod
+    def _layout(cls) -> rt.Item:
+        return rt.Composite(cls, ())
+
+
+@dataclass(slots=True, repr=False)
+class ReportStatus(rt.Message):
+    """ReportStatus (0x4002): Tells the state of the component.
+
+    status: Status. The state of the component
+    reserved: Sent as 0, ignored when received
+    """
+
+    CODE: ClassVar[int] = 0x4002
+    NAME: ClassVar[str] = "ReportStatus"
+    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Management"
+    VERSION: ClassVar[str] = "1.1"
+    IS_COMMAND: ClassVar[bool] = False
+
+    class Status(IntEnum):
+        """Values of Status."""
+
+        INITIALIZE = 0
+        READY = 1
+        STANDBY = 2
+        SHUTDOWN = 3
+        FAILURE = 4
+        EMERGENCY = 5
+
+    status: ReportStatus.Status | int
+    reserved: int
+
+    @classmethod
+    def _layout(cls) -> rt.Item:
+        return rt.Composite(
+            cls,
+            (
+                rt.Slot("status", "Status", rt.Number("B", rt.Values(ReportStatus.Status))),
+                rt.Slot("reserved", "Reserved", rt.Number("I")),
+            ),
+        )
