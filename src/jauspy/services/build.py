@@ -82,6 +82,6 @@ def _inputs(definitions: Mapping[str, Definition], registry: Registry) -> dict[i
     for definition in definitions.values():
         for message in definition.inputs:
             for kind in registry.by_code(message.code):
-                if (kind.SERVICE, kind.VERSION) == (definition.id, definition.version):
+                if kind.SERVICE == definition.id and kind.VERSION == definition.version:
                     found.setdefault(message.code, kind)
     return found

@@ -13,6 +13,7 @@ from typing import Final, TypeAlias, TypeVar
 from jauspy.errors import SchemaError
 
 _TOKEN: Final = re.compile(r"\s*(?:(&&|\|\||[!(),])|('[^']*'|\"[^\"]*\"|[\w.]+))")
+_NO_ARGUMENT: Final = ("", "&&", "||", "!", "(", ",")
 _MAX_DEPTH: Final = 64
 
 T = TypeVar("T")
@@ -55,7 +56,7 @@ def parse(text: str) -> Guard:
     """Read a guard; `!` binds tighter than `&&`, `&&` tighter than `||`. Raises `SchemaError`."""
     reader = _Reader(text)
     guard = reader.either(0)
-    if reader.token:
+    if reader.upcoming:
         raise reader.error("an operator or the end")
     return guard
 
@@ -89,33 +90,33 @@ def compile_guard(guard: Guard, resolve: Callable[[Call], Predicate[T]]) -> Pred
 
 
 class _Reader:
-    """Recursive descent over the tokens; `token` is the next one, empty at the end."""
+    """Recursive descent over the tokens; `upcoming` is the next one, empty at the end."""
 
     def __init__(self, text: str) -> None:
         self.text = text
         self._at = 0
-        self.token = ""
+        self.upcoming = ""
         self.advance()
 
     def advance(self) -> str:
         """Step to the next token and return the one before it."""
-        taken = self.token
+        taken = self.upcoming
         match = _TOKEN.match(self.text, self._at)
         if match is None and self.text[self._at :].strip():
             raise self.error("a predicate, an operator or a parenthesis")
-        self.token = match[1] or match[2] if match else ""
+        self.upcoming = match[1] or match[2] if match else ""
         self._at = match.end() if match else len(self.text)
         return taken
 
     def error(self, expected: str) -> SchemaError:
         """What was expected where."""
-        found = self.token or self.text[self._at :].strip() or "the end"
+        found = self.upcoming or self.text[self._at :].strip() or "the end"
         return SchemaError(f"guard {self.text!r}: expected {expected}, found {found!r}")
 
     def either(self, depth: int) -> Guard:
         """`a || b || ...`."""
         operands = [self.both(depth)]
-        while self.token == "||":
+        while self.upcoming == "||":
             self.advance()
             operands.append(self.both(depth))
         return operands[0] if len(operands) == 1 else Or(tuple(operands))
@@ -123,7 +124,7 @@ class _Reader:
     def both(self, depth: int) -> Guard:
         """`a && b && ...`."""
         operands = [self.single(depth)]
-        while self.token == "&&":
+        while self.upcoming == "&&":
             self.advance()
             operands.append(self.single(depth))
         return operands[0] if len(operands) == 1 else And(tuple(operands))
@@ -132,10 +133,10 @@ class _Reader:
         """`!a`, `(a)` or a predicate."""
         if depth > _MAX_DEPTH:
             raise SchemaError(f"guard {self.text[:40]!r}... is nested deeper than {_MAX_DEPTH}")
-        if self.token == "!":
+        if self.upcoming == "!":
             self.advance()
             return Not(self.single(depth + 1))
-        if self.token == "(":
+        if self.upcoming == "(":
             self.advance()
             inner = self.either(depth + 1)
             self.expect(")")
@@ -144,23 +145,23 @@ class _Reader:
 
     def call(self) -> Call:
         """`name(argument, ...)`; the parentheses may be missing."""
-        if not self.token.replace(".", "_").isidentifier():
+        if not self.upcoming.replace(".", "_").isidentifier():
             raise self.error("the name of a predicate")
         name = self.advance()
         arguments: list[str] = []
-        if self.token == "(":
+        if self.upcoming == "(":
             self.advance()
-            while self.token != ")":
-                if not self.token or self.token in "&&||!(,":
+            while self.upcoming != ")":
+                if self.upcoming in _NO_ARGUMENT:
                     raise self.error("an argument or ')'")
                 arguments.append(self.advance())
-                if self.token != ")":
+                if self.upcoming != ")":
                     self.expect(",")
             self.advance()
         return Call(name, tuple(arguments))
 
-    def expect(self, token: str) -> None:
+    def expect(self, symbol: str) -> None:
         """Step over exactly this token."""
-        if self.token != token:
-            raise self.error(repr(token))
+        if self.upcoming != symbol:
+            raise self.error(repr(symbol))
         self.advance()

@@ -122,8 +122,13 @@ class Host:
     @property
     def state(self) -> str:
         """The innermost active state of the receiving machine, as a dotted path."""
+        return ".".join(self.path)
+
+    @property
+    def path(self) -> tuple[str, ...]:
+        """The names of the active states of the receiving machine, outermost first."""
         machine = self._built.machines.get("ReceiveFSM")
-        return machine.state if machine else ""
+        return machine.path if machine else ()
 
     @property
     def status(self) -> ReportStatus.Status | None:
@@ -249,7 +254,7 @@ class Host:
         return machine.handle(trigger) if machine else Outcome.IGNORED
 
     def _reply(self, result: object, trigger: Trigger, to_source: bool) -> None:
-        """Send what a report method made: to the sender, or to whom an internal event is about, or to the controller."""
+        """Send what a report method made: to the sender, to whom an internal event is about, or to the controller."""
         if not isinstance(result, Message):
             return
         about = to_source or not trigger.is_message

@@ -41,14 +41,14 @@ class StateNode:
         return ".".join(self.path)
 
     def upwards(self) -> Iterator[StateNode]:
-        """This state, its parent, and so on; without the root."""
+        """The state itself, its parent, and so on; without the root."""
         node: StateNode | None = self
         while node is not None and node.path:
             yield node
             node = node.parent
 
     def all(self) -> Iterator[StateNode]:
-        """This state and all below it."""
+        """The state and all below it."""
         yield self
         for child in self.children.values():
             yield from child.all()

@@ -1,0 +1,11 @@
+"""The core services (AS5710)."""
+
+from jauspy.services.core.access_control import AccessControl
+from jauspy.services.core.discovery import Discovery, Identity
+from jauspy.services.core.events import Events
+from jauspy.services.core.liveness import Liveness
+from jauspy.services.core.management import Management
+from jauspy.services.core.time import Time
+from jauspy.services.core.transport import Transport
+
+__all__ = ["AccessControl", "Discovery", "Events", "Identity", "Liveness", "Management", "Time", "Transport"]

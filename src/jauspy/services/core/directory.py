@@ -41,9 +41,9 @@ class Directory:
     def matching(self, subsystem: int, node: int, component: int) -> Iterator[tuple[JausID, tuple[Offer, ...]]]:
         """The components that an id addresses, wildcards understood, in order of their ids."""
         wanted = JausID(subsystem, node, component)
-        for id in sorted(self._offers):
-            if wanted.matches(id):
-                yield id, self._offers[id]
+        for each in sorted(self._offers):
+            if wanted.matches(each):
+                yield each, self._offers[each]
 
     def all(self) -> Mapping[JausID, tuple[Offer, ...]]:
         """Everything, in order of the ids."""

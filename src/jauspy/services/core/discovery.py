@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import groupby
+from operator import attrgetter
 from typing import Final
 
 from jauspy.ids import JausID
@@ -79,24 +80,24 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
             return None
         me = self.host.id
         here = [
-            id
-            for id in self.directory.all()
-            if id.subsystem == me.subsystem and (query.query_type == SUBSYSTEM or id.node == me.node)
+            each
+            for each in self.directory.all()
+            if each.subsystem == me.subsystem and (query.query_type == SUBSYSTEM or each.node == me.node)
         ]
         return ReportConfiguration(
             node_list=[
                 ReportConfiguration.NodeSeq(
                     node_rec=ReportConfiguration.NodeRec(node_id=node),
                     component_list=[
-                        ReportConfiguration.ComponentRec(component_id=id.component, instance_id=0) for id in ids
+                        ReportConfiguration.ComponentRec(component_id=each.component, instance_id=0) for each in ids
                     ],
                 )
-                for node, ids in groupby(here, key=lambda id: id.node)
+                for node, ids in groupby(here, key=attrgetter("node"))
             ]
         )
 
     def report_subsystem_list(self) -> ReportSubsystemList:
-        """This subsystem, and where to ask about it: here."""
+        """The own subsystem, and where to ask about it: here."""
         me = self.host.id
         record = ReportSubsystemList.SubsystemRec(subsystem_id=me.subsystem, node_id=me.node, component_id=me.component)
         return ReportSubsystemList(subsystem_list=[record])
@@ -118,16 +119,16 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
                     matching = self.directory.matching(
                         subsystem.subsystem_rec.subsystem_id, node.node_rec.node_id, component.component_id
                     )
-                    for id, offers in matching:
+                    for each, offers in matching:
                         wanted = _filtered(offers, component.search_filter)
-                        found[id] = tuple(dict.fromkeys(found.get(id, ()) + wanted))
-        found = {id: offers for id, offers in found.items() if offers}
-        subsystems = groupby(sorted(found), key=lambda id: id.subsystem)
+                        found[each] = tuple(dict.fromkeys(found.get(each, ()) + wanted))
+        found = {each: offers for each, offers in found.items() if offers}
+        subsystems = groupby(sorted(found), key=attrgetter("subsystem"))
         return ReportServiceList(
             subsystem_list=[
                 ReportServiceList.SubsystemSeq(
                     subsystem_rec=ReportServiceList.SubsystemRec(subsystem_id=number),
-                    node_list=list(_nodes(ReportServiceList, {id: found[id] for id in ids})),
+                    node_list=list(_nodes(ReportServiceList, {each: found[each] for each in ids})),
                 )
                 for number, ids in subsystems
             ]
@@ -148,19 +149,19 @@ def _filtered(offers: tuple[Offer, ...], wanted: str | None) -> tuple[Offer, ...
 
 
 def _nodes(report: type[ReportServices] | type[ReportServiceList], found: Mapping[JausID, Iterable[Offer]]) -> Iterator:
-    for node, ids in groupby(sorted(found), key=lambda id: id.node):
+    for node, ids in groupby(sorted(found), key=attrgetter("node")):
         yield report.NodeSeq(
             node_rec=report.NodeRec(node_id=node),
             component_list=[
                 report.ComponentSeq(
-                    component_rec=report.ComponentRec(component_id=id.component, instance_id=0),
+                    component_rec=report.ComponentRec(component_id=each.component, instance_id=0),
                     service_list=[
                         report.ServiceRec(
                             uri=offer.uri, major_version_number=offer.major, minor_version_number=offer.minor
                         )
-                        for offer in found[id]
+                        for offer in found[each]
                     ],
                 )
-                for id in ids
+                for each in ids
             ],
         )

@@ -229,11 +229,11 @@ def _bytes(message: Message | bytes) -> bytes:
 
 def _matches(subscription: Subscription, query: QueryEvents) -> bool:
     match query.query_events_var:
-        case QueryEvents.EventIDRec(event_id=id):
-            return subscription.id == id
+        case QueryEvents.EventIDRec(event_id=number):
+            return subscription.id == number
         case QueryEvents.EventTypeRec(event_type=kind):
             return subscription.kind == kind
         case QueryEvents.MessageIDRec(message_code=code):
-            return subscription.query.CODE == code
+            return code == subscription.query.CODE
         case _:
             return True

@@ -11,7 +11,7 @@ from jauspy.ids import JausID
 
 @dataclass(slots=True, eq=False)
 class Subscription:
-    """One event. `due` (time) and `period` (seconds) are what is really kept; the client was told the rate `confirmed` (Hz)."""
+    """One event. `due` (time) and `period` (s) are what is really kept; `confirmed` (Hz) is what the client was told."""
 
     id: int
     client: JausID
@@ -73,4 +73,4 @@ class Subscriptions:
 
     def of(self, client: JausID) -> Iterator[Subscription]:
         """The client's events in the order of their ids."""
-        return (self._by_id[id] for id in sorted(self._by_id) if self._by_id[id].client == client)
+        return (each for _, each in sorted(self._by_id.items()) if each.client == client)

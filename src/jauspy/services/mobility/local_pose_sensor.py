@@ -38,8 +38,10 @@ class Reference:
 
 
 class LocalPoseSensor(Service, urn="urn:jaus:jss:mobility:LocalPoseSensor"):
-    """Position (m), attitude (rad) and time. The controlling client may set x, y, z and yaw; roll and pitch are
-    measured against gravity and stay what they are."""
+    """Position (m), attitude (rad) and time.
+
+    The controlling client may set x, y, z and yaw; roll and pitch are measured against gravity and stay as they are.
+    """
 
     def __init__(self, drive: DriveBase) -> None:
         self._drive = drive
