@@ -9,12 +9,15 @@ from jauspy.codec.planner import module_alias, plan
 from jauspy.schema.model import Schema
 
 
-def generate(schema: Schema, package: str = "jauspy.messages") -> dict[str, str]:
-    """The source of all files of `package`, by path relative to it; raises `SchemaError`."""
+def generate(schema: Schema, package: str = "jauspy.messages", base: str | None = None) -> dict[str, str]:
+    """The source of all files of `package`, by path relative to it; its registry is layered over that of `base`.
+
+    Raises `SchemaError` for what cannot be decoded in bounded time.
+    """
     modules = plan(schema)
     files = {f"{module.name.replace('.', '/')}.py": module_source(module, package) for module in modules}
     files |= packages(modules, package)
-    files["__init__.py"] = root(package)
+    files["__init__.py"] = root(package, base)
     files["_table.py"] = table(modules, package)
     return dict(sorted(files.items()))
 

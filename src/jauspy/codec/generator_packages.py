@@ -15,21 +15,23 @@ def version_key(version: str) -> tuple[int, ...]:
     return tuple(int(part) for part in version.replace("v", "").replace("_", ".").split(".") if part.isdigit())
 
 
-def root(package: str) -> str:
-    """`jauspy/messages/__init__.py`."""
+def root(package: str, base: str | None) -> str:
+    """The package itself: its registry, layered over that of `base`."""
+    layers = [f"from {base} import registry as _base"] if base else []
     return "\n".join(
         [
-            f'"""The built-in messages, one package per service set. {NOTE}"""',
+            f'"""Messages, one package per service set. {NOTE}"""',
             "",
             "from __future__ import annotations",
             "",
             "from typing import Final",
             "",
             "from jauspy.codec.registry import Registry",
+            *layers,
             f"from {package}._table import TABLE",
             "",
-            "registry: Final = Registry(TABLE)",
-            '"""All built-in messages, by name and by code; modules are imported on use."""',
+            f"registry: Final = Registry(TABLE{', _base' if base else ''})",
+            '"""All messages, by name and by code; modules are imported on use."""',
             "",
         ]
     )

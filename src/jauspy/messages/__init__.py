@@ -1,4 +1,4 @@
-"""The built-in messages, one package per service set. Generated from schemas/; do not edit."""
+"""Messages, one package per service set. Generated from schemas/; do not edit."""
 
 from __future__ import annotations
 
@@ -8,4 +8,4 @@ from jauspy.codec.registry import Registry
 from jauspy.messages._table import TABLE
 
 registry: Final = Registry(TABLE)
-"""All built-in messages, by name and by code; modules are imported on use."""
+"""All messages, by name and by code; modules are imported on use."""
