@@ -16,7 +16,7 @@ from lxml.etree import _Element as Element
 from jauspy.schema.constants import ExpressionError, Number, evaluate
 from jauspy.schema.grammar import DECLARED
 from jauspy.schema.model import DeclaredType, Node
-from jauspy.schema.reading import file_of, flag, line_of, prose, required, suggestion, wrong
+from jauspy.schema.reading import file_of, flag, identity, line_of, prose, required, suggestion, wrong
 
 AnyNode = TypeVar("AnyNode", bound=Node)
 Thing = TypeVar("Thing")
@@ -28,7 +28,6 @@ Key = tuple[str, str]
 class Scope:
     """The names of one file. `set_id` and `version` are those of the type set or service around it."""
 
-    name: str
     set_id: str
     version: str
     consts: dict[str, Element] = field(default_factory=dict)
@@ -123,7 +122,7 @@ def _linked(scope: Scope, local: str, links: str) -> Scope | None:
 
 def scope_of(root: Element) -> Scope:
     """The scope of a `declared_const_set`, a `declared_type_set` or a `service_def`."""
-    scope = Scope(required(root, "name"), root.get("id", ""), root.get("version", ""))
+    scope = Scope(*identity(root))
     for part in (root, *root.iterchildren("declared_const_set", "declared_type_set")):
         _collect(part, scope)
     return scope
@@ -173,7 +172,7 @@ class Library:
 
     def add(self, root: Element) -> bool:
         """Enter a root element; False when the same content is there already (sets come in several folders)."""
-        key = (str(root.tag), (required(root, "id"), required(root, "version")))
+        key = (str(root.tag), identity(root))
         first = self.roots.get(key)
         if first is not None:
             if _signature(first) == _signature(root):
@@ -192,7 +191,7 @@ class Library:
 
     def _link(self, references: Iterable[Element], tag: str, links: dict[str, Scope]) -> None:
         for reference in references:
-            key = (required(reference, "id"), required(reference, "version"))
+            key = identity(reference)
             found = self.scopes.get((tag, key))
             if found is None:
                 known = [" ".join(other) for kind, other in self.scopes if kind == tag]

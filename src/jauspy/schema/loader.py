@@ -16,7 +16,7 @@ from jauspy.schema.grammar import DECLARED
 from jauspy.schema.library import Key, Library, Scope
 from jauspy.schema.messages import read_event, read_message
 from jauspy.schema.model import Schema, Service
-from jauspy.schema.reading import required, wrong
+from jauspy.schema.reading import identity, wrong
 from jauspy.schema.services import read_service, resolve_parents, version_key
 from jauspy.schema.source import read
 from jauspy.schema.states import check_states
@@ -30,7 +30,7 @@ def load_files(paths: Iterable[Path]) -> Schema:
     roots: dict[Key, Element] = {}
     for path in paths:
         root, jsidl = read(path)
-        key = required(root, "id"), required(root, "version")
+        key = identity(root)
         if library.add(root) and root.tag == "service_def":
             roots[key] = root
             versions[key] = jsidl

@@ -54,6 +54,11 @@ def required(element: Element, name: str) -> str:
     return text
 
 
+def identity(element: Element) -> tuple[str, str]:
+    """Id (URN) and version; blanks around them mean nothing (xsd:anyURI), and public files have some."""
+    return required(element, "id").strip(), required(element, "version").strip()
+
+
 def child(element: Element, tag: str) -> Element:
     """A mandatory child."""
     found = element.find(tag)

@@ -12,7 +12,7 @@ from jauspy.schema.behavior import read_behavior
 from jauspy.schema.library import Key, Scope
 from jauspy.schema.messages import read_events, read_messages
 from jauspy.schema.model import Message, Reference, Service
-from jauspy.schema.reading import child, location, required, suggestion, text_of, wrong
+from jauspy.schema.reading import child, identity, location, required, suggestion, text_of, wrong
 
 _VERSION = re.compile(r"\d+\.\d+")
 
@@ -24,16 +24,17 @@ def version_key(version: str) -> tuple[int, ...]:
 
 def read_service(element: Element, jsidl: str, scope: Scope) -> Service:
     """One service; its `inherits_from` is as written, see `resolve_parents`."""
-    if not _VERSION.fullmatch(required(element, "version")):
-        raise wrong(element, f"version: expected major.minor, got {element.get('version')!r}")
+    urn, version = identity(element)
+    if not _VERSION.fullmatch(version):
+        raise wrong(element, f"version: expected major.minor, got {version!r}")
     message_set = child(element, "message_set")
     inputs = read_messages(message_set, "input_set", scope)
     outputs = read_messages(message_set, "output_set", scope)
     _check_both_ways(element, inputs, outputs)
     return Service(
         name=required(element, "name"),
-        id=required(element, "id"),
-        version=required(element, "version"),
+        id=urn,
+        version=version,
         jsidl=jsidl,
         doc=text_of(element, "description"),
         assumptions=text_of(element, "assumptions"),
@@ -48,7 +49,7 @@ def read_service(element: Element, jsidl: str, scope: Scope) -> Service:
 
 
 def _reference(element: Element) -> Reference:
-    return Reference(required(element, "name"), required(element, "id"), required(element, "version"))
+    return Reference(required(element, "name"), *identity(element))
 
 
 def _check_both_ways(element: Element, inputs: Sequence[Message], outputs: Sequence[Message]) -> None:
