@@ -123,6 +123,22 @@ def test_same_definition_twice_is_one(jsidl):
     assert len(load_files([path, copy]).services) == 1
 
 
+def test_parent_in_the_base(jsidl):
+    jsidl.service(name="Parent", urn="urn:test:Parent")
+    jsidl.service(name="Other", urn="urn:test:Other")
+    base = jsidl.load()
+    jsidl.paths.clear()
+    jsidl.service(references=parent("1.*"))
+    jsidl.service(name="Other", urn="urn:test:Other", messages="")
+    schema = load_files(jsidl.paths, base=base)
+    assert [service.key for service in schema.services] == [
+        (f"urn:test:{n}", "1.0") for n in ("Other", "Parent", "Test")
+    ]
+    assert schema.service("urn:test:Test").inherits_from.key == ("urn:test:Parent", "1.0")
+    assert schema.service("urn:test:Parent") is base.service("urn:test:Parent")
+    assert (len(base.service("urn:test:Other").messages), len(schema.service("urn:test:Other").messages)) == (1, 0)
+
+
 def test_blanks_around_an_id_mean_nothing(jsidl):
     jsidl.service(urn="\n urn:test:Test ")
     assert jsidl.load().services[0].id == "urn:test:Test"

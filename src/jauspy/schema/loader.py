@@ -23,8 +23,12 @@ from jauspy.schema.states import check_states
 from jauspy.schema.values import read_value_set
 
 
-def load_files(paths: Iterable[Path]) -> Schema:
-    """Read JSIDL files that may refer to each other, in any order; `SchemaError` says what is wrong where."""
+def load_files(paths: Iterable[Path], *, base: Schema | None = None) -> Schema:
+    """Read JSIDL files that may refer to each other, in any order; `SchemaError` says what is wrong where.
+
+    New services may inherit from those of `base`, which are part of the result except where a file defines the
+    same id and version. Type sets are those of the files alone.
+    """
     library = Library()
     versions: dict[Key, str] = {}
     roots: dict[Key, Element] = {}
@@ -38,9 +42,10 @@ def load_files(paths: Iterable[Path]) -> Schema:
     for scope in library.scopes.values():
         _read_all_types(scope)
     services = [read_service(root, versions[key], library.scopes["service_def", key]) for key, root in roots.items()]
-    resolved = resolve_parents(services, roots)
-    check_states(resolved)
-    return Schema(services=tuple(sorted(resolved, key=_order)))
+    kept = [service for service in base.services if service.key not in roots] if base else []
+    resolved = resolve_parents(services, kept, roots)
+    check_states(resolved, kept)
+    return Schema(services=tuple(sorted((*kept, *resolved), key=_order)))
 
 
 def _order(service: Service) -> tuple[str, tuple[int, ...]]:

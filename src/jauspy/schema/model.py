@@ -344,6 +344,11 @@ class Reference:
     id: str
     version: str
 
+    @property
+    def key(self) -> tuple[str, str]:
+        """Id and version, as `Service.key`."""
+        return self.id, self.version
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Service:
@@ -362,6 +367,11 @@ class Service:
     internal_events: tuple[InternalEvent, ...] = ()
     behavior: Behavior | None = None
     where: Location | None = None
+
+    @property
+    def key(self) -> tuple[str, str]:
+        """Id and version; unique in a schema."""
+        return self.id, self.version
 
     @property
     def messages(self) -> tuple[Message, ...]:

@@ -62,13 +62,15 @@ def _check_both_ways(element: Element, inputs: Sequence[Message], outputs: Seque
             raise wrong(element, f"message_id '{message.code:04X}' means two things: {names}")
 
 
-def resolve_parents(services: Sequence[Service], roots: Mapping[Key, Element]) -> tuple[Service, ...]:
+def resolve_parents(
+    services: Sequence[Service], known: Sequence[Service], roots: Mapping[Key, Element]
+) -> tuple[Service, ...]:
     """Check that all parents are there, and replace version patterns such as `1.*` by the newest match."""
     versions: dict[str, list[str]] = {}
-    for service in services:
+    for service in (*services, *known):
         versions.setdefault(service.id, []).append(service.version)
-    resolved = tuple(_resolve_parent(service, versions, roots[service.id, service.version]) for service in services)
-    _refuse_cycles(resolved, roots)
+    resolved = tuple(_resolve_parent(service, versions, roots[service.key]) for service in services)
+    _refuse_cycles(resolved, known, roots)
     return resolved
 
 
@@ -78,12 +80,10 @@ def _resolve_parent(service: Service, versions: Mapping[str, list[str]], root: E
         return service
     matches = [version for version in versions.get(parent.id, ()) if _matches(version, parent.version)]
     if not matches:
-        known = [f"{urn} {version}" for urn, found in versions.items() for version in found]
-        at = root.find("references/inherits_from")
+        element = child(child(root, "references"), "inherits_from")
         wanted = f"{parent.id} {parent.version}"
-        raise wrong(
-            root if at is None else at, f"inherits_from: no service {wanted} is loaded{suggestion(wanted, known)}"
-        )
+        known = suggestion(wanted, (f"{urn} {version}" for urn, found in versions.items() for version in found))
+        raise wrong(element, f"inherits_from: no service {wanted} is loaded{known}")
     return replace(service, inherits_from=replace(parent, version=max(matches, key=version_key)))
 
 
@@ -91,18 +91,16 @@ def _matches(version: str, pattern: str) -> bool:
     return all(want in ("*", have) for have, want in zip(version.split("."), pattern.split("."), strict=False))
 
 
-def _refuse_cycles(services: Sequence[Service], roots: Mapping[Key, Element]) -> None:
-    parents = {(service.id, service.version): _parent(service) for service in services}
-    for start in parents:  # noqa: PLC0206 - the walk follows keys, not items
-        ancestor = parents[start]
+def _refuse_cycles(services: Sequence[Service], known: Sequence[Service], roots: Mapping[Key, Element]) -> None:
+    parents = {
+        service.key: None if service.inherits_from is None else service.inherits_from.key
+        for service in (*services, *known)
+    }
+    for service in services:
+        ancestor = parents[service.key]
         for _ in parents:
             if ancestor is None:
                 break
-            if ancestor == start:
-                raise wrong(roots[start], f"{start[0]} inherits from itself")
-            ancestor = parents[ancestor]
-
-
-def _parent(service: Service) -> Key | None:
-    parent = service.inherits_from
-    return None if parent is None else (parent.id, parent.version)
+            if ancestor == service.key:
+                raise wrong(roots[service.key], f"{service.id} inherits from itself")
+            ancestor = parents.get(ancestor)

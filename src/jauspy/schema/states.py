@@ -27,9 +27,9 @@ class _Tree(dict[str, "_Tree"]):
             tree = tree[name]
 
 
-def check_states(services: Sequence[Service]) -> None:
-    """Check start, initial and end states of all services; their parents are resolved."""
-    by_key = {(service.id, service.version): service for service in services}
+def check_states(services: Sequence[Service], known: Sequence[Service]) -> None:
+    """Check start, initial and end states of services; their parents are resolved, some of them `known` before."""
+    by_key = {service.key: service for service in (*services, *known)}
     for service in services:
         if service.behavior is not None:
             _check_behavior(service.behavior, _trees(service, by_key))
@@ -48,7 +48,7 @@ def _lineage(service: Service, by_key: Mapping[Key, Service]) -> Iterator[Servic
     while current is not None:
         yield current
         parent = current.inherits_from
-        current = None if parent is None else by_key[parent.id, parent.version]
+        current = None if parent is None else by_key[parent.key]
 
 
 def _base_name(machine: str) -> str:
