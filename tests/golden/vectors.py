@@ -98,10 +98,12 @@ def _number(item: rt.Item, value: Any) -> Any:
 
 
 def _composite(item: rt.Composite, value: Any) -> Any:
-    if value is None:
+    if not item.slots:
         return item.cls()
     if isinstance(value, list) or (isinstance(value, dict) and {"tag", "arm"} <= set(value)):
         (slot,) = item.slots
+        if not slot.jaus:  # an empty variant is a tag and nothing else
+            return item.cls(tag=value["tag"])  # type: ignore[call-arg]
         return item.cls(**{slot.name: to_ours(slot.item, value)})
     slots = {slot.jaus: slot for slot in item.slots}
     return item.cls(**{slots[name].name: to_ours(slots[name].item, part) for name, part in value.items()})

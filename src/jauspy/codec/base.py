@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import struct
 from dataclasses import dataclass, fields
-from functools import cache
 from typing import TYPE_CHECKING, Any, ClassVar, Final, Self
 
 from jauspy.errors import DecodeError
@@ -50,9 +49,7 @@ class Deviation:
         return f"byte {self.offset}: {self.path + ': ' if self.path else ''}{self.reason}"
 
 
-@cache
-def _layout_of(cls: type[Struct]) -> Item:
-    return cls._layout()
+_LAYOUTS: Final[dict[type[Struct], Item]] = {}
 
 
 class Struct:
@@ -61,13 +58,24 @@ class Struct:
     __slots__ = ()
 
     @classmethod
+    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        """Decode valid bytes from `at` on, and say where they end; anything else ends in one of `FAST_ERRORS`."""
+        raise Reject
+
+    def _write(self, out: bytearray) -> None:
+        """Append valid values; anything else ends in one of `FAST_ERRORS`."""
+        raise Reject
+
+    @classmethod
     def _layout(cls) -> Item:
         raise Reject
 
     @classmethod
     def layout(cls) -> Item:
         """How this class lies on the wire: fields with types, units and ranges."""
-        return _layout_of(cls)
+        if cls not in _LAYOUTS:
+            _LAYOUTS[cls] = cls._layout()
+        return _LAYOUTS[cls]
 
     def to_dict(self) -> dict[str, Any]:
         """A JSON-able, lossless form: absent optionals left out, enum members by name, bytes as `{"hex": ...}`."""
@@ -107,7 +115,7 @@ class Message(Struct):
         """Decode valid bytes; anything else ends in one of `FAST_ERRORS`."""
         raise Reject
 
-    def _pack(self, strict: bool) -> bytes:
+    def _pack(self) -> bytes:
         """Encode valid values; anything else ends in one of `FAST_ERRORS`."""
         raise Reject
 
@@ -118,9 +126,9 @@ class Message(Struct):
         nearest limit instead. `strict=False` leaves value sets and count limits unchecked, as for messages that came
         from `decode_tolerant`.
         """
-        if not clamp:
+        if strict and not clamp:
             try:
-                return self._pack(strict)
+                return self._pack()
             except FAST_ERRORS:
                 pass
         from jauspy.codec.careful import encode  # noqa: PLC0415 - off the fast road

@@ -14,9 +14,10 @@ from types import ModuleType
 
 from jauspy.codec.generator import generate
 from jauspy.codec.registry import Registry
-from jauspy.errors import ConfigError, SchemaError
+from jauspy.errors import ConfigError
 from jauspy.schema import builtin_paths, load_files
 from jauspy.schema.model import Schema
+from jauspy.schema.reading import required
 from jauspy.schema.source import read
 
 _numbers = count(1)
@@ -60,9 +61,7 @@ def _files(sources: Iterable[str | Path]) -> list[Path]:
 
 def _key(path: Path) -> tuple[str, str, str]:
     root, _ = read(path)
-    if not root.get("id") or not root.get("version"):
-        raise SchemaError(f"<{root.tag}> has no id or no version", file=path, line=root.sourceline)
-    return str(root.tag), str(root.get("id")), str(root.get("version"))
+    return str(root.tag), required(root, "id"), required(root, "version")
 
 
 def _module_name(package: str, path: str) -> str:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import re
+
 from jauspy.codec.generator_classes import class_lines
+from jauspy.codec.generator_fixed import Constants
 from jauspy.codec.generator_packages import NOTE, packages, root, table
 from jauspy.codec.plan import ModulePlan
 from jauspy.codec.planner import module_alias, plan
@@ -25,13 +28,16 @@ def generate(schema: Schema, package: str = "jauspy.messages", base: str | None 
 def module_source(module: ModulePlan, package: str) -> str:
     """The source of one module."""
     body: list[str] = []
+    constants = Constants()
     for made in module.classes:
-        body += ["", "", *class_lines(made, module)]
+        body += ["", "", *class_lines(made, module, constants)]
+    body += ["", "", *constants.lines()]
     text = "\n".join(body).replace(f"{module_alias(module.name)}.", "")
     lines = [f'"""{module.doc} {NOTE}"""', "", "from __future__ import annotations", ""]
     lines += ["from dataclasses import dataclass"]
     lines += ["from enum import IntEnum"] if "(IntEnum)" in text else []
-    lines += ["from typing import ClassVar"] if "ClassVar[" in text else []
+    typing = [name for name in ("ClassVar", "Self") if re.search(rf"\b{name}\b", text)]
+    lines += [f"from typing import {', '.join(typing)}"] if typing else []
     lines += ["", "from jauspy.codec import runtime as rt"]
     lines += [f"from {package} import registry as _registry"] if "_registry" in text else []
     for name in sorted(module.imports):

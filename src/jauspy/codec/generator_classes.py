@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from jauspy.codec.generator_decode import decode_method
 from jauspy.codec.generator_encode import encode_method
+from jauspy.codec.generator_fixed import Constants
 from jauspy.codec.generator_layout import layout_method
 from jauspy.codec.generator_text import annotation, describe, docstring, indent, needs_keywords, quote
 from jauspy.codec.plan import ClassPlan, EnumPlan, ModulePlan, SlotPlan
 from jauspy.codec.undefined import undefined_presence, undefined_bits
 
 
-def class_lines(plan: ClassPlan, module: ModulePlan) -> list[str]:
+def class_lines(plan: ClassPlan, module: ModulePlan, constants: Constants) -> list[str]:
     """A class with its nested ones, from the decorator on."""
     base = "rt.Message" if plan.kind == "message" else "rt.Struct"
     keywords = ", kw_only=True" if needs_keywords(plan) else ""
@@ -18,9 +19,9 @@ def class_lines(plan: ClassPlan, module: ModulePlan) -> list[str]:
     blocks = [docstring(_summary(plan), _details(plan))]
     if plan.kind == "message":
         blocks.append(_constants(plan, module))
-    blocks += [_enum(n) if isinstance(n, EnumPlan) else class_lines(n, module) for n in plan.nested]
+    blocks += [_enum(n) if isinstance(n, EnumPlan) else class_lines(n, module, constants) for n in plan.nested]
     blocks.append(_attributes(plan))
-    blocks += [layout_method(plan), decode_method(plan), encode_method(plan)]
+    blocks += [layout_method(plan), decode_method(plan, constants), encode_method(plan, constants)]
     for number, block in enumerate(block for block in blocks if block):
         lines += indent([*([""] if number else []), *block])
     return lines

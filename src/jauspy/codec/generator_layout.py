@@ -103,6 +103,6 @@ def item(plan: ItemPlan) -> str:
         case RepeatPlan():
             return f"rt.Repeat({count(plan.count)}, {item(plan.item)})"
         case UnionPlan():
-            return f"rt.Union({quote(plan.code)}, {tuple_of(f'{arm.path}.layout()' for arm in plan.arms)})"
+            return f"rt.Union.of({', '.join([quote(plan.code), *(arm.path for arm in plan.arms)])})"
         case GridPlan():
             return f"rt.Grid({item(plan.item)}, {tuple_of(map(str, plan.sizes))})"

@@ -80,7 +80,10 @@ class Composite(Item):
         bit = 1
         for slot in self.slots:
             if slot.optional:
-                mask |= bit if getattr(value, slot.name) is not None else 0
+                present = getattr(value, slot.name) is not None
+                if present and bit > limits(str(self.presence))[1]:
+                    raise EncodeError("the presence vector has no bit for it", path=join(path, slot.name))
+                mask |= bit if present else 0
                 bit <<= 1
         return mask
 
@@ -160,6 +163,12 @@ class Union(Item):
 
     code: str
     arms: tuple[Composite, ...]
+
+    @classmethod
+    def of(cls, code: str, *classes: type[Struct]) -> Union:
+        """A variant of these classes, in the order of their tags."""
+        layouts = [arm.layout() for arm in classes]
+        return cls(code, tuple(layout for layout in layouts if isinstance(layout, Composite)))
 
     @property
     def minimum(self) -> int:

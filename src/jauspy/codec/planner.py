@@ -141,6 +141,9 @@ class Owner:
         if isinstance(node, (Record, SequenceNode)):
             parts: Sequence[Node] = node.fields if isinstance(node, Record) else node.items
             made.presence = CODES[node.presence] if node.presence else None
+        elif isinstance(node, Variant) and not node.arms:
+            made.slots = (SlotPlan("tag", "", NumberPlan(CODES[node.tag.type], "one")),)
+            return
         else:
             parts = (replace(node, optional=False),)
         made.slots = self._slots(parts, has_presence=made.presence is not None)
@@ -172,7 +175,7 @@ class Owner:
                 if not minimum(item):
                     raise SchemaError(f"list {node.name} repeats an item without content; the data cannot bound it")
                 return RepeatPlan(node.count, item)
-            case Variant():
+            case Variant() if node.arms:
                 return self._union(node)
             case _:
                 return ObjectPlan(self._class(node))
@@ -235,7 +238,9 @@ class Owner:
             attr = unique(attribute(sub.name), taken.__contains__)
             taken.add(attr)
             mask = (1 << (sub.last - sub.first + 1)) - 1
-            bits.append(BitPlan(attr, sub.first, mask, self._allowed(sub.values, sub.name, made.code), sub.doc))
+            allowed = self._allowed(sub.values, sub.name, made.code)
+            clipped = tuple((max(low, 0), min(high, mask)) for low, high in allowed.intervals if low <= mask)
+            bits.append(BitPlan(attr, sub.first, mask, replace(allowed, intervals=clipped), sub.doc))
         made.bits = tuple(bits)
         return made
 

@@ -26,6 +26,7 @@ class Entry:
     def load(self) -> type[Message]:
         """The message class."""
         found = getattr(import_module(self.module), self.cls)
+        assert isinstance(found, type)
         assert issubclass(found, Message)
         return found
 
@@ -116,7 +117,7 @@ class Registry:
             return data
         try:
             message = self._class_for(data, None, None)._unpack(data, depth + 1)
-            return message if message._pack(strict=True) == data else data
+            return message if message._pack() == data else data
         except FAST_ERRORS:
             return data
 

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from struct import Struct as Packer
+
 from jauspy.codec.base import Message, Reject, Struct
+from jauspy.codec.fast import Masks, message_bytes, plain_bytes
 from jauspy.codec.items import ANY, Bit, Bits, Blob, Choice, Count, Formatted, Item, Number, Real, Text, Values
 from jauspy.codec.layout import Composite, Grid, Repeat, Slot, Union
-from jauspy.codec.scaling import Scaling
+from jauspy.codec.scaling import Scaling, exact_raw
 
 __all__ = [
     "ANY",
@@ -18,8 +21,10 @@ __all__ = [
     "Formatted",
     "Grid",
     "Item",
+    "Masks",
     "Message",
     "Number",
+    "Packer",
     "Real",
     "Reject",
     "Repeat",
@@ -29,4 +34,7 @@ __all__ = [
     "Text",
     "Union",
     "Values",
+    "exact_raw",
+    "message_bytes",
+    "plain_bytes",
 ]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from itertools import groupby
 from typing import Final
 
 from jauspy.schema.model import Scalar
@@ -26,3 +28,10 @@ def limits(code: str) -> tuple[int, int]:
     """The smallest and largest value of an integer code."""
     bits = 8 * SIZES[code]
     return (0, 2**bits - 1) if code.isupper() else (-(2 ** (bits - 1)), 2 ** (bits - 1) - 1)
+
+
+def compact(codes: str) -> str:
+    """`BBBH` to `3BH`; counted codes such as `80s` stay."""
+    parts = re.findall(r"\d+[sx]|[a-zA-Z]", codes)
+    grouped = [(part, len(list(same))) for part, same in groupby(parts)]
+    return "".join(part * n if part[0].isdigit() else f"{n}{part}" if n > 1 else part for part, n in grouped)

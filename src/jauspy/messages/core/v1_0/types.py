@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
+from typing import Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages import registry as _registry
@@ -33,6 +34,17 @@ class QueriedNodeRec(rt.Struct):
             ),
         )
 
+    @classmethod
+    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        node_id_ = data[at]
+        at += 1
+        node_id_ = _E_core_v1_0_types_QueriedNodeRec_NodeID.get(node_id_, node_id_)
+        return cls(node_id_), at
+
+    def _write(self, out: bytearray) -> None:
+        node_id_ = self.node_id
+        out += _S_B.pack(node_id_)
+
 
 @dataclass(slots=True, repr=False)
 class QueriedComponentRec(rt.Struct):
@@ -57,6 +69,17 @@ class QueriedComponentRec(rt.Struct):
                 rt.Slot("component_id", "ComponentID", rt.Number("B", rt.Values(QueriedComponentRec.ComponentID, ((1, 254),)))),
             ),
         )
+
+    @classmethod
+    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        component_id_ = data[at]
+        at += 1
+        component_id_ = _E_core_v1_0_types_QueriedComponentRec_ComponentID.get(component_id_, component_id_)
+        return cls(component_id_), at
+
+    def _write(self, out: bytearray) -> None:
+        component_id_ = self.component_id
+        out += _S_B.pack(component_id_)
 
 
 @dataclass(slots=True, repr=False)
@@ -83,6 +106,29 @@ class ServiceRec(rt.Struct):
             ),
         )
 
+    @classmethod
+    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        size = len(data)
+        uri_end = data[at]
+        at += 1
+        uri_end += at
+        if uri_end > size:
+            raise rt.Reject
+        uri_ = data[at:uri_end].decode("latin-1")
+        at = uri_end
+        major_version_number_, minor_version_number_ = _S_2B.unpack_from(data, at)
+        at += 2
+        return cls(uri_, major_version_number_, minor_version_number_), at
+
+    def _write(self, out: bytearray) -> None:
+        uri_ = self.uri
+        uri_raw = uri_.encode("latin-1")
+        out.append(len(uri_raw))
+        out += uri_raw
+        major_version_number_ = self.major_version_number
+        minor_version_number_ = self.minor_version_number
+        out += _S_2B.pack(major_version_number_, minor_version_number_)
+
 
 @dataclass(slots=True, repr=False)
 class ComponentRec(rt.Struct):
@@ -104,6 +150,17 @@ class ComponentRec(rt.Struct):
                 rt.Slot("instance_id", "InstanceID", rt.Number("B")),
             ),
         )
+
+    @classmethod
+    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        component_id_, instance_id_ = _S_2B.unpack_from(data, at)
+        at += 2
+        return cls(component_id_, instance_id_), at
+
+    def _write(self, out: bytearray) -> None:
+        component_id_ = self.component_id
+        instance_id_ = self.instance_id
+        out += _S_2B.pack(component_id_, instance_id_)
 
 
 @dataclass(slots=True, repr=False)
@@ -130,6 +187,18 @@ class SubsystemRec(rt.Struct):
             ),
         )
 
+    @classmethod
+    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        subsystem_id_, node_id_, component_id_ = _S_H2B.unpack_from(data, at)
+        at += 4
+        return cls(subsystem_id_, node_id_, component_id_), at
+
+    def _write(self, out: bytearray) -> None:
+        subsystem_id_ = self.subsystem_id
+        node_id_ = self.node_id
+        component_id_ = self.component_id
+        out += _S_H2B.pack(subsystem_id_, node_id_, component_id_)
+
 
 @dataclass(slots=True, repr=False)
 class EventTypeRec(rt.Struct):
@@ -155,6 +224,19 @@ class EventTypeRec(rt.Struct):
             ),
         )
 
+    @classmethod
+    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        event_type_ = data[at]
+        at += 1
+        event_type_ = _E_core_v1_0_types_EventTypeRec_EventType[event_type_]
+        return cls(event_type_), at
+
+    def _write(self, out: bytearray) -> None:
+        event_type_ = self.event_type
+        if event_type_ not in _E_core_v1_0_types_EventTypeRec_EventType:
+            raise rt.Reject
+        out += _S_B.pack(event_type_)
+
 
 @dataclass(slots=True, repr=False)
 class AllEventsRec(rt.Struct):
@@ -173,6 +255,20 @@ class AllEventsRec(rt.Struct):
                 rt.Slot("all_events", "AllEvents", rt.Number("B", rt.Values(None, ((0, 0),)))),
             ),
         )
+
+    @classmethod
+    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        all_events_ = data[at]
+        at += 1
+        if all_events_ > 0:
+            raise rt.Reject
+        return cls(all_events_), at
+
+    def _write(self, out: bytearray) -> None:
+        all_events_ = self.all_events
+        if not 0 <= all_events_ <= 0:
+            raise rt.Reject
+        out += _S_B.pack(all_events_)
 
 
 @dataclass(slots=True, repr=False)
@@ -202,6 +298,31 @@ class ElementRec(rt.Struct):
         def _layout(cls) -> rt.Item:
             return rt.Formatted(cls, rt.Values(ElementRec.ElementDataFormat), rt.Count("H", 0, 65535), _registry, frozenset({0}))
 
+        @classmethod
+        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+            size = len(data)
+            format = data[at]
+            at += 1
+            (data_end,) = _S_H.unpack_from(data, at)
+            at += 2
+            data_end += at
+            if data_end > size:
+                raise rt.Reject
+            chunk = data[at:data_end]
+            content: rt.Message | bytes = chunk
+            if format == 0:
+                content = _registry.nested(chunk, depth)
+            return cls(_E_core_v1_0_types_ElementRec_ElementDataFormat[format], content), data_end
+
+        def _write(self, out: bytearray) -> None:
+            format = self.format
+            if format not in _E_core_v1_0_types_ElementRec_ElementDataFormat:
+                raise rt.Reject
+            raw = rt.message_bytes(self.data) if format == 0 else rt.plain_bytes(self.data)
+            out.append(format)
+            out += _S_H.pack(len(raw))
+            out += raw
+
     element_uid: int
     previous_uid: int
     next_uid: int
@@ -218,6 +339,23 @@ class ElementRec(rt.Struct):
                 rt.Slot("element_data", "ElementData", ElementRec.ElementData.layout()),
             ),
         )
+
+    @classmethod
+    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        element_uid_, previous_uid_, next_uid_ = _S_3H.unpack_from(data, at)
+        at += 6
+        element_data_, at = ElementRec.ElementData._read(data, at, depth)
+        return cls(element_uid_, previous_uid_, next_uid_, element_data_), at
+
+    def _write(self, out: bytearray) -> None:
+        element_uid_ = self.element_uid
+        previous_uid_ = self.previous_uid
+        next_uid_ = self.next_uid
+        out += _S_3H.pack(element_uid_, previous_uid_, next_uid_)
+        element_data_ = self.element_data
+        if type(element_data_) is not ElementRec.ElementData:
+            raise rt.Reject
+        element_data_._write(out)
 
 
 @dataclass(slots=True, repr=False)
@@ -276,3 +414,14 @@ class DateStamp(rt.Struct):
                 rt.Bit("year", 9, 0x7F, rt.Values(None, ((0, 127),))),
             ),
         )
+
+
+_E_core_v1_0_types_QueriedNodeRec_NodeID = {member.value: member for member in QueriedNodeRec.NodeID}
+_S_B = rt.Packer("<B")
+_E_core_v1_0_types_QueriedComponentRec_ComponentID = {member.value: member for member in QueriedComponentRec.ComponentID}
+_S_2B = rt.Packer("<2B")
+_S_H2B = rt.Packer("<H2B")
+_E_core_v1_0_types_EventTypeRec_EventType = {member.value: member for member in EventTypeRec.EventType}
+_S_H = rt.Packer("<H")
+_E_core_v1_0_types_ElementRec_ElementDataFormat = {member.value: member for member in ElementRec.ElementDataFormat}
+_S_3H = rt.Packer("<3H")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import ClassVar
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 
@@ -33,6 +33,17 @@ class RequestControl(rt.Message):
             ),
         )
 
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        code, authority_code_ = _S_HB.unpack(data)
+        if code != 0x000D:
+            raise rt.Reject
+        return cls(authority_code_)
+
+    def _pack(self) -> bytes:
+        authority_code_ = self.authority_code
+        return _S_HB.pack(0x000D, authority_code_)
+
 
 @dataclass(slots=True, repr=False)
 class ReleaseControl(rt.Message):
@@ -47,6 +58,16 @@ class ReleaseControl(rt.Message):
     @classmethod
     def _layout(cls) -> rt.Item:
         return rt.Composite(cls, ())
+
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        code, = _S_H.unpack(data)
+        if code != 0x000E:
+            raise rt.Reject
+        return cls()
+
+    def _pack(self) -> bytes:
+        return _S_H.pack(0x000E)
 
 
 @dataclass(slots=True, repr=False)
@@ -63,6 +84,16 @@ class QueryControl(rt.Message):
     def _layout(cls) -> rt.Item:
         return rt.Composite(cls, ())
 
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        code, = _S_H.unpack(data)
+        if code != 0x200D:
+            raise rt.Reject
+        return cls()
+
+    def _pack(self) -> bytes:
+        return _S_H.pack(0x200D)
+
 
 @dataclass(slots=True, repr=False)
 class QueryAuthority(rt.Message):
@@ -77,6 +108,16 @@ class QueryAuthority(rt.Message):
     @classmethod
     def _layout(cls) -> rt.Item:
         return rt.Composite(cls, ())
+
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        code, = _S_H.unpack(data)
+        if code != 0x2001:
+            raise rt.Reject
+        return cls()
+
+    def _pack(self) -> bytes:
+        return _S_H.pack(0x2001)
 
 
 @dataclass(slots=True, repr=False)
@@ -103,6 +144,17 @@ class SetAuthority(rt.Message):
             ),
         )
 
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        code, authority_code_ = _S_HB.unpack(data)
+        if code != 0x0001:
+            raise rt.Reject
+        return cls(authority_code_)
+
+    def _pack(self) -> bytes:
+        authority_code_ = self.authority_code
+        return _S_HB.pack(0x0001, authority_code_)
+
 
 @dataclass(slots=True, repr=False)
 class QueryTimeout(rt.Message):
@@ -117,6 +169,16 @@ class QueryTimeout(rt.Message):
     @classmethod
     def _layout(cls) -> rt.Item:
         return rt.Composite(cls, ())
+
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        code, = _S_H.unpack(data)
+        if code != 0x2003:
+            raise rt.Reject
+        return cls()
+
+    def _pack(self) -> bytes:
+        return _S_H.pack(0x2003)
 
 
 @dataclass(slots=True, repr=False)
@@ -152,6 +214,20 @@ class ReportControl(rt.Message):
             ),
         )
 
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        code, subsystem_id_, node_id_, component_id_, authority_code_ = _S_2H3B.unpack(data)
+        if code != 0x400D:
+            raise rt.Reject
+        return cls(subsystem_id_, node_id_, component_id_, authority_code_)
+
+    def _pack(self) -> bytes:
+        subsystem_id_ = self.subsystem_id
+        node_id_ = self.node_id
+        component_id_ = self.component_id
+        authority_code_ = self.authority_code
+        return _S_2H3B.pack(0x400D, subsystem_id_, node_id_, component_id_, authority_code_)
+
 
 @dataclass(slots=True, repr=False)
 class RejectControl(rt.Message):
@@ -183,6 +259,20 @@ class RejectControl(rt.Message):
                 rt.Slot("response_code", "ResponseCode", rt.Number("B", rt.Values(RejectControl.ResponseCode))),
             ),
         )
+
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        code, response_code_ = _S_HB.unpack(data)
+        if code != 0x0010:
+            raise rt.Reject
+        response_code_ = _E_RejectControl_ResponseCode[response_code_]
+        return cls(response_code_)
+
+    def _pack(self) -> bytes:
+        response_code_ = self.response_code
+        if response_code_ not in _E_RejectControl_ResponseCode:
+            raise rt.Reject
+        return _S_HB.pack(0x0010, response_code_)
 
 
 @dataclass(slots=True, repr=False)
@@ -216,6 +306,20 @@ class ConfirmControl(rt.Message):
             ),
         )
 
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        code, response_code_ = _S_HB.unpack(data)
+        if code != 0x000F:
+            raise rt.Reject
+        response_code_ = _E_ConfirmControl_ResponseCode[response_code_]
+        return cls(response_code_)
+
+    def _pack(self) -> bytes:
+        response_code_ = self.response_code
+        if response_code_ not in _E_ConfirmControl_ResponseCode:
+            raise rt.Reject
+        return _S_HB.pack(0x000F, response_code_)
+
 
 @dataclass(slots=True, repr=False)
 class ReportAuthority(rt.Message):
@@ -240,6 +344,17 @@ class ReportAuthority(rt.Message):
                 rt.Slot("authority_code", "AuthorityCode", rt.Number("B", rt.Values(None, ((0, 255),)))),
             ),
         )
+
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        code, authority_code_ = _S_HB.unpack(data)
+        if code != 0x4001:
+            raise rt.Reject
+        return cls(authority_code_)
+
+    def _pack(self) -> bytes:
+        authority_code_ = self.authority_code
+        return _S_HB.pack(0x4001, authority_code_)
 
 
 @dataclass(slots=True, repr=False)
@@ -270,3 +385,23 @@ class ReportTimeout(rt.Message):
                 rt.Slot("timeout", "Timeout", rt.Number("B", rt.Values(ReportTimeout.Timeout, ((1, 255),)), "second")),
             ),
         )
+
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        code, timeout_ = _S_HB.unpack(data)
+        if code != 0x4003:
+            raise rt.Reject
+        timeout_ = _E_ReportTimeout_Timeout.get(timeout_, timeout_)
+        return cls(timeout_)
+
+    def _pack(self) -> bytes:
+        timeout_ = self.timeout
+        return _S_HB.pack(0x4003, timeout_)
+
+
+_S_HB = rt.Packer("<HB")
+_S_H = rt.Packer("<H")
+_S_2H3B = rt.Packer("<2H3B")
+_E_RejectControl_ResponseCode = {member.value: member for member in RejectControl.ResponseCode}
+_E_ConfirmControl_ResponseCode = {member.value: member for member in ConfirmControl.ResponseCode}
+_E_ReportTimeout_Timeout = {member.value: member for member in ReportTimeout.Timeout}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import ClassVar
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.core.v1_0 import types as core_v1_0_types
@@ -43,6 +43,18 @@ class QueryIdentification(rt.Message):
             ),
         )
 
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        code, query_type_ = _S_HB.unpack(data)
+        if code != 0x2B00:
+            raise rt.Reject
+        query_type_ = _E_QueryIdentification_QueryType.get(query_type_, query_type_)
+        return cls(query_type_)
+
+    def _pack(self) -> bytes:
+        query_type_ = self.query_type
+        return _S_HB.pack(0x2B00, query_type_)
+
 
 @dataclass(slots=True, repr=False)
 class QueryConfiguration(rt.Message):
@@ -76,6 +88,18 @@ class QueryConfiguration(rt.Message):
             ),
         )
 
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        code, query_type_ = _S_HB.unpack(data)
+        if code != 0x2B01:
+            raise rt.Reject
+        query_type_ = _E_QueryConfiguration_QueryType.get(query_type_, query_type_)
+        return cls(query_type_)
+
+    def _pack(self) -> bytes:
+        query_type_ = self.query_type
+        return _S_HB.pack(0x2B01, query_type_)
+
 
 @dataclass(slots=True, repr=False)
 class QuerySubsystemList(rt.Message):
@@ -90,6 +114,16 @@ class QuerySubsystemList(rt.Message):
     @classmethod
     def _layout(cls) -> rt.Item:
         return rt.Composite(cls, ())
+
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        code, = _S_H.unpack(data)
+        if code != 0x2B02:
+            raise rt.Reject
+        return cls()
+
+    def _pack(self) -> bytes:
+        return _S_H.pack(0x2B02)
 
 
 @dataclass(slots=True, repr=False)
@@ -126,6 +160,41 @@ class QueryServices(rt.Message):
                 ),
             )
 
+        @classmethod
+        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+            size = len(data)
+            node_rec_node_id_ = data[at]
+            at += 1
+            node_rec_ = core_v1_0_types.QueriedNodeRec(_E_core_v1_0_types_QueriedNodeRec_NodeID.get(node_rec_node_id_, node_rec_node_id_))
+            component_list_count = data[at]
+            at += 1
+            if component_list_count < 1:
+                raise rt.Reject
+            component_list_end = at + component_list_count * 1
+            if component_list_end > size:
+                raise rt.Reject
+            component_list_ = [core_v1_0_types.QueriedComponentRec(_E_core_v1_0_types_QueriedComponentRec_ComponentID.get(component_list_item_component_id_, component_list_item_component_id_)) for (component_list_item_component_id_,) in _S_B.iter_unpack(data[at:component_list_end])]
+            at = component_list_end
+            return cls(node_rec_, component_list_), at
+
+        def _write(self, out: bytearray) -> None:
+            node_rec_ = self.node_rec
+            if type(node_rec_) is not core_v1_0_types.QueriedNodeRec:
+                raise rt.Reject
+            node_rec_node_id_ = node_rec_.node_id
+            out += _S_B.pack(node_rec_node_id_)
+            component_list_ = self.component_list
+            if type(component_list_) is not list:
+                raise rt.Reject
+            if len(component_list_) < 1:
+                raise rt.Reject
+            out.append(len(component_list_))
+            for component_list_item_ in component_list_:
+                if type(component_list_item_) is not core_v1_0_types.QueriedComponentRec:
+                    raise rt.Reject
+                component_list_item_component_id_ = component_list_item_.component_id
+                out += _S_B.pack(component_list_item_component_id_)
+
     node_list: list[QueryServices.NodeSeq]
 
     @classmethod
@@ -136,6 +205,40 @@ class QueryServices(rt.Message):
                 rt.Slot("node_list", "NodeList", rt.Repeat(rt.Count("B", 1, 255), QueryServices.NodeSeq.layout())),
             ),
         )
+
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        if data[0] != 0x03 or data[1] != 0x2B:
+            raise rt.Reject
+        at = 2
+        size = len(data)
+        node_list_count = data[at]
+        at += 1
+        if node_list_count < 1:
+            raise rt.Reject
+        if node_list_count * 2 > size - at:
+            raise rt.Reject
+        node_list_ = []
+        for _ in range(node_list_count):
+            node_list_item_, at = QueryServices.NodeSeq._read(data, at, depth)
+            node_list_.append(node_list_item_)
+        if at != len(data):
+            raise rt.Reject
+        return cls(node_list_)
+
+    def _pack(self) -> bytes:
+        out = bytearray(b"\x03\x2b")
+        node_list_ = self.node_list
+        if type(node_list_) is not list:
+            raise rt.Reject
+        if len(node_list_) < 1:
+            raise rt.Reject
+        out.append(len(node_list_))
+        for node_list_item_ in node_list_:
+            if type(node_list_item_) is not QueryServices.NodeSeq:
+                raise rt.Reject
+            node_list_item_._write(out)
+        return bytes(out)
 
 
 @dataclass(slots=True, repr=False)
@@ -176,6 +279,17 @@ class QueryServiceList(rt.Message):
                 ),
             )
 
+        @classmethod
+        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+            (subsystem_id_,) = _S_H.unpack_from(data, at)
+            at += 2
+            subsystem_id_ = _E_QueryServiceList_SubsystemID.get(subsystem_id_, subsystem_id_)
+            return cls(subsystem_id_), at
+
+        def _write(self, out: bytearray) -> None:
+            subsystem_id_ = self.subsystem_id
+            out += _S_H.pack(subsystem_id_)
+
     class ComponentID(IntEnum):
         """Values of ComponentID."""
 
@@ -205,6 +319,41 @@ class QueryServiceList(rt.Message):
                 "B",
             )
 
+        @classmethod
+        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+            size = len(data)
+            mask = data[at]
+            at += 1
+            component_id_ = data[at]
+            at += 1
+            component_id_ = _E_QueryServiceList_ComponentID.get(component_id_, component_id_)
+            search_filter_: str | None = None
+            if mask & 1:
+                search_filter_end = data[at]
+                at += 1
+                search_filter_end += at
+                if search_filter_end > size:
+                    raise rt.Reject
+                search_filter_ = data[at:search_filter_end].decode("latin-1")
+                at = search_filter_end
+            return cls(component_id_, search_filter_, mask & 0xFE), at
+
+        def _write(self, out: bytearray) -> None:
+            start = len(out)
+            out += b"\0"
+            mask = self.reserved_presence
+            if mask & 0x1:
+                raise rt.Reject
+            component_id_ = self.component_id
+            out += _S_B.pack(component_id_)
+            search_filter_ = self.search_filter
+            if search_filter_ is not None:
+                mask |= 1
+                search_filter_raw = search_filter_.encode("latin-1")
+                out.append(len(search_filter_raw))
+                out += search_filter_raw
+            _S_B.pack_into(out, start, mask)
+
     @dataclass(slots=True, repr=False)
     class NodeSeq(rt.Struct):
         """NodeSeq.
@@ -225,6 +374,41 @@ class QueryServiceList(rt.Message):
                     rt.Slot("component_list", "ComponentList", rt.Repeat(rt.Count("B", 1, 255), QueryServiceList.ComponentRec.layout())),
                 ),
             )
+
+        @classmethod
+        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+            size = len(data)
+            node_rec_node_id_ = data[at]
+            at += 1
+            node_rec_ = core_v1_0_types.QueriedNodeRec(_E_core_v1_0_types_QueriedNodeRec_NodeID.get(node_rec_node_id_, node_rec_node_id_))
+            component_list_count = data[at]
+            at += 1
+            if component_list_count < 1:
+                raise rt.Reject
+            if component_list_count * 2 > size - at:
+                raise rt.Reject
+            component_list_ = []
+            for _ in range(component_list_count):
+                component_list_item_, at = QueryServiceList.ComponentRec._read(data, at, depth)
+                component_list_.append(component_list_item_)
+            return cls(node_rec_, component_list_), at
+
+        def _write(self, out: bytearray) -> None:
+            node_rec_ = self.node_rec
+            if type(node_rec_) is not core_v1_0_types.QueriedNodeRec:
+                raise rt.Reject
+            node_rec_node_id_ = node_rec_.node_id
+            out += _S_B.pack(node_rec_node_id_)
+            component_list_ = self.component_list
+            if type(component_list_) is not list:
+                raise rt.Reject
+            if len(component_list_) < 1:
+                raise rt.Reject
+            out.append(len(component_list_))
+            for component_list_item_ in component_list_:
+                if type(component_list_item_) is not QueryServiceList.ComponentRec:
+                    raise rt.Reject
+                component_list_item_._write(out)
 
     @dataclass(slots=True, repr=False)
     class SubsystemSeq(rt.Struct):
@@ -247,6 +431,41 @@ class QueryServiceList(rt.Message):
                 ),
             )
 
+        @classmethod
+        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+            size = len(data)
+            (subsystem_rec_subsystem_id_,) = _S_H.unpack_from(data, at)
+            at += 2
+            subsystem_rec_ = QueryServiceList.SubsystemRec(_E_QueryServiceList_SubsystemID.get(subsystem_rec_subsystem_id_, subsystem_rec_subsystem_id_))
+            node_list_count = data[at]
+            at += 1
+            if node_list_count < 1:
+                raise rt.Reject
+            if node_list_count * 2 > size - at:
+                raise rt.Reject
+            node_list_ = []
+            for _ in range(node_list_count):
+                node_list_item_, at = QueryServiceList.NodeSeq._read(data, at, depth)
+                node_list_.append(node_list_item_)
+            return cls(subsystem_rec_, node_list_), at
+
+        def _write(self, out: bytearray) -> None:
+            subsystem_rec_ = self.subsystem_rec
+            if type(subsystem_rec_) is not QueryServiceList.SubsystemRec:
+                raise rt.Reject
+            subsystem_rec_subsystem_id_ = subsystem_rec_.subsystem_id
+            out += _S_H.pack(subsystem_rec_subsystem_id_)
+            node_list_ = self.node_list
+            if type(node_list_) is not list:
+                raise rt.Reject
+            if len(node_list_) < 1:
+                raise rt.Reject
+            out.append(len(node_list_))
+            for node_list_item_ in node_list_:
+                if type(node_list_item_) is not QueryServiceList.NodeSeq:
+                    raise rt.Reject
+                node_list_item_._write(out)
+
     subsystem_list: list[QueryServiceList.SubsystemSeq]
 
     @classmethod
@@ -257,6 +476,40 @@ class QueryServiceList(rt.Message):
                 rt.Slot("subsystem_list", "SubsystemList", rt.Repeat(rt.Count("H", 1, 65535), QueryServiceList.SubsystemSeq.layout())),
             ),
         )
+
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        if data[0] != 0x04 or data[1] != 0x2B:
+            raise rt.Reject
+        at = 2
+        size = len(data)
+        (subsystem_list_count,) = _S_H.unpack_from(data, at)
+        at += 2
+        if subsystem_list_count < 1:
+            raise rt.Reject
+        if subsystem_list_count * 3 > size - at:
+            raise rt.Reject
+        subsystem_list_ = []
+        for _ in range(subsystem_list_count):
+            subsystem_list_item_, at = QueryServiceList.SubsystemSeq._read(data, at, depth)
+            subsystem_list_.append(subsystem_list_item_)
+        if at != len(data):
+            raise rt.Reject
+        return cls(subsystem_list_)
+
+    def _pack(self) -> bytes:
+        out = bytearray(b"\x04\x2b")
+        subsystem_list_ = self.subsystem_list
+        if type(subsystem_list_) is not list:
+            raise rt.Reject
+        if len(subsystem_list_) < 1:
+            raise rt.Reject
+        out += _S_H.pack(len(subsystem_list_))
+        for subsystem_list_item_ in subsystem_list_:
+            if type(subsystem_list_item_) is not QueryServiceList.SubsystemSeq:
+                raise rt.Reject
+            subsystem_list_item_._write(out)
+        return bytes(out)
 
 
 @dataclass(slots=True, repr=False)
@@ -282,6 +535,36 @@ class RegisterServices(rt.Message):
                 rt.Slot("service_list", "ServiceList", rt.Repeat(rt.Count("B", 0, 255), core_v1_0_types.ServiceRec.layout())),
             ),
         )
+
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        if data[0] != 0x00 or data[1] != 0x0B:
+            raise rt.Reject
+        at = 2
+        size = len(data)
+        service_list_count = data[at]
+        at += 1
+        if service_list_count * 3 > size - at:
+            raise rt.Reject
+        service_list_ = []
+        for _ in range(service_list_count):
+            service_list_item_, at = core_v1_0_types.ServiceRec._read(data, at, depth)
+            service_list_.append(service_list_item_)
+        if at != len(data):
+            raise rt.Reject
+        return cls(service_list_)
+
+    def _pack(self) -> bytes:
+        out = bytearray(b"\x00\x0b")
+        service_list_ = self.service_list
+        if type(service_list_) is not list:
+            raise rt.Reject
+        out.append(len(service_list_))
+        for service_list_item_ in service_list_:
+            if type(service_list_item_) is not core_v1_0_types.ServiceRec:
+                raise rt.Reject
+            service_list_item_._write(out)
+        return bytes(out)
 
 
 @dataclass(slots=True, repr=False)
@@ -334,6 +617,42 @@ class ReportIdentification(rt.Message):
             ),
         )
 
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        if data[0] != 0x00 or data[1] != 0x4B:
+            raise rt.Reject
+        at = 2
+        size = len(data)
+        query_type_, type_ = _S_BH.unpack_from(data, at)
+        at += 3
+        query_type_ = _E_ReportIdentification_QueryType.get(query_type_, query_type_)
+        if type_ not in _E_ReportIdentification_Type and not 10002 <= type_ <= 20000 and not 20002 <= type_ <= 30000 and not 30002 <= type_ <= 40000 and not 40002 <= type_ <= 50000 and not 50002 <= type_ <= 60000 and type_ < 60002:
+            raise rt.Reject
+        type_ = _E_ReportIdentification_Type.get(type_, type_)
+        identification_end = data[at]
+        at += 1
+        identification_end += at
+        if identification_end > size:
+            raise rt.Reject
+        identification_ = data[at:identification_end].decode("latin-1")
+        at = identification_end
+        if at != len(data):
+            raise rt.Reject
+        return cls(query_type_, type_, identification_)
+
+    def _pack(self) -> bytes:
+        out = bytearray(b"\x00\x4b")
+        query_type_ = self.query_type
+        type_ = self.type
+        if type_ not in _E_ReportIdentification_Type and not 10002 <= type_ <= 20000 and not 20002 <= type_ <= 30000 and not 30002 <= type_ <= 40000 and not 40002 <= type_ <= 50000 and not 50002 <= type_ <= 60000 and not 60002 <= type_ <= 65535:
+            raise rt.Reject
+        out += _S_BH.pack(query_type_, type_)
+        identification_ = self.identification
+        identification_raw = identification_.encode("latin-1")
+        out.append(len(identification_raw))
+        out += identification_raw
+        return bytes(out)
+
 
 @dataclass(slots=True, repr=False)
 class ReportConfiguration(rt.Message):
@@ -366,6 +685,16 @@ class ReportConfiguration(rt.Message):
                 ),
             )
 
+        @classmethod
+        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+            node_id_ = data[at]
+            at += 1
+            return cls(node_id_), at
+
+        def _write(self, out: bytearray) -> None:
+            node_id_ = self.node_id
+            out += _S_B.pack(node_id_)
+
     @dataclass(slots=True, repr=False)
     class NodeSeq(rt.Struct):
         """NodeSeq.
@@ -387,6 +716,38 @@ class ReportConfiguration(rt.Message):
                 ),
             )
 
+        @classmethod
+        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+            size = len(data)
+            node_rec_node_id_ = data[at]
+            at += 1
+            node_rec_ = ReportConfiguration.NodeRec(node_rec_node_id_)
+            component_list_count = data[at]
+            at += 1
+            component_list_end = at + component_list_count * 2
+            if component_list_end > size:
+                raise rt.Reject
+            component_list_ = [core_v1_0_types.ComponentRec(component_list_item_component_id_, component_list_item_instance_id_) for component_list_item_component_id_, component_list_item_instance_id_ in _S_2B.iter_unpack(data[at:component_list_end])]
+            at = component_list_end
+            return cls(node_rec_, component_list_), at
+
+        def _write(self, out: bytearray) -> None:
+            node_rec_ = self.node_rec
+            if type(node_rec_) is not ReportConfiguration.NodeRec:
+                raise rt.Reject
+            node_rec_node_id_ = node_rec_.node_id
+            out += _S_B.pack(node_rec_node_id_)
+            component_list_ = self.component_list
+            if type(component_list_) is not list:
+                raise rt.Reject
+            out.append(len(component_list_))
+            for component_list_item_ in component_list_:
+                if type(component_list_item_) is not core_v1_0_types.ComponentRec:
+                    raise rt.Reject
+                component_list_item_component_id_ = component_list_item_.component_id
+                component_list_item_instance_id_ = component_list_item_.instance_id
+                out += _S_2B.pack(component_list_item_component_id_, component_list_item_instance_id_)
+
     node_list: list[ReportConfiguration.NodeSeq]
 
     @classmethod
@@ -397,6 +758,36 @@ class ReportConfiguration(rt.Message):
                 rt.Slot("node_list", "NodeList", rt.Repeat(rt.Count("B", 0, 255), ReportConfiguration.NodeSeq.layout())),
             ),
         )
+
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        if data[0] != 0x01 or data[1] != 0x4B:
+            raise rt.Reject
+        at = 2
+        size = len(data)
+        node_list_count = data[at]
+        at += 1
+        if node_list_count * 2 > size - at:
+            raise rt.Reject
+        node_list_ = []
+        for _ in range(node_list_count):
+            node_list_item_, at = ReportConfiguration.NodeSeq._read(data, at, depth)
+            node_list_.append(node_list_item_)
+        if at != len(data):
+            raise rt.Reject
+        return cls(node_list_)
+
+    def _pack(self) -> bytes:
+        out = bytearray(b"\x01\x4b")
+        node_list_ = self.node_list
+        if type(node_list_) is not list:
+            raise rt.Reject
+        out.append(len(node_list_))
+        for node_list_item_ in node_list_:
+            if type(node_list_item_) is not ReportConfiguration.NodeSeq:
+                raise rt.Reject
+            node_list_item_._write(out)
+        return bytes(out)
 
 
 @dataclass(slots=True, repr=False)
@@ -422,6 +813,38 @@ class ReportSubsystemList(rt.Message):
                 rt.Slot("subsystem_list", "SubsystemList", rt.Repeat(rt.Count("B", 0, 255), core_v1_0_types.SubsystemRec.layout())),
             ),
         )
+
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        if data[0] != 0x02 or data[1] != 0x4B:
+            raise rt.Reject
+        at = 2
+        size = len(data)
+        subsystem_list_count = data[at]
+        at += 1
+        subsystem_list_end = at + subsystem_list_count * 4
+        if subsystem_list_end > size:
+            raise rt.Reject
+        subsystem_list_ = [core_v1_0_types.SubsystemRec(subsystem_list_item_subsystem_id_, subsystem_list_item_node_id_, subsystem_list_item_component_id_) for subsystem_list_item_subsystem_id_, subsystem_list_item_node_id_, subsystem_list_item_component_id_ in _S_H2B.iter_unpack(data[at:subsystem_list_end])]
+        at = subsystem_list_end
+        if at != len(data):
+            raise rt.Reject
+        return cls(subsystem_list_)
+
+    def _pack(self) -> bytes:
+        out = bytearray(b"\x02\x4b")
+        subsystem_list_ = self.subsystem_list
+        if type(subsystem_list_) is not list:
+            raise rt.Reject
+        out.append(len(subsystem_list_))
+        for subsystem_list_item_ in subsystem_list_:
+            if type(subsystem_list_item_) is not core_v1_0_types.SubsystemRec:
+                raise rt.Reject
+            subsystem_list_item_subsystem_id_ = subsystem_list_item_.subsystem_id
+            subsystem_list_item_node_id_ = subsystem_list_item_.node_id
+            subsystem_list_item_component_id_ = subsystem_list_item_.component_id
+            out += _S_H2B.pack(subsystem_list_item_subsystem_id_, subsystem_list_item_node_id_, subsystem_list_item_component_id_)
+        return bytes(out)
 
 
 @dataclass(slots=True, repr=False)
@@ -455,6 +878,16 @@ class ReportServices(rt.Message):
                 ),
             )
 
+        @classmethod
+        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+            node_id_ = data[at]
+            at += 1
+            return cls(node_id_), at
+
+        def _write(self, out: bytearray) -> None:
+            node_id_ = self.node_id
+            out += _S_B.pack(node_id_)
+
     @dataclass(slots=True, repr=False)
     class ComponentSeq(rt.Struct):
         """ComponentSeq.
@@ -475,6 +908,38 @@ class ReportServices(rt.Message):
                     rt.Slot("service_list", "ServiceList", rt.Repeat(rt.Count("B", 0, 255), core_v1_0_types.ServiceRec.layout())),
                 ),
             )
+
+        @classmethod
+        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+            size = len(data)
+            component_rec_component_id_, component_rec_instance_id_ = _S_2B.unpack_from(data, at)
+            at += 2
+            component_rec_ = core_v1_0_types.ComponentRec(component_rec_component_id_, component_rec_instance_id_)
+            service_list_count = data[at]
+            at += 1
+            if service_list_count * 3 > size - at:
+                raise rt.Reject
+            service_list_ = []
+            for _ in range(service_list_count):
+                service_list_item_, at = core_v1_0_types.ServiceRec._read(data, at, depth)
+                service_list_.append(service_list_item_)
+            return cls(component_rec_, service_list_), at
+
+        def _write(self, out: bytearray) -> None:
+            component_rec_ = self.component_rec
+            if type(component_rec_) is not core_v1_0_types.ComponentRec:
+                raise rt.Reject
+            component_rec_component_id_ = component_rec_.component_id
+            component_rec_instance_id_ = component_rec_.instance_id
+            out += _S_2B.pack(component_rec_component_id_, component_rec_instance_id_)
+            service_list_ = self.service_list
+            if type(service_list_) is not list:
+                raise rt.Reject
+            out.append(len(service_list_))
+            for service_list_item_ in service_list_:
+                if type(service_list_item_) is not core_v1_0_types.ServiceRec:
+                    raise rt.Reject
+                service_list_item_._write(out)
 
     @dataclass(slots=True, repr=False)
     class NodeSeq(rt.Struct):
@@ -497,6 +962,37 @@ class ReportServices(rt.Message):
                 ),
             )
 
+        @classmethod
+        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+            size = len(data)
+            node_rec_node_id_ = data[at]
+            at += 1
+            node_rec_ = ReportServices.NodeRec(node_rec_node_id_)
+            component_list_count = data[at]
+            at += 1
+            if component_list_count * 3 > size - at:
+                raise rt.Reject
+            component_list_ = []
+            for _ in range(component_list_count):
+                component_list_item_, at = ReportServices.ComponentSeq._read(data, at, depth)
+                component_list_.append(component_list_item_)
+            return cls(node_rec_, component_list_), at
+
+        def _write(self, out: bytearray) -> None:
+            node_rec_ = self.node_rec
+            if type(node_rec_) is not ReportServices.NodeRec:
+                raise rt.Reject
+            node_rec_node_id_ = node_rec_.node_id
+            out += _S_B.pack(node_rec_node_id_)
+            component_list_ = self.component_list
+            if type(component_list_) is not list:
+                raise rt.Reject
+            out.append(len(component_list_))
+            for component_list_item_ in component_list_:
+                if type(component_list_item_) is not ReportServices.ComponentSeq:
+                    raise rt.Reject
+                component_list_item_._write(out)
+
     node_list: list[ReportServices.NodeSeq]
 
     @classmethod
@@ -507,6 +1003,36 @@ class ReportServices(rt.Message):
                 rt.Slot("node_list", "NodeList", rt.Repeat(rt.Count("B", 0, 255), ReportServices.NodeSeq.layout())),
             ),
         )
+
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        if data[0] != 0x03 or data[1] != 0x4B:
+            raise rt.Reject
+        at = 2
+        size = len(data)
+        node_list_count = data[at]
+        at += 1
+        if node_list_count * 2 > size - at:
+            raise rt.Reject
+        node_list_ = []
+        for _ in range(node_list_count):
+            node_list_item_, at = ReportServices.NodeSeq._read(data, at, depth)
+            node_list_.append(node_list_item_)
+        if at != len(data):
+            raise rt.Reject
+        return cls(node_list_)
+
+    def _pack(self) -> bytes:
+        out = bytearray(b"\x03\x4b")
+        node_list_ = self.node_list
+        if type(node_list_) is not list:
+            raise rt.Reject
+        out.append(len(node_list_))
+        for node_list_item_ in node_list_:
+            if type(node_list_item_) is not ReportServices.NodeSeq:
+                raise rt.Reject
+            node_list_item_._write(out)
+        return bytes(out)
 
 
 @dataclass(slots=True, repr=False)
@@ -540,6 +1066,16 @@ class ReportServiceList(rt.Message):
                 ),
             )
 
+        @classmethod
+        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+            (subsystem_id_,) = _S_H.unpack_from(data, at)
+            at += 2
+            return cls(subsystem_id_), at
+
+        def _write(self, out: bytearray) -> None:
+            subsystem_id_ = self.subsystem_id
+            out += _S_H.pack(subsystem_id_)
+
     @dataclass(slots=True, repr=False)
     class NodeRec(rt.Struct):
         """One node.
@@ -557,6 +1093,16 @@ class ReportServiceList(rt.Message):
                     rt.Slot("node_id", "NodeID", rt.Number("B")),
                 ),
             )
+
+        @classmethod
+        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+            node_id_ = data[at]
+            at += 1
+            return cls(node_id_), at
+
+        def _write(self, out: bytearray) -> None:
+            node_id_ = self.node_id
+            out += _S_B.pack(node_id_)
 
     @dataclass(slots=True, repr=False)
     class ComponentSeq(rt.Struct):
@@ -579,6 +1125,38 @@ class ReportServiceList(rt.Message):
                 ),
             )
 
+        @classmethod
+        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+            size = len(data)
+            component_rec_component_id_, component_rec_instance_id_ = _S_2B.unpack_from(data, at)
+            at += 2
+            component_rec_ = core_v1_0_types.ComponentRec(component_rec_component_id_, component_rec_instance_id_)
+            service_list_count = data[at]
+            at += 1
+            if service_list_count * 3 > size - at:
+                raise rt.Reject
+            service_list_ = []
+            for _ in range(service_list_count):
+                service_list_item_, at = core_v1_0_types.ServiceRec._read(data, at, depth)
+                service_list_.append(service_list_item_)
+            return cls(component_rec_, service_list_), at
+
+        def _write(self, out: bytearray) -> None:
+            component_rec_ = self.component_rec
+            if type(component_rec_) is not core_v1_0_types.ComponentRec:
+                raise rt.Reject
+            component_rec_component_id_ = component_rec_.component_id
+            component_rec_instance_id_ = component_rec_.instance_id
+            out += _S_2B.pack(component_rec_component_id_, component_rec_instance_id_)
+            service_list_ = self.service_list
+            if type(service_list_) is not list:
+                raise rt.Reject
+            out.append(len(service_list_))
+            for service_list_item_ in service_list_:
+                if type(service_list_item_) is not core_v1_0_types.ServiceRec:
+                    raise rt.Reject
+                service_list_item_._write(out)
+
     @dataclass(slots=True, repr=False)
     class NodeSeq(rt.Struct):
         """NodeSeq.
@@ -599,6 +1177,37 @@ class ReportServiceList(rt.Message):
                     rt.Slot("component_list", "ComponentList", rt.Repeat(rt.Count("B", 0, 255), ReportServiceList.ComponentSeq.layout())),
                 ),
             )
+
+        @classmethod
+        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+            size = len(data)
+            node_rec_node_id_ = data[at]
+            at += 1
+            node_rec_ = ReportServiceList.NodeRec(node_rec_node_id_)
+            component_list_count = data[at]
+            at += 1
+            if component_list_count * 3 > size - at:
+                raise rt.Reject
+            component_list_ = []
+            for _ in range(component_list_count):
+                component_list_item_, at = ReportServiceList.ComponentSeq._read(data, at, depth)
+                component_list_.append(component_list_item_)
+            return cls(node_rec_, component_list_), at
+
+        def _write(self, out: bytearray) -> None:
+            node_rec_ = self.node_rec
+            if type(node_rec_) is not ReportServiceList.NodeRec:
+                raise rt.Reject
+            node_rec_node_id_ = node_rec_.node_id
+            out += _S_B.pack(node_rec_node_id_)
+            component_list_ = self.component_list
+            if type(component_list_) is not list:
+                raise rt.Reject
+            out.append(len(component_list_))
+            for component_list_item_ in component_list_:
+                if type(component_list_item_) is not ReportServiceList.ComponentSeq:
+                    raise rt.Reject
+                component_list_item_._write(out)
 
     @dataclass(slots=True, repr=False)
     class SubsystemSeq(rt.Struct):
@@ -621,6 +1230,37 @@ class ReportServiceList(rt.Message):
                 ),
             )
 
+        @classmethod
+        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+            size = len(data)
+            (subsystem_rec_subsystem_id_,) = _S_H.unpack_from(data, at)
+            at += 2
+            subsystem_rec_ = ReportServiceList.SubsystemRec(subsystem_rec_subsystem_id_)
+            node_list_count = data[at]
+            at += 1
+            if node_list_count * 2 > size - at:
+                raise rt.Reject
+            node_list_ = []
+            for _ in range(node_list_count):
+                node_list_item_, at = ReportServiceList.NodeSeq._read(data, at, depth)
+                node_list_.append(node_list_item_)
+            return cls(subsystem_rec_, node_list_), at
+
+        def _write(self, out: bytearray) -> None:
+            subsystem_rec_ = self.subsystem_rec
+            if type(subsystem_rec_) is not ReportServiceList.SubsystemRec:
+                raise rt.Reject
+            subsystem_rec_subsystem_id_ = subsystem_rec_.subsystem_id
+            out += _S_H.pack(subsystem_rec_subsystem_id_)
+            node_list_ = self.node_list
+            if type(node_list_) is not list:
+                raise rt.Reject
+            out.append(len(node_list_))
+            for node_list_item_ in node_list_:
+                if type(node_list_item_) is not ReportServiceList.NodeSeq:
+                    raise rt.Reject
+                node_list_item_._write(out)
+
     subsystem_list: list[ReportServiceList.SubsystemSeq]
 
     @classmethod
@@ -631,3 +1271,49 @@ class ReportServiceList(rt.Message):
                 rt.Slot("subsystem_list", "SubsystemList", rt.Repeat(rt.Count("H", 0, 65535), ReportServiceList.SubsystemSeq.layout())),
             ),
         )
+
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        if data[0] != 0x04 or data[1] != 0x4B:
+            raise rt.Reject
+        at = 2
+        size = len(data)
+        (subsystem_list_count,) = _S_H.unpack_from(data, at)
+        at += 2
+        if subsystem_list_count * 3 > size - at:
+            raise rt.Reject
+        subsystem_list_ = []
+        for _ in range(subsystem_list_count):
+            subsystem_list_item_, at = ReportServiceList.SubsystemSeq._read(data, at, depth)
+            subsystem_list_.append(subsystem_list_item_)
+        if at != len(data):
+            raise rt.Reject
+        return cls(subsystem_list_)
+
+    def _pack(self) -> bytes:
+        out = bytearray(b"\x04\x4b")
+        subsystem_list_ = self.subsystem_list
+        if type(subsystem_list_) is not list:
+            raise rt.Reject
+        out += _S_H.pack(len(subsystem_list_))
+        for subsystem_list_item_ in subsystem_list_:
+            if type(subsystem_list_item_) is not ReportServiceList.SubsystemSeq:
+                raise rt.Reject
+            subsystem_list_item_._write(out)
+        return bytes(out)
+
+
+_E_QueryIdentification_QueryType = {member.value: member for member in QueryIdentification.QueryType}
+_S_HB = rt.Packer("<HB")
+_E_QueryConfiguration_QueryType = {member.value: member for member in QueryConfiguration.QueryType}
+_S_H = rt.Packer("<H")
+_E_core_v1_0_types_QueriedNodeRec_NodeID = {member.value: member for member in core_v1_0_types.QueriedNodeRec.NodeID}
+_E_core_v1_0_types_QueriedComponentRec_ComponentID = {member.value: member for member in core_v1_0_types.QueriedComponentRec.ComponentID}
+_S_B = rt.Packer("<B")
+_E_QueryServiceList_SubsystemID = {member.value: member for member in QueryServiceList.SubsystemID}
+_E_QueryServiceList_ComponentID = {member.value: member for member in QueryServiceList.ComponentID}
+_E_ReportIdentification_QueryType = {member.value: member for member in ReportIdentification.QueryType}
+_E_ReportIdentification_Type = {member.value: member for member in ReportIdentification.Type}
+_S_BH = rt.Packer("<BH")
+_S_2B = rt.Packer("<2B")
+_S_H2B = rt.Packer("<H2B")

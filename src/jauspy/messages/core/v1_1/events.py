@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import ClassVar
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages import registry as _registry
@@ -50,6 +50,51 @@ class CreateEvent(rt.Message):
             ),
         )
 
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        if data[0] != 0xF0 or data[1] != 0x01:
+            raise rt.Reject
+        at = 2
+        size = len(data)
+        request_id_, event_type_, requested_periodic_rate_ = _S_2BH.unpack_from(data, at)
+        at += 4
+        event_type_ = _E_CreateEvent_EventType[event_type_]
+        requested_periodic_rate_ = requested_periodic_rate_ * 0.016662851911192492
+        (query_message_end,) = _S_I.unpack_from(data, at)
+        at += 4
+        if query_message_end > 2147483647:
+            raise rt.Reject
+        query_message_end += at
+        if query_message_end > size:
+            raise rt.Reject
+        query_message_ = _registry.nested(data[at:query_message_end], depth)
+        at = query_message_end
+        if at != len(data):
+            raise rt.Reject
+        return cls(request_id_, event_type_, requested_periodic_rate_, query_message_)
+
+    def _pack(self) -> bytes:
+        out = bytearray(b"\xf0\x01")
+        request_id_ = self.request_id
+        event_type_ = self.event_type
+        if event_type_ not in _E_CreateEvent_EventType:
+            raise rt.Reject
+        requested_periodic_rate_ = self.requested_periodic_rate
+        if not 0.0 <= requested_periodic_rate_ <= 1092.0:
+            raise rt.Reject
+        requested_periodic_rate_pos = requested_periodic_rate_ * 60.01373626373626 + 0.5
+        requested_periodic_rate_raw = int(requested_periodic_rate_pos)
+        if not 1.52587890625e-05 < requested_periodic_rate_pos - requested_periodic_rate_raw < 0.9999847412109375:
+            requested_periodic_rate_raw = rt.exact_raw(requested_periodic_rate_, _R_3)
+        out += _S_2BH.pack(request_id_, event_type_, requested_periodic_rate_raw)
+        query_message_ = self.query_message
+        query_message_raw = rt.message_bytes(query_message_)
+        if len(query_message_raw) > 2147483647:
+            raise rt.Reject
+        out += _S_I.pack(len(query_message_raw))
+        out += query_message_raw
+        return bytes(out)
+
 
 @dataclass(slots=True, repr=False)
 class CreateCommandEvent(rt.Message):
@@ -80,6 +125,40 @@ class CreateCommandEvent(rt.Message):
                 rt.Slot("command_message", "CommandMessage", rt.Blob(rt.Count("I", 0, 2147483647), _registry)),
             ),
         )
+
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        if data[0] != 0xF6 or data[1] != 0x01:
+            raise rt.Reject
+        at = 2
+        size = len(data)
+        request_id_, maximum_allowed_duration_ = _S_BI.unpack_from(data, at)
+        at += 5
+        (command_message_end,) = _S_I.unpack_from(data, at)
+        at += 4
+        if command_message_end > 2147483647:
+            raise rt.Reject
+        command_message_end += at
+        if command_message_end > size:
+            raise rt.Reject
+        command_message_ = _registry.nested(data[at:command_message_end], depth)
+        at = command_message_end
+        if at != len(data):
+            raise rt.Reject
+        return cls(request_id_, maximum_allowed_duration_, command_message_)
+
+    def _pack(self) -> bytes:
+        out = bytearray(b"\xf6\x01")
+        request_id_ = self.request_id
+        maximum_allowed_duration_ = self.maximum_allowed_duration
+        out += _S_BI.pack(request_id_, maximum_allowed_duration_)
+        command_message_ = self.command_message
+        command_message_raw = rt.message_bytes(command_message_)
+        if len(command_message_raw) > 2147483647:
+            raise rt.Reject
+        out += _S_I.pack(len(command_message_raw))
+        out += command_message_raw
+        return bytes(out)
 
 
 @dataclass(slots=True, repr=False)
@@ -124,6 +203,52 @@ class UpdateEvent(rt.Message):
             ),
         )
 
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        if data[0] != 0xF1 or data[1] != 0x01:
+            raise rt.Reject
+        at = 2
+        size = len(data)
+        request_id_, event_type_, requested_periodic_rate_, event_id_ = _S_2BHB.unpack_from(data, at)
+        at += 5
+        event_type_ = _E_UpdateEvent_EventType[event_type_]
+        requested_periodic_rate_ = requested_periodic_rate_ * 0.016662851911192492
+        (query_message_end,) = _S_I.unpack_from(data, at)
+        at += 4
+        if query_message_end > 2147483647:
+            raise rt.Reject
+        query_message_end += at
+        if query_message_end > size:
+            raise rt.Reject
+        query_message_ = _registry.nested(data[at:query_message_end], depth)
+        at = query_message_end
+        if at != len(data):
+            raise rt.Reject
+        return cls(request_id_, event_type_, requested_periodic_rate_, event_id_, query_message_)
+
+    def _pack(self) -> bytes:
+        out = bytearray(b"\xf1\x01")
+        request_id_ = self.request_id
+        event_type_ = self.event_type
+        if event_type_ not in _E_UpdateEvent_EventType:
+            raise rt.Reject
+        requested_periodic_rate_ = self.requested_periodic_rate
+        if not 0.0 <= requested_periodic_rate_ <= 1092.0:
+            raise rt.Reject
+        requested_periodic_rate_pos = requested_periodic_rate_ * 60.01373626373626 + 0.5
+        requested_periodic_rate_raw = int(requested_periodic_rate_pos)
+        if not 1.52587890625e-05 < requested_periodic_rate_pos - requested_periodic_rate_raw < 0.9999847412109375:
+            requested_periodic_rate_raw = rt.exact_raw(requested_periodic_rate_, _R_3)
+        event_id_ = self.event_id
+        out += _S_2BHB.pack(request_id_, event_type_, requested_periodic_rate_raw, event_id_)
+        query_message_ = self.query_message
+        query_message_raw = rt.message_bytes(query_message_)
+        if len(query_message_raw) > 2147483647:
+            raise rt.Reject
+        out += _S_I.pack(len(query_message_raw))
+        out += query_message_raw
+        return bytes(out)
+
 
 @dataclass(slots=True, repr=False)
 class CancelEvent(rt.Message):
@@ -151,6 +276,18 @@ class CancelEvent(rt.Message):
                 rt.Slot("event_id", "EventID", rt.Number("B")),
             ),
         )
+
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        code, request_id_, event_id_ = _S_H2B.unpack(data)
+        if code != 0x01F2:
+            raise rt.Reject
+        return cls(request_id_, event_id_)
+
+    def _pack(self) -> bytes:
+        request_id_ = self.request_id
+        event_id_ = self.event_id
+        return _S_H2B.pack(0x01F2, request_id_, event_id_)
 
 
 @dataclass(slots=True, repr=False)
@@ -184,6 +321,16 @@ class QueryEvents(rt.Message):
                 ),
             )
 
+        @classmethod
+        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+            (message_code_,) = _S_H.unpack_from(data, at)
+            at += 2
+            return cls(message_code_), at
+
+        def _write(self, out: bytearray) -> None:
+            message_code_ = self.message_code
+            out += _S_H.pack(message_code_)
+
     @dataclass(slots=True, repr=False)
     class EventIDRec(rt.Struct):
         """Selects one event.
@@ -202,6 +349,16 @@ class QueryEvents(rt.Message):
                 ),
             )
 
+        @classmethod
+        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+            event_id_ = data[at]
+            at += 1
+            return cls(event_id_), at
+
+        def _write(self, out: bytearray) -> None:
+            event_id_ = self.event_id
+            out += _S_B.pack(event_id_)
+
     query_events_var: QueryEvents.MessageIDRec | core_v1_0_types.EventTypeRec | QueryEvents.EventIDRec | core_v1_0_types.AllEventsRec
 
     @classmethod
@@ -209,9 +366,48 @@ class QueryEvents(rt.Message):
         return rt.Composite(
             cls,
             (
-                rt.Slot("query_events_var", "QueryEventsVar", rt.Union("B", (QueryEvents.MessageIDRec.layout(), core_v1_0_types.EventTypeRec.layout(), QueryEvents.EventIDRec.layout(), core_v1_0_types.AllEventsRec.layout()))),
+                rt.Slot("query_events_var", "QueryEventsVar", rt.Union.of("B", QueryEvents.MessageIDRec, core_v1_0_types.EventTypeRec, QueryEvents.EventIDRec, core_v1_0_types.AllEventsRec)),
             ),
         )
+
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        if data[0] != 0xF0 or data[1] != 0x21:
+            raise rt.Reject
+        at = 2
+        tag = data[at]
+        at += 1
+        query_events_var_: QueryEvents.MessageIDRec | core_v1_0_types.EventTypeRec | QueryEvents.EventIDRec | core_v1_0_types.AllEventsRec
+        if tag == 0:
+            query_events_var_, at = QueryEvents.MessageIDRec._read(data, at, depth)
+        elif tag == 1:
+            query_events_var_, at = core_v1_0_types.EventTypeRec._read(data, at, depth)
+        elif tag == 2:
+            query_events_var_, at = QueryEvents.EventIDRec._read(data, at, depth)
+        elif tag == 3:
+            query_events_var_, at = core_v1_0_types.AllEventsRec._read(data, at, depth)
+        else:
+            raise rt.Reject
+        if at != len(data):
+            raise rt.Reject
+        return cls(query_events_var_)
+
+    def _pack(self) -> bytes:
+        out = bytearray(b"\xf0\x21")
+        query_events_var_ = self.query_events_var
+        kind = type(query_events_var_)
+        if kind is QueryEvents.MessageIDRec:
+            out.append(0)
+        elif kind is core_v1_0_types.EventTypeRec:
+            out.append(1)
+        elif kind is QueryEvents.EventIDRec:
+            out.append(2)
+        elif kind is core_v1_0_types.AllEventsRec:
+            out.append(3)
+        else:
+            raise rt.Reject
+        query_events_var_._write(out)
+        return bytes(out)
 
 
 @dataclass(slots=True, repr=False)
@@ -227,6 +423,16 @@ class QueryEventTimeout(rt.Message):
     @classmethod
     def _layout(cls) -> rt.Item:
         return rt.Composite(cls, ())
+
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        code, = _S_H.unpack(data)
+        if code != 0x21F2:
+            raise rt.Reject
+        return cls()
+
+    def _pack(self) -> bytes:
+        return _S_H.pack(0x21F2)
 
 
 @dataclass(slots=True, repr=False)
@@ -258,6 +464,26 @@ class ConfirmEventRequest(rt.Message):
                 rt.Slot("confirmed_periodic_rate", "ConfirmedPeriodicRate", rt.Real("H", rt.Scaling(0.0, 1092.0, 65535), "hertz")),
             ),
         )
+
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        code, request_id_, event_id_, confirmed_periodic_rate_ = _S_H2BH.unpack(data)
+        if code != 0x01F3:
+            raise rt.Reject
+        confirmed_periodic_rate_ = confirmed_periodic_rate_ * 0.016662851911192492
+        return cls(request_id_, event_id_, confirmed_periodic_rate_)
+
+    def _pack(self) -> bytes:
+        request_id_ = self.request_id
+        event_id_ = self.event_id
+        confirmed_periodic_rate_ = self.confirmed_periodic_rate
+        if not 0.0 <= confirmed_periodic_rate_ <= 1092.0:
+            raise rt.Reject
+        confirmed_periodic_rate_pos = confirmed_periodic_rate_ * 60.01373626373626 + 0.5
+        confirmed_periodic_rate_raw = int(confirmed_periodic_rate_pos)
+        if not 1.52587890625e-05 < confirmed_periodic_rate_pos - confirmed_periodic_rate_raw < 0.9999847412109375:
+            confirmed_periodic_rate_raw = rt.exact_raw(confirmed_periodic_rate_, _R_3)
+        return _S_H2BH.pack(0x01F3, request_id_, event_id_, confirmed_periodic_rate_raw)
 
 
 @dataclass(slots=True, repr=False)
@@ -301,6 +527,47 @@ class RejectEventRequest(rt.Message):
             ),
             "B",
         )
+
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        code, mask = _S_HB.unpack_from(data)
+        if code != 0x01F4:
+            raise rt.Reject
+        raw = iter(_M_RejectEventRequest[mask & 0x3].unpack(data)).__next__
+        request_id_ = raw()
+        if mask & 1:
+            response_code_ = raw()
+            response_code_ = _E_RejectEventRequest_ResponseCode[response_code_]
+        else:
+            response_code_ = None
+        if mask & 2:
+            error_message_ = raw()
+            error_message_ = error_message_.rstrip(b"\0").decode("latin-1")
+        else:
+            error_message_ = None
+        return cls(request_id_, response_code_, error_message_, mask & 0xFC)
+
+    def _pack(self) -> bytes:
+        mask = self.reserved_presence
+        if mask & 0x3:
+            raise rt.Reject
+        raw: list[int | float | bytes] = []
+        request_id_ = self.request_id
+        raw.append(request_id_)
+        response_code_ = self.response_code
+        if response_code_ is not None:
+            mask |= 1
+            if response_code_ not in _E_RejectEventRequest_ResponseCode:
+                raise rt.Reject
+            raw.append(response_code_)
+        error_message_ = self.error_message
+        if error_message_ is not None:
+            mask |= 2
+            error_message_raw = error_message_.encode("latin-1")
+            if len(error_message_raw) > 80:
+                raise rt.Reject
+            raw.append(error_message_raw)
+        return _M_RejectEventRequest_pack[mask & 0x3].pack(0x01F4, mask, *raw)
 
 
 @dataclass(slots=True, repr=False)
@@ -346,6 +613,36 @@ class ReportEvents(rt.Message):
                 ),
             )
 
+        @classmethod
+        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+            size = len(data)
+            event_type_, event_id_ = _S_2B.unpack_from(data, at)
+            at += 2
+            event_type_ = _E_ReportEvents_EventType[event_type_]
+            (query_message_end,) = _S_I.unpack_from(data, at)
+            at += 4
+            if query_message_end > 2147483647:
+                raise rt.Reject
+            query_message_end += at
+            if query_message_end > size:
+                raise rt.Reject
+            query_message_ = _registry.nested(data[at:query_message_end], depth)
+            at = query_message_end
+            return cls(event_type_, event_id_, query_message_), at
+
+        def _write(self, out: bytearray) -> None:
+            event_type_ = self.event_type
+            if event_type_ not in _E_ReportEvents_EventType:
+                raise rt.Reject
+            event_id_ = self.event_id
+            out += _S_2B.pack(event_type_, event_id_)
+            query_message_ = self.query_message
+            query_message_raw = rt.message_bytes(query_message_)
+            if len(query_message_raw) > 2147483647:
+                raise rt.Reject
+            out += _S_I.pack(len(query_message_raw))
+            out += query_message_raw
+
     event_list: list[ReportEvents.ReportEventRec]
 
     @classmethod
@@ -356,6 +653,36 @@ class ReportEvents(rt.Message):
                 rt.Slot("event_list", "EventList", rt.Repeat(rt.Count("B", 0, 255), ReportEvents.ReportEventRec.layout())),
             ),
         )
+
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        if data[0] != 0xF0 or data[1] != 0x41:
+            raise rt.Reject
+        at = 2
+        size = len(data)
+        event_list_count = data[at]
+        at += 1
+        if event_list_count * 6 > size - at:
+            raise rt.Reject
+        event_list_ = []
+        for _ in range(event_list_count):
+            event_list_item_, at = ReportEvents.ReportEventRec._read(data, at, depth)
+            event_list_.append(event_list_item_)
+        if at != len(data):
+            raise rt.Reject
+        return cls(event_list_)
+
+    def _pack(self) -> bytes:
+        out = bytearray(b"\xf0\x41")
+        event_list_ = self.event_list
+        if type(event_list_) is not list:
+            raise rt.Reject
+        out.append(len(event_list_))
+        for event_list_item_ in event_list_:
+            if type(event_list_item_) is not ReportEvents.ReportEventRec:
+                raise rt.Reject
+            event_list_item_._write(out)
+        return bytes(out)
 
 
 @dataclass(slots=True, repr=False)
@@ -387,6 +714,40 @@ class Event(rt.Message):
                 rt.Slot("report_message", "ReportMessage", rt.Blob(rt.Count("I", 0, 2147483647), _registry)),
             ),
         )
+
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        if data[0] != 0xF1 or data[1] != 0x41:
+            raise rt.Reject
+        at = 2
+        size = len(data)
+        event_id_, sequence_number_ = _S_2B.unpack_from(data, at)
+        at += 2
+        (report_message_end,) = _S_I.unpack_from(data, at)
+        at += 4
+        if report_message_end > 2147483647:
+            raise rt.Reject
+        report_message_end += at
+        if report_message_end > size:
+            raise rt.Reject
+        report_message_ = _registry.nested(data[at:report_message_end], depth)
+        at = report_message_end
+        if at != len(data):
+            raise rt.Reject
+        return cls(event_id_, sequence_number_, report_message_)
+
+    def _pack(self) -> bytes:
+        out = bytearray(b"\xf1\x41")
+        event_id_ = self.event_id
+        sequence_number_ = self.sequence_number
+        out += _S_2B.pack(event_id_, sequence_number_)
+        report_message_ = self.report_message
+        report_message_raw = rt.message_bytes(report_message_)
+        if len(report_message_raw) > 2147483647:
+            raise rt.Reject
+        out += _S_I.pack(len(report_message_raw))
+        out += report_message_raw
+        return bytes(out)
 
 
 @dataclass(slots=True, repr=False)
@@ -422,6 +783,21 @@ class CommandEvent(rt.Message):
             ),
         )
 
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        code, event_id_, command_result_ = _S_H2B.unpack(data)
+        if code != 0x41F6:
+            raise rt.Reject
+        command_result_ = _E_CommandEvent_CommandResult[command_result_]
+        return cls(event_id_, command_result_)
+
+    def _pack(self) -> bytes:
+        event_id_ = self.event_id
+        command_result_ = self.command_result
+        if command_result_ not in _E_CommandEvent_CommandResult:
+            raise rt.Reject
+        return _S_H2B.pack(0x41F6, event_id_, command_result_)
+
 
 @dataclass(slots=True, repr=False)
 class ReportEventTimeout(rt.Message):
@@ -451,3 +827,36 @@ class ReportEventTimeout(rt.Message):
                 rt.Slot("timeout", "Timeout", rt.Number("B", rt.Values(ReportEventTimeout.Timeout, ((1, 255),)), "minute")),
             ),
         )
+
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        code, timeout_ = _S_HB.unpack(data)
+        if code != 0x41F2:
+            raise rt.Reject
+        timeout_ = _E_ReportEventTimeout_Timeout.get(timeout_, timeout_)
+        return cls(timeout_)
+
+    def _pack(self) -> bytes:
+        timeout_ = self.timeout
+        return _S_HB.pack(0x41F2, timeout_)
+
+
+_E_CreateEvent_EventType = {member.value: member for member in CreateEvent.EventType}
+_S_2BH = rt.Packer("<2BH")
+_S_I = rt.Packer("<I")
+_R_3 = rt.Scaling(0.0, 1092.0, 65535)
+_S_BI = rt.Packer("<BI")
+_E_UpdateEvent_EventType = {member.value: member for member in UpdateEvent.EventType}
+_S_2BHB = rt.Packer("<2BHB")
+_S_H2B = rt.Packer("<H2B")
+_S_H = rt.Packer("<H")
+_S_B = rt.Packer("<B")
+_S_H2BH = rt.Packer("<H2BH")
+_S_HB = rt.Packer("<HB")
+_M_RejectEventRequest = rt.Masks("3x", ((0, "B"), (1, "B"), (2, "80s")))
+_E_RejectEventRequest_ResponseCode = {member.value: member for member in RejectEventRequest.ResponseCode}
+_M_RejectEventRequest_pack = rt.Masks("HB", ((0, "B"), (1, "B"), (2, "80s")))
+_E_ReportEvents_EventType = {member.value: member for member in ReportEvents.EventType}
+_S_2B = rt.Packer("<2B")
+_E_CommandEvent_CommandResult = {member.value: member for member in CommandEvent.CommandResult}
+_E_ReportEventTimeout_Timeout = {member.value: member for member in ReportEventTimeout.Timeout}

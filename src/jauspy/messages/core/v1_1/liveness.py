@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 
@@ -22,6 +22,16 @@ class QueryHeartbeatPulse(rt.Message):
     def _layout(cls) -> rt.Item:
         return rt.Composite(cls, ())
 
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        code, = _S_H.unpack(data)
+        if code != 0x2202:
+            raise rt.Reject
+        return cls()
+
+    def _pack(self) -> bytes:
+        return _S_H.pack(0x2202)
+
 
 @dataclass(slots=True, repr=False)
 class ReportHeartbeatPulse(rt.Message):
@@ -36,3 +46,16 @@ class ReportHeartbeatPulse(rt.Message):
     @classmethod
     def _layout(cls) -> rt.Item:
         return rt.Composite(cls, ())
+
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        code, = _S_H.unpack(data)
+        if code != 0x4202:
+            raise rt.Reject
+        return cls()
+
+    def _pack(self) -> bytes:
+        return _S_H.pack(0x4202)
+
+
+_S_H = rt.Packer("<H")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import ClassVar
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 
@@ -23,6 +23,16 @@ class Shutdown(rt.Message):
     def _layout(cls) -> rt.Item:
         return rt.Composite(cls, ())
 
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        code, = _S_H.unpack(data)
+        if code != 0x0002:
+            raise rt.Reject
+        return cls()
+
+    def _pack(self) -> bytes:
+        return _S_H.pack(0x0002)
+
 
 @dataclass(slots=True, repr=False)
 class Standby(rt.Message):
@@ -37,6 +47,16 @@ class Standby(rt.Message):
     @classmethod
     def _layout(cls) -> rt.Item:
         return rt.Composite(cls, ())
+
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        code, = _S_H.unpack(data)
+        if code != 0x0003:
+            raise rt.Reject
+        return cls()
+
+    def _pack(self) -> bytes:
+        return _S_H.pack(0x0003)
 
 
 @dataclass(slots=True, repr=False)
@@ -53,6 +73,16 @@ class Resume(rt.Message):
     def _layout(cls) -> rt.Item:
         return rt.Composite(cls, ())
 
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        code, = _S_H.unpack(data)
+        if code != 0x0004:
+            raise rt.Reject
+        return cls()
+
+    def _pack(self) -> bytes:
+        return _S_H.pack(0x0004)
+
 
 @dataclass(slots=True, repr=False)
 class Reset(rt.Message):
@@ -67,6 +97,16 @@ class Reset(rt.Message):
     @classmethod
     def _layout(cls) -> rt.Item:
         return rt.Composite(cls, ())
+
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        code, = _S_H.unpack(data)
+        if code != 0x0005:
+            raise rt.Reject
+        return cls()
+
+    def _pack(self) -> bytes:
+        return _S_H.pack(0x0005)
 
 
 @dataclass(slots=True, repr=False)
@@ -98,6 +138,20 @@ class SetEmergency(rt.Message):
             ),
         )
 
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        code, emergency_code_ = _S_2H.unpack(data)
+        if code != 0x0006:
+            raise rt.Reject
+        emergency_code_ = _E_SetEmergency_EmergencyCode[emergency_code_]
+        return cls(emergency_code_)
+
+    def _pack(self) -> bytes:
+        emergency_code_ = self.emergency_code
+        if emergency_code_ not in _E_SetEmergency_EmergencyCode:
+            raise rt.Reject
+        return _S_2H.pack(0x0006, emergency_code_)
+
 
 @dataclass(slots=True, repr=False)
 class ClearEmergency(rt.Message):
@@ -128,6 +182,20 @@ class ClearEmergency(rt.Message):
             ),
         )
 
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        code, emergency_code_ = _S_2H.unpack(data)
+        if code != 0x0007:
+            raise rt.Reject
+        emergency_code_ = _E_ClearEmergency_EmergencyCode[emergency_code_]
+        return cls(emergency_code_)
+
+    def _pack(self) -> bytes:
+        emergency_code_ = self.emergency_code
+        if emergency_code_ not in _E_ClearEmergency_EmergencyCode:
+            raise rt.Reject
+        return _S_2H.pack(0x0007, emergency_code_)
+
 
 @dataclass(slots=True, repr=False)
 class QueryStatus(rt.Message):
@@ -142,6 +210,16 @@ class QueryStatus(rt.Message):
     @classmethod
     def _layout(cls) -> rt.Item:
         return rt.Composite(cls, ())
+
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        code, = _S_H.unpack(data)
+        if code != 0x2002:
+            raise rt.Reject
+        return cls()
+
+    def _pack(self) -> bytes:
+        return _S_H.pack(0x2002)
 
 
 @dataclass(slots=True, repr=False)
@@ -180,3 +258,26 @@ class ReportStatus(rt.Message):
                 rt.Slot("reserved", "Reserved", rt.Number("I")),
             ),
         )
+
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        code, status_, reserved_ = _S_HBI.unpack(data)
+        if code != 0x4002:
+            raise rt.Reject
+        status_ = _E_ReportStatus_Status[status_]
+        return cls(status_, reserved_)
+
+    def _pack(self) -> bytes:
+        status_ = self.status
+        if status_ not in _E_ReportStatus_Status:
+            raise rt.Reject
+        reserved_ = self.reserved
+        return _S_HBI.pack(0x4002, status_, reserved_)
+
+
+_S_H = rt.Packer("<H")
+_E_SetEmergency_EmergencyCode = {member.value: member for member in SetEmergency.EmergencyCode}
+_S_2H = rt.Packer("<2H")
+_E_ClearEmergency_EmergencyCode = {member.value: member for member in ClearEmergency.EmergencyCode}
+_E_ReportStatus_Status = {member.value: member for member in ReportStatus.Status}
+_S_HBI = rt.Packer("<HBI")
