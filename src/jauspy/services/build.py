@@ -10,7 +10,8 @@ from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
 from jauspy.schema import load_builtin
-from jauspy.schema.model import Schema, Service as Definition
+from jauspy.schema.model import Schema
+from jauspy.schema.model import Service as Definition
 from jauspy.services.bind import Binder, Reply
 from jauspy.services.core.defaults import DEFAULTS
 from jauspy.services.isolation import Containment
@@ -82,6 +83,6 @@ def _inputs(definitions: Mapping[str, Definition], registry: Registry) -> dict[i
     for definition in definitions.values():
         for message in definition.inputs:
             for kind in registry.by_code(message.code):
-                if kind.SERVICE == definition.id and kind.VERSION == definition.version:
+                if definition.id == kind.SERVICE and definition.version == kind.VERSION:
                     found.setdefault(message.code, kind)
     return found

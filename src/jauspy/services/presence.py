@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import MISSING, Field, fields, replace
-from functools import cache
-from typing import Any, Final
+from copy import copy
+from typing import Final, TypeVar
 
-from jauspy.codec.base import Message
+from jauspy.codec.base import Message, Struct
+from jauspy.codec.layout import Composite, Slot
 
 _SUFFIX: Final = "presence_vector"
+_VECTORS: Final[dict[type[Message], tuple[tuple[str, str], ...]]] = {}
+_OPTIONAL: Final[dict[type[Struct], tuple[str, ...]]] = {}
+
+S = TypeVar("S", bound=Struct)
 
 
 def mask(report: Message, query: Message) -> Message:
@@ -17,32 +21,41 @@ def mask(report: Message, query: Message) -> Message:
     A query's `presence_vector` masks the report's body record. A field named after a part of the body, as
     `VelocityVarPresenceVector` is after `VelocityVar`, masks the record in that part.
     """
+    masked = report
     for vector, part in _vectors(type(query)):
         asked = getattr(query, vector)
         if not part:
-            report = _masked(report, asked)
-        elif hasattr(report, part):
-            report = replace(report, **{part: _masked(getattr(report, part), asked)})
-    return report
+            masked = _masked(masked, asked)
+        elif hasattr(masked, part):
+            masked = copy(masked)
+            setattr(masked, part, _masked(getattr(masked, part), asked))
+    return masked
 
 
-@cache
 def _vectors(query: type[Message]) -> tuple[tuple[str, str], ...]:
     """Each presence vector of a query, and the part of the report it is about (empty: all of it)."""
-    names = (field.name for field in fields(query))
-    return tuple((name, name.removesuffix(_SUFFIX).rstrip("_")) for name in names if name.endswith(_SUFFIX))
+    if (found := _VECTORS.get(query)) is None:
+        names = [slot.name for slot in _slots(query) if slot.name.endswith(_SUFFIX)]
+        found = _VECTORS[query] = tuple((name, name.removesuffix(_SUFFIX).rstrip("_")) for name in names)
+    return found
 
 
-def _masked(record: Any, asked: int) -> Any:
+def _optional(record: type[Struct]) -> tuple[str, ...]:
+    """The optional fields of a record in wire order, which is the order of their bits."""
+    if (found := _OPTIONAL.get(record)) is None:
+        found = _OPTIONAL[record] = tuple(slot.name for slot in _slots(record) if slot.optional)
+    return found
+
+
+def _slots(kind: type[Struct]) -> tuple[Slot, ...]:
+    layout = kind.layout()
+    return layout.slots if isinstance(layout, Composite) else ()
+
+
+def _masked(record: S, asked: int) -> S:
     unasked = [name for bit, name in enumerate(_optional(type(record))) if not asked >> bit & 1]
-    return replace(record, **dict.fromkeys(unasked)) if unasked else record
-
-
-@cache
-def _optional(record: type) -> tuple[str, ...]:
-    """The optional fields of a generated record in wire order, which is the order of its bits: None when absent."""
-    return tuple(field.name for field in fields(record) if _default(field) is None)
-
-
-def _default(field: Field[Any]) -> object:
-    return MISSING if field.default is MISSING else field.default
+    if unasked:
+        record = copy(record)
+        for name in unasked:
+            setattr(record, name, None)
+    return record

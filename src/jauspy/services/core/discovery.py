@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from itertools import groupby
 from operator import attrgetter
-from typing import Final
+from typing import Any, Final
 
 from jauspy.ids import JausID
 from jauspy.messages.core import (
+    ComponentRec,
     QueryConfiguration,
     QueryIdentification,
     QueryServiceList,
@@ -20,6 +21,8 @@ from jauspy.messages.core import (
     ReportServiceList,
     ReportServices,
     ReportSubsystemList,
+    ServiceRec,
+    SubsystemRec,
 )
 from jauspy.services.core.directory import Directory, Offer
 from jauspy.services.service import Service
@@ -88,9 +91,7 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
             node_list=[
                 ReportConfiguration.NodeSeq(
                     node_rec=ReportConfiguration.NodeRec(node_id=node),
-                    component_list=[
-                        ReportConfiguration.ComponentRec(component_id=each.component, instance_id=0) for each in ids
-                    ],
+                    component_list=[ComponentRec(component_id=each.component, instance_id=0) for each in ids],
                 )
                 for node, ids in groupby(here, key=attrgetter("node"))
             ]
@@ -99,7 +100,7 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
     def report_subsystem_list(self) -> ReportSubsystemList:
         """The own subsystem, and where to ask about it: here."""
         me = self.host.id
-        record = ReportSubsystemList.SubsystemRec(subsystem_id=me.subsystem, node_id=me.node, component_id=me.component)
+        record = SubsystemRec(subsystem_id=me.subsystem, node_id=me.node, component_id=me.component)
         return ReportSubsystemList(subsystem_list=[record])
 
     def report_services(self, query: QueryServices) -> ReportServices:
@@ -108,7 +109,7 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
         for node in query.node_list:
             for component in node.component_list:
                 found |= self.directory.matching(self.host.id.subsystem, node.node_rec.node_id, component.component_id)
-        return ReportServices(node_list=list(_nodes(ReportServices, found)))
+        return ReportServices(node_list=_nodes(ReportServices, found))
 
     def report_service_list(self, query: QueryServiceList) -> ReportServiceList:
         """As `report_services`, over subsystems; a search filter keeps the services whose URI contains it."""
@@ -128,7 +129,7 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
             subsystem_list=[
                 ReportServiceList.SubsystemSeq(
                     subsystem_rec=ReportServiceList.SubsystemRec(subsystem_id=number),
-                    node_list=list(_nodes(ReportServiceList, {each: found[each] for each in ids})),
+                    node_list=_nodes(ReportServiceList, {each: found[each] for each in ids}),
                 )
                 for number, ids in subsystems
             ]
@@ -148,20 +149,22 @@ def _filtered(offers: tuple[Offer, ...], wanted: str | None) -> tuple[Offer, ...
     return offers if not wanted else tuple(offer for offer in offers if wanted in offer.uri)
 
 
-def _nodes(report: type[ReportServices] | type[ReportServiceList], found: Mapping[JausID, Iterable[Offer]]) -> Iterator:
-    for node, ids in groupby(sorted(found), key=attrgetter("node")):
-        yield report.NodeSeq(
+def _nodes(report: Any, found: Mapping[JausID, Iterable[Offer]]) -> list[Any]:
+    """The nodes of a `ReportServices` or `ReportServiceList`, which look alike and are classes of their own."""
+    return [
+        report.NodeSeq(
             node_rec=report.NodeRec(node_id=node),
-            component_list=[
-                report.ComponentSeq(
-                    component_rec=report.ComponentRec(component_id=each.component, instance_id=0),
-                    service_list=[
-                        report.ServiceRec(
-                            uri=offer.uri, major_version_number=offer.major, minor_version_number=offer.minor
-                        )
-                        for offer in found[each]
-                    ],
-                )
-                for each in ids
-            ],
+            component_list=[_component(report, each, found[each]) for each in ids],
         )
+        for node, ids in groupby(sorted(found), key=attrgetter("node"))
+    ]
+
+
+def _component(report: Any, id: JausID, offers: Iterable[Offer]) -> Any:
+    return report.ComponentSeq(
+        component_rec=ComponentRec(component_id=id.component, instance_id=0),
+        service_list=[
+            ServiceRec(uri=offer.uri, major_version_number=offer.major, minor_version_number=offer.minor)
+            for offer in offers
+        ],
+    )

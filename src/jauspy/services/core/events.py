@@ -13,6 +13,7 @@ from jauspy.messages.core import (
     CreateCommandEvent,
     CreateEvent,
     Event,
+    EventTypeRec,
     QueryEvents,
     RejectEventRequest,
     ReportEvents,
@@ -22,7 +23,7 @@ from jauspy.messages.core import (
 from jauspy.services.core.subscriptions import Subscription, Subscriptions
 from jauspy.services.service import Service
 
-PERIODIC: Final = CreateEvent.EventType.PERIODIC_SC
+PERIODIC: Final = CreateEvent.EventType.PERIODIC
 
 # Response codes of RejectEventRequest (AS5710)
 REFUSED: Final = 3
@@ -231,7 +232,7 @@ def _matches(subscription: Subscription, query: QueryEvents) -> bool:
     match query.query_events_var:
         case QueryEvents.EventIDRec(event_id=number):
             return subscription.id == number
-        case QueryEvents.EventTypeRec(event_type=kind):
+        case EventTypeRec(event_type=kind):
             return subscription.kind == kind
         case QueryEvents.MessageIDRec(message_code=code):
             return code == subscription.query.CODE

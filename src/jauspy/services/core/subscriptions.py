@@ -11,7 +11,7 @@ from jauspy.ids import JausID
 
 @dataclass(slots=True, eq=False)
 class Subscription:
-    """One event. `due` (time) and `period` (s) are what is really kept; `confirmed` (Hz) is what the client was told."""
+    """One event; it keeps to `due` (time) and `period` (s), and the client was told the rate `confirmed` (Hz)."""
 
     id: int
     client: JausID
@@ -32,7 +32,7 @@ class Subscriptions:
         self._limit = min(limit, 256)
         self._limit_per_client = limit_per_client
         self._by_id: dict[int, Subscription] = {}
-        self._next_id = 0
+        self._next_id = 1
 
     def __len__(self) -> int:
         return len(self._by_id)

@@ -32,7 +32,7 @@ class Time(Service, urn="urn:jaus:jss:core:Time"):
     def report_time(self) -> ReportTime:
         """Time of day and date."""
         now = self.current
-        return ReportTime(time_stamp=time_stamp(ReportTime, now), date_stamp=date_stamp(ReportTime, now))
+        return ReportTime(time_stamp=time_stamp(now), date_stamp=date_stamp(now))
 
 
 def _combined(now: datetime, msg: SetTime) -> datetime:

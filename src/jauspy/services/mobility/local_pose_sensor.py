@@ -10,6 +10,7 @@ from jauspy.messages.mobility import (
     ReportLocalPoseExt,
     SetLocalPose,
     SetLocalPoseExt,
+    ZPosition,
 )
 from jauspy.platform.contract import DriveBase, Pose
 from jauspy.services.mobility.frames import jaus_pose, wrap
@@ -58,8 +59,10 @@ class LocalPoseSensor(Service, urn="urn:jaus:jss:mobility:LocalPoseSensor"):
         self._set(msg.x, msg.y, msg.z, msg.yaw)
 
     def update_local_pose_ext(self, msg: SetLocalPoseExt) -> None:
-        """As `update_local_pose`."""
-        self._set(msg.x, msg.y, msg.z_local, msg.heading)
+        """As `update_local_pose`; a height above some datum says nothing about z of the local frame."""
+        z = msg.z_position
+        local = z is not None and z.choice == ZPosition.ZPositionChoice.Z_LOCAL
+        self._set(msg.x, msg.y, z.value if z is not None and local else None, msg.heading)
 
     def _set(self, x: float | None, y: float | None, z: float | None, yaw: float | None) -> None:
         given = {"x": x, "y": y, "z": z, "yaw": yaw}
@@ -76,7 +79,7 @@ class LocalPoseSensor(Service, urn="urn:jaus:jss:mobility:LocalPoseSensor"):
             roll=pose.roll,
             pitch=pose.pitch,
             yaw=pose.yaw,
-            time_stamp=time_stamp(ReportLocalPose, self.host.utc_now()),
+            time_stamp=time_stamp(self.host.utc_now()),
         )
 
     def report_local_pose_ext(self) -> ReportLocalPoseExt:

@@ -4,7 +4,12 @@ from __future__ import annotations
 
 import math
 
-from jauspy.messages.mobility import QueryVelocityStateExt, ReportVelocityState, ReportVelocityStateExt
+from jauspy.messages.mobility import (
+    ReportVelocityState,
+    ReportVelocityStateExt,
+    ReportVelocityStateExtRec,
+    VelocityVehicleXYZRec,
+)
 from jauspy.platform.contract import DriveBase
 from jauspy.services.mobility.frames import jaus_twist
 from jauspy.services.service import Service
@@ -27,5 +32,21 @@ class VelocityStateSensor(Service, urn="urn:jaus:jss:mobility:VelocityStateSenso
             roll_rate=twist.wx,
             pitch_rate=twist.wy,
             yaw_rate=twist.wz,
-            time_stamp=time_stamp(ReportVelocityState, self.host.utc_now()),
+            time_stamp=time_stamp(self.host.utc_now()),
+        )
+
+    def report_velocity_state_ext(self) -> ReportVelocityStateExt:
+        """As `report_velocity_state`, always in the vehicle's frame, with the speed and the time since 1970."""
+        twist = jaus_twist(self._drive.twist())
+        seconds, nanoseconds = epoch_seconds(self.host.utc_now())
+        return ReportVelocityStateExt(
+            velocity_var=VelocityVehicleXYZRec(velocity_x=twist.vx, velocity_y=twist.vy, velocity_z=twist.vz),
+            report_velocity_state_ext_rec=ReportVelocityStateExtRec(
+                roll_rate=twist.wx,
+                pitch_rate=twist.wy,
+                yaw_rate=twist.wz,
+                speed_over_ground=math.hypot(twist.vx, twist.vy),
+                time_seconds=seconds,
+                time_nano_seconds=nanoseconds,
+            ),
         )
