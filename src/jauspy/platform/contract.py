@@ -1,0 +1,89 @@
+"""What a robot must offer to be driven by jauspy's capability modules.
+
+Frames follow REP-103: x forward, y left, z up; metres, seconds, radians. The services turn them into JAUS's frames
+(y right or east, z down). A robot is not thread-safe: all calls come from one thread, or under its runner's lock.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+
+@dataclass(frozen=True, slots=True)
+class Pose:
+    """Where the robot's base is in the world: metres, and fixed-axis roll, pitch, yaw in radians (-pi..pi)."""
+
+    x: float = 0.0
+    y: float = 0.0
+    z: float = 0.0
+    roll: float = 0.0
+    pitch: float = 0.0
+    yaw: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Twist:
+    """How the base moves, in its own frame: m/s along x, y, z and rad/s about them."""
+
+    vx: float = 0.0
+    vy: float = 0.0
+    vz: float = 0.0
+    wx: float = 0.0
+    wy: float = 0.0
+    wz: float = 0.0
+
+
+class DriveBase(Protocol):
+    """A chassis that drives on the ground."""
+
+    def set_effort(self, linear_x: float, rotational_z: float) -> None:
+        """Drive with fractions of the full effort, -1..1, clamped; positive z turns left. Holds until changed."""
+        ...
+
+    def stop(self) -> None:
+        """Brake to a standstill and hold it, until the next `set_effort`; the same as an effort of zero."""
+        ...
+
+    def pose(self) -> Pose:
+        """Pose of the base in the world, whose origin is where the robot started."""
+        ...
+
+    def twist(self) -> Twist:
+        """Velocity of the base in its own frame."""
+        ...
+
+
+class Robot(Protocol):
+    """One robot of a backend, at rest at the world's origin when opened."""
+
+    @property
+    def drive(self) -> DriveBase:
+        """The chassis."""
+        ...
+
+    @property
+    def time(self) -> float:
+        """Seconds of the robot's own time since it was opened."""
+        ...
+
+    def advance(self, dt: float) -> None:
+        """Let `dt` seconds pass; a backend with fixed steps carries what is left over to the next call."""
+        ...
+
+    def close(self) -> None:
+        """Stop, and release what the backend holds; twice is fine."""
+        ...
+
+
+class Backend(Protocol):
+    """Where robots come from: a simulator, a bus, arithmetic."""
+
+    @property
+    def name(self) -> str:
+        """The name it has in configuration files, e.g. `kinematic`."""
+        ...
+
+    def open(self, robot: str, world: str) -> Robot:
+        """A robot of that name in that world; `ConfigError` lists the known names."""
+        ...

@@ -1,0 +1,126 @@
+"""A skid-steered robot by arithmetic alone: no physics engine, an endless flat floor."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Final
+
+from jauspy.errors import ConfigError
+from jauspy.platform.contract import Pose, Twist
+from jauspy.platform.skid_steer import mix
+
+MAX_STEP: Final = 0.005
+"""Longest integration step, seconds."""
+
+
+@dataclass(frozen=True, slots=True)
+class SkidSteerParameters:
+    """A tracked chassis. Speeds in m/s, accelerations in m/s^2, lengths in metres, times in seconds."""
+
+    free_speed: float = 1.55
+    """Track speed at full effort if nothing resisted."""
+    response: float = 0.15
+    """Time constant with which a track follows its effort (drag against drive force)."""
+    friction: float = 0.2
+    """Deceleration by friction in the drive, whatever the speed."""
+    brake: float = 2.0
+    """Deceleration that the brake adds at zero effort."""
+    slip_width: float = 1.1
+    """Distance of two wheels that would turn as the tracks do; slip makes it larger than their real distance."""
+
+
+ROBOTS: Final = {"inc1": SkidSteerParameters()}
+
+
+def track_speed(speed: float, effort: float, dt: float, parameters: SkidSteerParameters) -> float:
+    """Speed of one track `dt` seconds later: towards its effort's, against friction that never reverses it."""
+    resistance = parameters.friction + (parameters.brake if effort == 0.0 else 0.0)
+    driven = speed + (effort * parameters.free_speed - speed) * (1.0 - math.exp(-dt / parameters.response))
+    return math.copysign(max(0.0, abs(driven) - resistance * dt), driven)
+
+
+class SkidSteer:
+    """The chassis of a kinematic robot: a `DriveBase`."""
+
+    def __init__(self, parameters: SkidSteerParameters) -> None:
+        self._parameters = parameters
+        self._efforts = (0.0, 0.0)
+        self._left = self._right = 0.0
+        self._x = self._y = self._yaw = 0.0
+
+    def set_effort(self, linear_x: float, rotational_z: float) -> None:
+        """Drive with fractions of the full effort, -1..1; positive z turns left."""
+        self._efforts = mix(linear_x, rotational_z)
+
+    def stop(self) -> None:
+        """Brake to a standstill."""
+        self._efforts = (0.0, 0.0)
+
+    def pose(self) -> Pose:
+        """Pose on the floor; the yaw is within -pi..pi."""
+        return Pose(x=self._x, y=self._y, yaw=math.remainder(self._yaw, math.tau))
+
+    def twist(self) -> Twist:
+        """Forward speed and yaw rate."""
+        return Twist(
+            vx=(self._left + self._right) / 2.0,
+            wz=(self._right - self._left) / self._parameters.slip_width,
+        )
+
+    def step(self, dt: float) -> None:
+        """Move for `dt` seconds along the arc that the tracks' mean speeds describe."""
+        before = self.twist()
+        left, right = self._efforts
+        self._left = track_speed(self._left, left, dt, self._parameters)
+        self._right = track_speed(self._right, right, dt, self._parameters)
+        after = self.twist()
+        distance = (before.vx + after.vx) / 2.0 * dt
+        turn = (before.wz + after.wz) / 2.0 * dt
+        heading = self._yaw + turn / 2.0
+        self._x += distance * math.cos(heading)
+        self._y += distance * math.sin(heading)
+        self._yaw += turn
+
+
+class KinematicRobot:
+    """A robot that is only a chassis on a floor."""
+
+    def __init__(self, parameters: SkidSteerParameters) -> None:
+        self._drive = SkidSteer(parameters)
+        self._time = 0.0
+
+    @property
+    def drive(self) -> SkidSteer:
+        """The chassis."""
+        return self._drive
+
+    @property
+    def time(self) -> float:
+        """Seconds since it was opened."""
+        return self._time
+
+    def advance(self, dt: float) -> None:
+        """Let exactly `dt` seconds pass, in equal steps of at most `MAX_STEP`."""
+        if not 0.0 <= dt < math.inf:
+            raise ValueError(f"cannot advance by {dt} s; time only goes forward")
+        steps = math.ceil(dt / MAX_STEP)
+        for _ in range(steps):
+            self._drive.step(dt / steps)
+        self._time += dt
+
+    def close(self) -> None:
+        """Stop; nothing else to release."""
+        self._drive.stop()
+
+
+class KinematicBackend:
+    """Robots by arithmetic; every world is a flat floor to them."""
+
+    name: str = "kinematic"
+
+    def open(self, robot: str, world: str) -> KinematicRobot:  # noqa: ARG002 - part of the contract
+        """A robot at rest at the origin."""
+        if robot not in ROBOTS:
+            raise ConfigError(f"the kinematic backend knows no robot {robot!r}; it knows: {', '.join(sorted(ROBOTS))}")
+        return KinematicRobot(ROBOTS[robot])
