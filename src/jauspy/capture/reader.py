@@ -6,7 +6,8 @@ import struct
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import BinaryIO, Final
+from io import BufferedReader
+from typing import Final
 
 import dpkt
 
@@ -46,10 +47,10 @@ class CaptureReader:
     Of a pcapng file the first interface's link type is taken for all.
 
     Raises:
-        ConfigError: not a capture file, or a link type without IP in it.
+        ConfigError: not a capture file, or a link type without IP in it; while iterating: damaged or cut off here.
     """
 
-    def __init__(self, file: BinaryIO, *, name: str, port: int | None = JAUS_PORT) -> None:
+    def __init__(self, file: BufferedReader, *, name: str, port: int | None = JAUS_PORT) -> None:
         self._name = name
         self._port = port
         self._assembler = Assembler()
@@ -80,16 +81,16 @@ class CaptureReader:
         self._assembler.finish()
 
     def _each_frame(self) -> Iterator[tuple[float, bytes]]:
+        number = 0
         try:
-            for time, frame in self._frames:
+            for number, (time, frame) in enumerate(self._frames, 1):  # noqa: B007 - for the error below
                 yield float(time), bytes(frame)
         except (dpkt.Error, struct.error, ValueError):
-            self.skipped["the rest: the file is damaged or cut off here"] += 1
+            raise ConfigError(f"{self._name} is damaged or cut off after frame {number}") from None
 
 
-def _open(file: BinaryIO, name: str) -> dpkt.pcap.Reader | dpkt.pcapng.Reader:
-    head = file.peek(4)[:4] if hasattr(file, "peek") else b""
-    kind = dpkt.pcapng.Reader if head == _PCAPNG else dpkt.pcap.Reader
+def _open(file: BufferedReader, name: str) -> dpkt.pcap.Reader | dpkt.pcapng.Reader:
+    kind = dpkt.pcapng.Reader if file.peek(4)[:4] == _PCAPNG else dpkt.pcap.Reader
     try:
         return kind(file)
     except (dpkt.Error, struct.error, ValueError) as error:

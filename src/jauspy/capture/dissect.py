@@ -1,0 +1,123 @@
+"""What one UDP payload or message says: headers, fields, and whether the same bytes come back."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Final
+
+from jauspy.codec.base import Message
+from jauspy.codec.registry import Registry
+from jauspy.errors import DecodeError, EncodeError, ProtocolError
+from jauspy.protocol import judp
+from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet
+
+V1_MARK: Final = 0x01
+OPC_MARK: Final = b"JAUS01.0"  # OpenJAUS 2.75 and others of its time wrote this before an AS5669 v1 header
+# A JAUS Toolset component that sends with priority 0 sets all bits of the control byte.
+PRIORITY_ZERO: Final = "control byte FF, as a faulty sender of priority 0 sets it; taken for a single packet"
+OLD_HEADER: Final = "AS5669 v1/OPC header, not decoded"
+
+
+@dataclass(frozen=True, slots=True)
+class Content:
+    """The message of a packet or of bare bytes, as far as it can be read.
+
+    `message` is None when there is none (an acknowledgement, a later fragment), when its code is unknown, or when its
+    bytes are wrong; `problem` then says which.
+    """
+
+    payload: bytes
+    message: Message | None = None
+    deviations: tuple[str, ...] = ()
+    problem: str = ""
+    broken: bool = False
+
+    @property
+    def code(self) -> int | None:
+        """The message id, little endian in the first two bytes."""
+        return int.from_bytes(self.payload[:2], "little") if len(self.payload) >= 2 else None
+
+    def reencoded(self) -> bytes | None:
+        """The bytes the message encodes to; the payload itself where nothing was decoded; None when it cannot."""
+        if self.message is None:
+            return self.payload
+        try:
+            return self.message.encode(strict=False)
+        except EncodeError:
+            return None
+
+    @property
+    def reencodes(self) -> bool:
+        """True when encoding the decoded message gives exactly the bytes that came."""
+        return self.reencoded() == self.payload
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """One packet of a datagram and its content."""
+
+    packet: Packet
+    content: Content
+
+
+@dataclass(frozen=True, slots=True)
+class Dissection:
+    """A UDP payload taken apart; `errors` are sentences about what could not be read."""
+
+    data: bytes
+    parts: tuple[Part, ...] = ()
+    errors: tuple[str, ...] = ()
+    old_header: bool = False
+
+    @property
+    def reencodes(self) -> bool:
+        """True when headers and messages, encoded again, are the very bytes that came."""
+        if self.old_header or not self.parts:
+            return False
+        again = b"".join(judp.pack(part.packet)[1:] for part in self.parts)
+        return all(part.content.reencodes for part in self.parts) and self.data[:1] + again == self.data
+
+
+def dissect(data: bytes, registry: Registry) -> Dissection:
+    """Take a UDP payload apart. Never raises: what is wrong is in `errors`."""
+    if is_old_header(data):
+        return Dissection(data, old_header=True)
+    packets, problems = judp.unpack_all(data)
+    parts = tuple(Part(packet, _content_of(packet, registry)) for packet in packets)
+    errors = [_sentence(problem) for problem in problems]
+    errors += [part.content.problem for part in parts if part.content.broken]
+    return Dissection(data, parts, tuple(errors))
+
+
+def read_message(payload: bytes, registry: Registry) -> Content:
+    """Decode a bare message (message id first)."""
+    if len(payload) < 2:
+        return Content(payload, problem=f"{len(payload)} bytes are too short for a message id", broken=True)
+    try:
+        message, deviations = registry.decode_tolerant(payload)
+    except DecodeError:
+        return Content(payload, problem=f"unknown message {int.from_bytes(payload[:2], 'little'):04X}h")
+    return Content(payload, message, tuple(str(deviation) for deviation in deviations))
+
+
+def is_old_header(data: bytes) -> bool:
+    """True for the packet formats before AS5669A."""
+    return data.startswith(OPC_MARK) or (data[:1] == bytes([V1_MARK]) and len(data) >= 21)
+
+
+def _content_of(packet: Packet, registry: Registry) -> Content:
+    payload = bytes(packet.payload)
+    if not payload:
+        return Content(payload)
+    if packet.broadcast == Broadcast.RESERVED and packet.ack == Ack.ACK and packet.data_flag == DataFlag.LAST:
+        content = read_message(payload, registry)
+        return replace(content, deviations=(PRIORITY_ZERO, *content.deviations))
+    if packet.ack == Ack.ACK:
+        return Content(payload, problem="an acknowledgement with a payload, not decoded")
+    if packet.data_flag != DataFlag.SINGLE:
+        return Content(payload, problem=f"{packet.data_flag.name.lower()} fragment, {len(payload)} bytes")
+    return read_message(payload, registry)
+
+
+def _sentence(problem: ProtocolError) -> str:
+    return f"packet not readable: {problem}"

@@ -1,0 +1,49 @@
+"""Where the verbs write: results to stdout, everything else to stderr; colours on terminals only."""
+
+# ruff: noqa: PLC0415 - verbs import what they need when they run
+
+from __future__ import annotations
+
+import sys
+from functools import cache
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+
+@cache
+def _console(*, stderr: bool) -> Console:
+    from rich.console import Console
+
+    return Console(stderr=stderr, highlight=False, emoji=False, soft_wrap=True)
+
+
+def stdout() -> Console:
+    """The console for results. Lines are never wrapped or cut, so that they can be searched and piped."""
+    return _console(stderr=False)
+
+
+def stderr() -> Console:
+    """The console for what accompanies the results."""
+    return _console(stderr=True)
+
+
+def error(message: str) -> None:
+    """One red sentence on stderr; lines after the first explain it and stay plain."""
+    from rich.text import Text
+
+    sentence, newline, rest = message.partition("\n")
+    stderr().print(Text.assemble(("Error: ", "bold red"), (sentence, "red"), newline, rest))
+
+
+def note(message: str) -> None:
+    """One dim line on stderr."""
+    from rich.text import Text
+
+    stderr().print(Text(message, style="dim"))
+
+
+def is_terminal() -> bool:
+    """True when results go to a person's terminal and not into a pipe or file."""
+    return sys.stdout.isatty()

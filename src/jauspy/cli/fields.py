@@ -1,0 +1,163 @@
+"""`field=value` of the command line to messages, and what fields a message has."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from difflib import get_close_matches
+from typing import Any, Final
+
+import yaml
+
+from jauspy.cli.render import unit_symbol
+from jauspy.codec.base import Message
+from jauspy.codec.items import Bits, Blob, Choice, Formatted, Item, Number, Real, Text
+from jauspy.codec.layout import Composite, Grid, Repeat, Slot, Union
+from jauspy.codec.names import attribute
+from jauspy.codec.registry import Registry
+from jauspy.codec.wire import FLOATS, limits
+from jauspy.errors import ConfigError, EncodeError
+
+_PRESENCE: Final = "presence_vector"
+
+
+def message_from(registry: Registry, name: str, assignments: Sequence[str]) -> Message:
+    """The message with this JAUS name and these fields.
+
+    A query's presence vector may be left out: it then asks for all there is. Raises `ConfigError` that lists the
+    fields with types, ranges and units.
+    """
+    cls = registry.by_name(name)
+    layout = cls.layout()
+    assert isinstance(layout, Composite)
+    data: dict[str, Any] = {}
+    for assignment in assignments:
+        path, sign, text = assignment.partition("=")
+        if not sign:
+            raise ConfigError(f"{assignment!r} is not FIELD=VALUE.\n{describe(cls)}")
+        _assign(data, path.strip(), text, layout, cls)
+    for slot in layout.slots:
+        if slot.name == _PRESENCE and slot.name not in data:
+            data[slot.name] = everything(registry, cls)
+    try:
+        message = cls.from_dict(data)
+    except EncodeError as error:
+        raise ConfigError(f"{cls.NAME}: {error}.\n{describe(cls)}") from None
+    try:
+        message.encode()
+    except EncodeError as error:
+        raise ConfigError(f"{cls.NAME}: {error}") from None
+    return message
+
+
+def everything(registry: Registry, query: type[Message]) -> int:
+    """The presence vector that asks for every field of the report to this query."""
+    layout = query.layout()
+    assert isinstance(layout, Composite)
+    item = next(slot.item for slot in layout.slots if slot.name == _PRESENCE)
+    every = limits(item.code)[1] if isinstance(item, Number) else 0xFF
+    try:
+        report = registry.by_name(query.NAME.replace("Query", "Report", 1)).layout()
+    except ConfigError:
+        return every
+    assert isinstance(report, Composite)
+    optional = sum(slot.optional for slot in report.slots)
+    return (1 << optional) - 1 if optional else every
+
+
+def describe(cls: type[Message]) -> str:
+    """The fields of a message, one per line under a heading."""
+    layout = cls.layout()
+    assert isinstance(layout, Composite)
+    if not layout.slots:
+        return f"{cls.NAME} has no fields."
+    width = max(len(slot.name) for slot in layout.slots)
+    lines = [f"  {slot.name:<{width}}  {_slot_kind(slot)}" for slot in layout.slots]
+    return "\n".join([f"Fields of {cls.NAME}:", *lines])
+
+
+def _assign(data: dict[str, Any], path: str, text: str, layout: Item, cls: type[Message]) -> None:
+    """Put a value where the dotted path says, read as its field's type wants it."""
+    *parents, last = path.split(".")
+    for name in parents:
+        layout = _inside(layout, name, cls)
+        data = data.setdefault(name, {})
+        if not isinstance(data, dict):
+            raise ConfigError(f"{path!r} is set twice")
+    data[last] = _value(_inside(layout, last, cls), text, path)
+
+
+def _inside(layout: Item, name: str, cls: type[Message]) -> Item:
+    parts = dict(_parts(layout))
+    if name not in parts:
+        close = get_close_matches(name, parts, 1)
+        hint = f"; did you mean {close[0]!r}?" if close else "."
+        raise ConfigError(f"{cls.NAME} has no field {name!r}{hint}\n{describe(cls)}")
+    return parts[name]
+
+
+def _parts(layout: Item) -> Iterator[tuple[str, Item]]:
+    if isinstance(layout, Composite):
+        yield from ((slot.name, slot.item) for slot in layout.slots)
+    elif isinstance(layout, Bits):
+        yield from ((bit.name, Number("B", bit.values)) for bit in layout.bits)
+    elif isinstance(layout, Union):
+        yield from ((attribute(arm.cls.__name__), arm) for arm in layout.arms)
+    elif isinstance(layout, Choice):
+        yield "choice", Number("B", layout.index)
+        yield "value", next(iter(layout.items.values()))
+    elif isinstance(layout, Formatted):
+        yield "format", Number("B", layout.formats)
+        yield "data", Blob(layout.count)
+
+
+def _value(item: Item, text: str, path: str) -> Any:
+    if isinstance(item, Text):
+        return text
+    if isinstance(item, (Number, Real)) and (number := _number(text)) is not None:
+        return number
+    try:
+        value = yaml.safe_load(text)
+    except yaml.YAMLError:
+        raise ConfigError(f"{path}={text!r} is neither a number, a name, nor JSON or YAML") from None
+    if isinstance(item, Number) and item.values.enum and isinstance(value, str):
+        return value.upper().replace(" ", "_").replace("-", "_")
+    if isinstance(item, Blob) and isinstance(value, (str, int)):
+        return {"hex": text.strip().removeprefix("0x")}
+    return value
+
+
+def _number(text: str) -> float | None:
+    """`12`, `0x1ff`, `1.5e3`: YAML 1.1 takes some of these for text."""
+    for read in (lambda: int(text, 0), lambda: float(text)):
+        try:
+            return read()
+        except ValueError:
+            continue
+    return None
+
+
+def _slot_kind(slot: Slot) -> str:
+    return _kind(slot.item) + (", optional" if slot.optional else "")
+
+
+def _kind(item: Item) -> str:
+    """What a field takes, in a few words."""
+    if isinstance(item, Real):
+        return f"{item.scaling.lower:g}..{item.scaling.upper:g} {unit_symbol(item.units)}".strip()
+    if isinstance(item, Number):
+        return _number_kind(item)
+    if isinstance(item, Text):
+        return "text"
+    if isinstance(item, Blob):
+        return "a message or hex bytes" if item.nested else "hex bytes"
+    if isinstance(item, (Repeat, Grid)):
+        return f"list of {_kind(item.item)}"
+    return "mapping of " + ", ".join(name for name, _ in _parts(item))
+
+
+def _number_kind(item: Number) -> str:
+    allowed = str(item.values)
+    if not allowed:
+        lowest, highest = (0, 0) if item.code in FLOATS else limits(item.code)
+        allowed = "number" if item.code in FLOATS else f"{lowest}..{highest}"
+    return f"{allowed} {unit_symbol(item.units)}".strip()

@@ -1,0 +1,100 @@
+"""The `jauspy` command: its verbs, and what becomes of errors, Ctrl-C and closed pipes."""
+
+from __future__ import annotations
+
+import inspect
+import os
+import re
+import sys
+from collections.abc import Callable
+from typing import Annotated, Any, Final
+
+import typer
+import typer.core
+
+from jauspy import __version__
+from jauspy.cli import console, decode, demo, ls, node_manager, query, send, up
+from jauspy.errors import JausError
+
+
+class Verbs(typer.core.TyperGroup):
+    """Turns errors into one sentence and an exit status: 1 failed, 2 wrong use, 130 Ctrl-C."""
+
+    def invoke(self, ctx: Any) -> Any:
+        """Run the verb; with `--debug` errors keep their traceback."""
+        try:
+            result = super().invoke(ctx)
+            sys.stdout.flush()
+        except BrokenPipeError:
+            # Whoever reads has had enough, as in `jauspy decode ... | head`. The interpreter's own last flush must
+            # not complain either.
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+            raise typer.Exit(0) from None
+        except JausError as error:
+            if ctx.params.get("debug"):
+                raise
+            console.error(str(error))
+            raise typer.Exit(1) from None
+        return result
+
+
+app = typer.Typer(
+    cls=Verbs,
+    name="jauspy",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    rich_markup_mode="rich",
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+
+
+def _version(value: bool) -> None:
+    if value:
+        print(f"jauspy {__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def _options(
+    debug: Annotated[
+        bool, typer.Option("--debug", help="Show the traceback of an error.", envvar="JAUSPY_DEBUG")
+    ] = False,
+    version: Annotated[
+        bool, typer.Option("--version", callback=_version, is_eager=True, help="Print the version.")
+    ] = False,
+) -> None:
+    """JAUS for Python: talk to unmanned ground vehicles, be one, or read what others say.
+
+    Ids are SUBSYSTEM.NODE.COMPONENT, as in 101.1.1. Values are in SI units and radians.
+
+    Try it: [bold]jauspy demo[/], or [bold]jauspy up inc1[/] in one terminal and [bold]jauspy ls[/] in another.
+    """
+
+
+def help_text(doc: str) -> str:
+    """A docstring's paragraphs as one line each, for the help to wrap; indented lines (examples) stay lines."""
+    paragraphs = inspect.cleandoc(doc).split("\n\n")
+    return "\n\n".join(re.sub(r"\n(?! )", " ", paragraph) for paragraph in paragraphs)
+
+
+VERBS: Final[dict[str, Callable[..., None]]] = {
+    "demo": demo.demo,
+    "up": up.up,
+    "node-manager": node_manager.node_manager,
+    "ls": ls.ls,
+    "query": query.query,
+    "send": send.send,
+    "decode": decode.decode,
+}
+for name, verb in VERBS.items():
+    app.command(name, help=help_text(verb.__doc__ or ""))(verb)
+
+
+def main() -> None:
+    """The console script."""
+    app()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,60 @@
+"""How verbs run until they are done or told to stop."""
+
+from __future__ import annotations
+
+import asyncio
+import os
+import signal
+import sys
+import threading
+from collections.abc import Coroutine
+from typing import Any, Final, TypeVar
+
+T = TypeVar("T")
+
+GRACE: Final = 4.0  # seconds to stop in order after the parent is gone
+
+
+def run(main: Coroutine[Any, Any, T]) -> T | None:
+    """Run `main`; Ctrl-C, SIGTERM and a closed terminal cancel it, so that its `async with` blocks end in order.
+
+    Returns None after SIGTERM: being told to stop is not a failure. Ctrl-C raises `KeyboardInterrupt`.
+    """
+    terminated = False
+
+    async def guarded() -> T:
+        nonlocal terminated
+        task = asyncio.ensure_future(main)
+
+        def terminate() -> None:
+            nonlocal terminated
+            terminated = True
+            task.cancel()
+
+        for number in (signal.SIGTERM, signal.SIGHUP):
+            asyncio.get_running_loop().add_signal_handler(number, terminate)
+        return await task
+
+    try:
+        return asyncio.run(guarded())
+    except asyncio.CancelledError:
+        if terminated:
+            return None
+        raise
+
+
+def end_with_parent() -> None:
+    """Stop this process when its standard input closes.
+
+    The parent holds the other end, and however the parent dies,
+    the kernel closes it.
+    """
+    threading.Thread(target=_wait_for_parent, name="parent-watch", daemon=True).start()
+
+
+def _wait_for_parent() -> None:
+    while os.read(sys.stdin.fileno(), 4096):
+        pass
+    os.kill(os.getpid(), signal.SIGTERM)
+    threading.Event().wait(GRACE)
+    os._exit(1)

@@ -1,0 +1,90 @@
+"""What `jauspy decode` is given: capture files, hex files, hex text and standard input."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from io import BufferedReader
+from pathlib import Path
+from typing import Final, Literal, cast
+
+from jauspy.capture.dissect import dissect, is_old_header, read_message
+from jauspy.capture.hextext import from_hex, from_lines
+from jauspy.capture.reader import CaptureReader, is_capture
+from jauspy.cli import console
+from jauspy.cli.traffic import Item
+from jauspy.errors import ConfigError
+from jauspy.messages import registry
+
+What = Literal["datagram", "message"] | None
+
+_VERSION: Final = b"\x02"  # first byte of an AS5669A datagram
+_SMALLEST: Final = 15  # bytes of a datagram without payload
+
+
+def items(source: str, *, port: int | None, what: What) -> Iterator[Item]:
+    """Everything in a file, in standard input (`-`) or in hex text; raises `ConfigError`."""
+    if source == "-":
+        yield from _from_file(cast("BufferedReader", sys.stdin.buffer), "standard input", port, what)
+    elif _is_there(Path(source)):
+        with _opened(Path(source)) as file:
+            yield from _from_file(file, source, port, what)
+    else:
+        yield _from_hex(0, _pasted(source), what)
+
+
+def _is_there(path: Path) -> bool:
+    try:
+        return path.exists()
+    except (OSError, ValueError):  # hex text is easily longer than a file name may be
+        return False
+
+
+def _opened(path: Path) -> BufferedReader:
+    try:
+        return path.open("rb")
+    except OSError as error:
+        raise ConfigError(f"{path} cannot be read: {error.strerror}") from None
+
+
+def _pasted(text: str) -> bytes:
+    try:
+        return from_hex(text)
+    except ConfigError as error:
+        raise ConfigError(f"there is no file {text!r}, and as hex text it is wrong: {error}") from None
+
+
+def _from_file(file: BufferedReader, name: str, port: int | None, what: What) -> Iterator[Item]:
+    if is_capture(file.peek(4)):
+        yield from _from_capture(CaptureReader(file, name=name, port=port))
+        return
+    try:
+        lines = from_lines(file.read().decode("ascii"))
+    except (UnicodeDecodeError, ConfigError) as error:
+        reason = f": {error}" if isinstance(error, ConfigError) else ""
+        raise ConfigError(f"{name} is neither a pcap or pcapng file nor hex text{reason}") from None
+    if not lines:
+        raise ConfigError(f"{name} is empty")
+    for number, data in lines:
+        yield _from_hex(number, data, what)
+
+
+def _from_capture(reader: CaptureReader) -> Iterator[Item]:
+    for datagram in reader:
+        yield Item(datagram.number, captured=datagram, dissection=dissect(datagram.payload, registry))
+    if reader.skipped:
+        console.note("left out: " + ", ".join(f"{count} {reason}" for reason, count in reader.skipped.items()))
+
+
+def _from_hex(number: int, data: bytes, what: What) -> Item:
+    """A datagram where it is a whole one, else a message where its code is known, else what it looks more like."""
+    if what == "message":
+        return Item(number, bare=read_message(data, registry))
+    datagram = Item(number, dissection=dissect(data, registry))
+    if what == "datagram" or is_old_header(data):
+        return datagram
+    if data[:1] == _VERSION and not datagram.failed:
+        return datagram
+    message = read_message(data, registry)
+    looks_like_datagram = data[:1] == _VERSION and len(data) >= _SMALLEST
+    return Item(number, bare=message) if message.message or not looks_like_datagram else datagram

@@ -1,0 +1,202 @@
+"""`jauspy decode` in this process: what it prints, and its exit status."""
+
+import json
+import struct
+import subprocess
+import sys
+from pathlib import Path
+
+import dpkt
+import pytest
+from typer.testing import CliRunner
+
+from jauspy.cli.main import app
+
+GOLDEN = Path(__file__).parents[1] / "golden" / "sae_management.hex"
+CAPTURES = Path(__file__).parents[3] / "shared" / "captures"
+QUERY_STATUS = "02001000010a017e0014017e0002200200"
+REPORT_STATUS = "020015000114017e000a017e00024002000000000200"
+
+
+def run(*arguments, status=0):
+    result = CliRunner().invoke(app, ["decode", *map(str, arguments)])
+    assert result.exit_code == status, result.output
+    return result
+
+
+def objects(*arguments, status=0):
+    return [json.loads(line) for line in run(*arguments, "--json", status=status).stdout.splitlines()]
+
+
+def pcap(path, payloads):
+    with path.open("wb") as file:
+        writer = dpkt.pcap.Writer(file)
+        for number, payload in enumerate(payloads):
+            udp = dpkt.udp.UDP(sport=3794, dport=3794, data=payload)
+            udp.ulen = 8 + len(payload)
+            ip = dpkt.ip.IP(src=b"\x0a\0\0\1", dst=b"\x0a\0\0\2", p=17, data=udp)
+            writer.writepkt(bytes(dpkt.ethernet.Ethernet(data=ip, type=0x0800)), ts=100.0 + number)
+    return path
+
+
+def sae_packets(found):
+    """The checks both forms of the SAE capture must pass."""
+    assert len(found) == 22
+    assert all(not item["errors"] and item["reencodes"] for item in found)
+    messages = [item["messages"][0] for item in found]
+    assert all(message["reencodes"] for message in messages)
+    deviating = {message["message"] for message in messages if message["deviations"]}
+    assert deviating == {"SetEmergency", "ClearEmergency"}  # they use emergency code 0, which the standard has not
+    named = [message["message"] for message in messages]
+    assert named[:5] == ["RequestControl", None, "ConfirmControl", "QueryStatus", "ReportStatus"]
+    assert messages[0]["source"] == "126.1.20"
+    assert messages[0]["broadcast"] == "GLOBAL"
+    assert messages[0]["ack"] == "REQUIRED"
+    assert messages[0]["fields"] == {"authority_code": 200}
+    assert (messages[1]["ack"], messages[1]["code"]) == ("ACK", None)
+
+
+def test_the_golden_capture_as_hex_comes_back_byte_by_byte():
+    found = objects(GOLDEN)
+    sae_packets(found)
+    assert [item["hex"] for item in found] == GOLDEN.read_text().split()
+
+
+@pytest.mark.skipif(not CAPTURES.is_dir(), reason="the captures are not here")
+def test_the_sae_capture_comes_back_byte_by_byte():
+    found = objects(CAPTURES / "sae_management.pcap")
+    sae_packets(found)
+    assert [item["hex"] for item in found] == GOLDEN.read_text().split()
+    assert found[0]["n"] == 1
+    assert found[0]["destination"] == "239.255.0.1:3794"
+    assert found[0]["time"] == pytest.approx(1297197788.124, abs=1e-3)
+
+
+@pytest.mark.skipif(not CAPTURES.is_dir(), reason="the captures are not here")
+def test_a_run_with_messages_of_other_services_is_no_failure():
+    found = objects(CAPTURES / "cop_waypoint_run_2013.pcap")
+    assert len(found) == 752
+    assert not [item["errors"] for item in found if item["errors"]]
+    lines = run(CAPTURES / "cop_waypoint_run_2013.pcap").stdout
+    assert "ReportIdentification" in lines
+
+
+def test_for_people_a_heading_and_the_fields():
+    text = run(REPORT_STATUS).stdout
+    assert "126.1.10 → 126.1.20  ReportStatus (4002h)" in text
+    assert "status: STANDBY (2)" in text
+    assert "\x1b" not in text
+
+
+@pytest.mark.parametrize("text", ["0220", "0x02 0x20", "02:20"])
+def test_a_bare_message(text):
+    [item] = objects(text)
+    assert item["messages"][0]["message"] == "QueryStatus"
+    assert "source" not in item["messages"][0]
+
+
+def test_as_forces_what_the_bytes_are():
+    assert objects("0220", "--as", "datagram", status=1)[0]["errors"]
+    assert objects(QUERY_STATUS, "--as", "message")[0]["messages"][0]["message"] == "Shutdown"
+
+
+def test_packed_datagrams_show_every_message():
+    packed = "02" + QUERY_STATUS[2:] + REPORT_STATUS[2:]
+    [item] = objects(packed)
+    assert [message["message"] for message in item["messages"]] == ["QueryStatus", "ReportStatus"]
+    assert item["reencodes"]
+    assert "   + " in run(packed).stdout
+
+
+def test_old_headers_are_shown_and_no_failure(tmp_path):
+    opc = b"JAUS01.0" + bytes.fromhex("060202420101ffff01010182000075f4")
+    v1 = bytes.fromhex("0100000010060201000000000014017e0000000000")
+    path = pcap(tmp_path / "old.pcap", [opc, v1])
+    assert [item["note"] for item in objects(path)] == ["AS5669 v1/OPC header, not decoded"] * 2
+    assert run(path).stdout.count("not decoded") == 2
+
+
+def test_wrong_bytes_are_shown_and_fail(tmp_path):
+    good = bytes.fromhex(QUERY_STATUS)
+    truncated_message = bytes.fromhex("02001100010a017e0014017e00024000" + "0200")
+    path = pcap(tmp_path / "bad.pcap", [b"", b"\xff" * 30, good[:-3], truncated_message, good])
+    found = objects(path, status=1)
+    assert len(found) == 5
+    assert [bool(item["errors"]) for item in found] == [True, True, True, False, False]
+    assert found[3]["messages"][0]["message"] == "ReportStatus"
+    assert "needs" in found[3]["messages"][0]["deviations"][0]
+    assert not found[3]["reencodes"]
+    text = run(path, status=1).stdout
+    assert "packet not readable: empty" in text
+    assert "encodes to 02 40" in text
+
+
+def test_fragments_are_not_taken_for_messages(tmp_path):
+    first = bytearray.fromhex(QUERY_STATUS)
+    first[4] = 0x41
+    [item] = objects(bytes(first).hex())
+    assert item["messages"][0]["data_flag"] == "FIRST"
+    assert item["messages"][0]["message"] is None
+
+
+@pytest.mark.parametrize("kind", ["pcap", "hex"])
+def test_standard_input_takes_captures_and_hex(tmp_path, kind):
+    path = pcap(tmp_path / "x.pcap", [bytes.fromhex(QUERY_STATUS)])
+    data = path.read_bytes() if kind == "pcap" else f"# two\n{QUERY_STATUS}\n".encode()
+    done = subprocess.run(
+        [sys.executable, "-m", "jauspy.cli.main", "decode", "-", "--json"], input=data, stdout=-1, check=True
+    )
+    assert json.loads(done.stdout)["messages"][0]["message"] == "QueryStatus"
+
+
+def test_head_is_no_failure_and_no_traceback():
+    command = f"{sys.executable} -m jauspy.cli.main decode {{}} --json | head -1"
+    lines = GOLDEN.read_text() * 200
+    done = subprocess.run(
+        ["bash", "-o", "pipefail", "-c", command.format("-")], input=lines.encode(), capture_output=True
+    )
+    assert (done.returncode, done.stderr) == (0, b"")
+    assert json.loads(done.stdout)["n"] == 1
+
+
+def test_a_control_byte_of_ff_is_decoded_and_remarked():
+    [item] = objects(QUERY_STATUS[:8] + "ff" + QUERY_STATUS[10:])
+    assert item["messages"][0]["message"] == "QueryStatus"
+    assert "control byte FF" in item["messages"][0]["deviations"][0]
+    assert item["reencodes"]
+
+
+def test_explain_names_offset_and_bytes():
+    text = run("--explain", REPORT_STATUS).stdout
+    assert "02 40" in text
+    assert "STANDBY" in text
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (["nowhere.pcap"], "there is no file 'nowhere.pcap', and as hex text it is wrong: 'n'"),
+        (["022"], "odd number of hexadecimal digits"),
+        (["."], "cannot be read: Is a directory"),
+    ],
+)
+def test_wrong_input_gets_one_sentence(arguments, sentence):
+    result = run(*arguments, status=1)
+    assert result.stderr.startswith("Error: ")
+    assert sentence in result.stderr
+    assert len(result.stderr.splitlines()) == 1
+
+
+@pytest.mark.parametrize(
+    "content", [b"", b"\x00\xff\x80 garbage", b"hello\n", struct.pack("<I", 0xA1B2C3D4), b"\n\r\r\n"]
+)
+def test_garbage_files_get_one_sentence(tmp_path, content):
+    path = tmp_path / "garbage"
+    path.write_bytes(content)
+    result = run(path, status=1)
+    assert "Error: " in result.stderr
+    assert "Traceback" not in result.output
+
+
+def test_wrong_use_is_status_2():
+    assert "neither a UDP port" in run("0220", "--port", "many", status=2).output

@@ -1,0 +1,95 @@
+"""`field=value` of the command line, and fields on paper."""
+
+import math
+
+import pytest
+import yaml
+
+from jauspy.cli.fields import describe, message_from
+from jauspy.cli.render import field_lines
+from jauspy.errors import ConfigError
+from jauspy.messages import registry
+
+
+def build(name, *assignments):
+    return message_from(registry, name, assignments)
+
+
+@pytest.mark.parametrize("text", ["12.5", "1.25e1", "+12.5", " 12.5"])
+def test_numbers(text):
+    assert build("SetWrenchEffort", f"propulsive_linear_effort_x={text}").propulsive_linear_effort_x == 12.5
+
+
+@pytest.mark.parametrize("text", ["0x43", "67", "0b1000011"])
+def test_integers(text):
+    assert build("querylocalpose", f"presence_vector={text}").presence_vector == 67
+
+
+@pytest.mark.parametrize("text", ["EVERY_CHANGE", "every change", "Every-Change", "1"])
+def test_enumerations_by_name_and_number(text):
+    message = build(
+        "CreateEvent", "request_id=1", f"event_type={text}", "requested_periodic_rate=0", "query_message=0220"
+    )
+    assert message.event_type.name == "EVERY_CHANGE"
+
+
+def test_a_message_in_a_message_as_mapping():
+    message = build(
+        "CreateEvent",
+        "request_id=1",
+        "event_type=PERIODIC",
+        "requested_periodic_rate=10",
+        "query_message={message: QueryStatus}",
+    )
+    assert message.query_message.encode() == b"\x02\x20"
+
+
+def test_dots_reach_into_mappings():
+    by_dots = build(
+        "SetTime", *(f"time_stamp.{name}=1" for name in ("milliseconds", "seconds", "minutes", "hour", "day"))
+    )
+    assert by_dots == build("SetTime", "time_stamp={milliseconds: 1, seconds: 1, minutes: 1, hour: 1, day: 1}")
+
+
+def test_a_presence_vector_left_out_asks_for_all_there_is():
+    assert build("QueryLocalPose").presence_vector == 0x1FF
+
+
+@pytest.mark.parametrize(
+    ("arguments", "what"),
+    [
+        (["SetWrenchEfort"], "did you mean SetWrenchEffort"),
+        (["SetWrenchEffort", "propulsive_linear_x=1"], "did you mean 'propulsive_linear_effort_x'"),
+        (["SetWrenchEffort", "propulsive_linear_effort_x=500"], r"500.* is outside -100.*percent"),
+        (["SetWrenchEffort", "propulsive_linear_effort_x=fast"], "'fast' is not a number"),
+        (["SetWrenchEffort", "x"], "'x' is not FIELD=VALUE"),
+        (["CreateEvent"], r"request_id: a value is required"),
+        (["QueryStatus", "x=1"], "QueryStatus has no fields"),
+        (["SetTime", "time_stamp=[1"], "neither a number, a name, nor JSON or YAML"),
+        (["SetTime", "time_stamp=1", "time_stamp.day=1"], "set twice"),
+    ],
+)
+def test_what_is_wrong_is_said(arguments, what):
+    with pytest.raises(ConfigError, match=what):
+        build(*arguments)
+
+
+def test_a_wrong_field_lists_the_right_ones_with_units():
+    with pytest.raises(ConfigError) as caught:
+        build("SetWrenchEffort", "nonsense=1")
+    assert "\n  resistive_linear_effort_x       0..100 %, optional\n" in str(caught.value)
+
+
+def test_every_message_can_be_described_and_drawn():
+    for cls in registry:
+        assert cls.NAME in describe(cls)
+        message, _ = cls.decode_tolerant(cls.CODE.to_bytes(2, "little") + bytes(200))
+        text = "\n".join(line.plain for line in field_lines(message, yaml=True))
+        data = yaml.safe_load(text) or {}
+        assert list(data) == list(message.to_dict())
+
+
+def test_values_have_the_decimals_that_the_wire_resolves():
+    message = registry.by_name("ReportLocalPose")(x=2.0, yaw=math.pi / 2)
+    message = type(message).decode(message.encode())
+    assert [line.plain for line in field_lines(message)] == ["x: 2 m", "yaw: 1.5708 rad"]
