@@ -86,7 +86,7 @@ def to_ours(item: rt.Item, value: Any) -> Any:
         case rt.Repeat():
             return [to_ours(item.item, part) for part in value]
         case rt.Union():
-            return to_ours(item.arms[value["tag"]], value["value"])
+            return to_ours(list(item.arms.values())[value["tag"]], value["value"])
         case rt.Grid():
             return [to_ours(item.item, part) for part in value]
         case _:

@@ -104,7 +104,8 @@ class _Decoder:
         return sum(self.bits.values())
 
     def _masks(self, path: str, head: str, slots: list[SlotPlan]) -> str:
-        codes = [(self.bits.get(slot.name, 0), code) for slot in slots for code in fixed_codes(slot.item) or []]
+        there = [slot for slot in slots if self.bits.get(slot.name) != 0]
+        codes = [(self.bits.get(slot.name, 0), code) for slot in there for code in fixed_codes(slot.item) or []]
         return self.constants.masks(path, head, codes)
 
     def _masked_slot(self, slot: SlotPlan) -> list[str]:
@@ -147,11 +148,11 @@ class _Decoder:
 
     def _run(self, run: list[SlotPlan], number: int) -> list[str]:
         if not any(slot.optional for slot in run):
-            names, lines, _ = self._flat_slots(run)
+            names, lines, values = self._flat_slots(run)
             codes = [code for slot in run for code in fixed_codes(slot.item) or []]
-            if not codes:
-                return lines
-            return [*self._unpack(codes, names), *lines]
+            fields = [f"{slot.name}_" for slot in run]
+            lines += [f"{field} = {value}" for field, value in zip(fields, values, strict=True) if field != value]
+            return [*(self._unpack(codes, names) if codes else []), *lines]
         bits = sum(self.bits[slot.name] for slot in run if slot.optional)
         masks = self._masks(f"{self.plan.path}_{number}", "", run)
         lines = [f"packer = {masks}[mask & 0x{bits:X}]", "raw = iter(packer.unpack_from(data, at)).__next__"]
@@ -167,18 +168,17 @@ class _Decoder:
         packer = self.constants.packer("".join(codes))
         return [f"{targets} = {packer}.unpack_from(data, at)", f"at += {size_of(codes)}"]
 
-    def _flat_slots(self, slots: list[SlotPlan]) -> tuple[list[str], list[str], list[str]]:
+    def _flat_slots(self, slots: list[SlotPlan], prefix: str = "") -> tuple[list[str], list[str], list[str]]:
         """Names of the raw values, lines that turn them into fields, and the fields as expressions."""
         names: list[str] = []
         lines: list[str] = []
         arguments: list[str] = []
         for slot in slots:
-            inner_names, inner_lines, argument = self._flat(slot.item, f"{slot.name}_")
+            name = f"{prefix}{slot.name}_"
+            inner_names, inner_lines, argument = self._flat(slot.item, name)
             names += inner_names
             lines += inner_lines
-            if argument != f"{slot.name}_":
-                lines.append(f"{slot.name}_ = {argument}")
-            arguments.append(f"{slot.name}_")
+            arguments.append(argument)
         return names, lines, arguments
 
     def _flat(self, item: ItemPlan, name: str) -> tuple[list[str], list[str], str]:
@@ -265,6 +265,8 @@ class _Decoder:
                 chunk, end = self._chunk(item.count, name)
                 value = f"_registry.nested(data[at:{end}], depth)" if item.is_message else f"data[at:{end}]"
                 return [*chunk, f"{name} = {value}", f"at = {end}"]
+            case ObjectPlan() if item.cls.kind == "composite" and not item.cls.presence:
+                return self._inline(item.cls, name)
             case ObjectPlan():
                 return [f"{name}, at = {item.cls.path}._read(data, at, depth)"]
             case UnionPlan():
@@ -276,6 +278,21 @@ class _Decoder:
                 return self._loop(inner, name, str(item.sizes[0]))
             case _:
                 raise AssertionError(item)
+
+    def _inline(self, plan: ClassPlan, name: str) -> list[str]:
+        """A composite without presence vector, read in place: calls cost as much as a small record."""
+        lines: list[str] = []
+        arguments: list[str] = []
+        for run in runs(plan.slots):
+            if is_fixed_run(run):
+                names, inner, found = self._flat_slots(run, name)
+                codes = [code for slot in run for code in fixed_codes(slot.item) or []]
+                lines += [*(self._unpack(codes, names) if codes else []), *inner]
+                arguments += found
+            else:
+                lines += self._item(run[0].item, f"{name}{run[0].name}_")
+                arguments.append(f"{name}{run[0].name}_")
+        return [*lines, f"{name} = {plan.path}({', '.join(arguments)})"]
 
     def _count(self, count: Count, name: str) -> list[str]:
         code = CODES[count.type]

@@ -90,7 +90,8 @@ class _Encoder:
         return [*lines, f"return {masks}[mask & 0x{sum(self.bits.values()):X}].pack(0x{code:04X}, mask, *raw)"]
 
     def _masks(self, path: str, head: str, slots: list[SlotPlan]) -> str:
-        codes = [(self.bits.get(slot.name, 0), code) for slot in slots for code in fixed_codes(slot.item) or []]
+        there = [slot for slot in slots if self.bits.get(slot.name) != 0]
+        codes = [(self.bits.get(slot.name, 0), code) for slot in there for code in fixed_codes(slot.item) or []]
         return self.constants.masks(path, head, codes)
 
     def _masked_slot(self, slot: SlotPlan) -> list[str]:
@@ -136,12 +137,15 @@ class _Encoder:
     def _single(self, slot: SlotPlan) -> list[str]:
         return self._optional(slot, self._item(slot.item, f"{slot.name}_"))
 
-    def _flat_slots(self, slots: list[SlotPlan]) -> tuple[list[str], list[str]]:
+    def _flat_slots(
+        self, slots: list[SlotPlan], prefix: str = "", source: str = "self"
+    ) -> tuple[list[str], list[str]]:
         lines: list[str] = []
         values: list[str] = []
         for slot in slots:
-            inner, found = self._flat(slot.item, f"{slot.name}_")
-            lines += [f"{slot.name}_ = self.{slot.name}", *inner]
+            name = f"{prefix}{slot.name}_"
+            inner, found = self._flat(slot.item, name)
+            lines += [f"{name} = {source}.{slot.name}", *inner]
             values += found
         return lines, values
 
@@ -226,6 +230,8 @@ class _Encoder:
                 raw = f"{name}raw"
                 source = f"rt.message_bytes({name})" if item.is_message else f"rt.plain_bytes({name})"
                 return [f"{raw} = {source}", *self._counted(item.count, raw), f"out += {raw}"]
+            case ObjectPlan() if item.cls.kind == "composite" and not item.cls.presence:
+                return self._inline(item.cls, name)
             case ObjectPlan():
                 return [*_if(f"type({name}) is not {item.cls.path}"), f"{name}._write(out)"]
             case UnionPlan():
@@ -239,6 +245,19 @@ class _Encoder:
                 return [*head, *self._loop(inner, name)]
             case _:
                 raise AssertionError(item)
+
+    def _inline(self, plan: ClassPlan, name: str) -> list[str]:
+        """A composite without presence vector, written in place."""
+        lines = _if(f"type({name}) is not {plan.path}")
+        for run in runs(plan.slots):
+            if is_fixed_run(run):
+                inner, values = self._flat_slots(run, name, name)
+                codes = "".join(code for slot in run for code in fixed_codes(slot.item) or [])
+                lines += [*inner, *([f"out += {self.constants.packer(codes)}.pack({', '.join(values)})"] if values else [])]
+            else:
+                inner_name = f"{name}{run[0].name}_"
+                lines += [f"{inner_name} = {name}.{run[0].name}", *self._item(run[0].item, inner_name)]
+        return lines
 
     def _counted(self, count: Count, name: str) -> list[str]:
         code = CODES[count.type]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 
 from jauspy.codec.generator_layout import scaling
 from jauspy.codec.generator_text import quote, tuple_of
@@ -38,8 +37,7 @@ class Constants:
 
     def members(self, enum: EnumPlan) -> str:
         """A map of values to members."""
-        name = "_E_" + re.sub(r"\W", "_", enum.path)
-        return self._add(name, f"{{member.value: member for member in {enum.path}}}")
+        return self._add(f"_E_{'_'.join(enum.path.split('.')[-2:])}", f"{{member.value: member for member in {enum.path}}}")
 
     def scaling(self, scale: Scaling) -> str:
         """A scale range."""
@@ -47,9 +45,8 @@ class Constants:
 
     def masks(self, path: str, head: str, codes: list[tuple[int, str]]) -> str:
         """The packers of a run of optional fields."""
-        name = "_M_" + re.sub(r"\W", "_", path)
         rows = tuple_of(f"({bit}, {quote(code)})" for bit, code in codes)
-        return self._add(name, f"rt.Masks({quote(head)}, {rows})")
+        return self._add(f"_M_{'_'.join(path.split('.')[-2:])}", f"rt.Masks({quote(head)}, {rows})")
 
 
 def fixed_codes(item: ItemPlan) -> list[str] | None:

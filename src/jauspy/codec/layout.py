@@ -8,7 +8,6 @@ from typing import Any
 
 from jauspy.codec.base import Struct
 from jauspy.codec.items import Count, Item, check_class, integer_of, join
-from jauspy.codec.names import attribute
 from jauspy.codec.streams import Reader, Writer
 from jauspy.codec.wire import SIZES, limits
 from jauspy.errors import EncodeError
@@ -162,44 +161,44 @@ class Union(Item):
     """A tag, then the arm it stands for; the class of a value says which arm it is."""
 
     code: str
-    arms: tuple[Composite, ...]
+    arms: dict[str, Composite]
 
     @classmethod
-    def of(cls, code: str, *classes: type[Struct]) -> Union:
-        """A variant of these classes, in the order of their tags."""
-        layouts = [arm.layout() for arm in classes]
-        return cls(code, tuple(layout for layout in layouts if isinstance(layout, Composite)))
+    def of(cls, code: str, /, **classes: type[Struct]) -> Union:
+        """A variant of these classes in the order of their tags, under the names JSON and paths use."""
+        layouts = {name: arm.layout() for name, arm in classes.items()}
+        return cls(code, {name: layout for name, layout in layouts.items() if isinstance(layout, Composite)})
 
     @property
     def minimum(self) -> int:
-        return SIZES[self.code] + min((arm.minimum for arm in self.arms), default=0)
+        return SIZES[self.code] + min((arm.minimum for arm in self.arms.values()), default=0)
 
     def read(self, reader: Reader, path: str) -> Struct:
         offset = reader.at
-        tag = reader.count(self.code, path)
-        if tag is not None and tag >= len(self.arms):
+        tag = reader.count(self.code, path) or 0
+        if tag >= len(self.arms):
             reader.stop(f"tag {tag} is outside 0..{len(self.arms) - 1}", path, offset)
-        arm = self.arms[tag if tag is not None and tag < len(self.arms) else 0]
-        return arm.read(reader, join(path, attribute(arm.cls.__name__)))
+            tag = 0
+        name, arm = list(self.arms.items())[tag]
+        return arm.read(reader, join(path, name))
 
     def write(self, writer: Writer, value: Any, path: str) -> None:
-        for tag, arm in enumerate(self.arms):
+        for tag, (name, arm) in enumerate(self.arms.items()):
             if type(value) is arm.cls:
                 writer.number(self.code, tag)
-                arm.write(writer, value, join(path, attribute(arm.cls.__name__)))
+                arm.write(writer, value, join(path, name))
                 return
-        raise EncodeError(f"{value!r} is none of {', '.join(arm.cls.__qualname__ for arm in self.arms)}", path=path)
+        classes = ", ".join(arm.cls.__qualname__ for arm in self.arms.values())
+        raise EncodeError(f"{value!r} is none of {classes}", path=path)
 
     def to_json(self, value: Any) -> Any:
-        arm = next(arm for arm in self.arms if arm.cls is type(value))
-        return {attribute(arm.cls.__name__): arm.to_json(value)}
+        return {name: arm.to_json(value) for name, arm in self.arms.items() if arm.cls is type(value)}
 
     def from_json(self, data: Any, path: str) -> Struct:
-        arms = {attribute(arm.cls.__name__): arm for arm in self.arms}
-        if not isinstance(data, dict) or len(data) != 1 or next(iter(data)) not in arms:
-            raise EncodeError(f"{data!r} is not a mapping with one of {', '.join(arms)}", path=path)
+        if not isinstance(data, dict) or len(data) != 1 or next(iter(data)) not in self.arms:
+            raise EncodeError(f"{data!r} is not a mapping with one of {', '.join(self.arms)}", path=path)
         name, fields = next(iter(data.items()))
-        return arms[name].from_json(fields, join(path, name))
+        return self.arms[name].from_json(fields, join(path, name))
 
 
 @dataclass(frozen=True, slots=True)

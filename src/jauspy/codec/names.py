@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import keyword
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 
 _WORDS = re.compile(
     r"[A-Z]+s(?![a-z])"  # IDs
@@ -53,6 +53,27 @@ def unique(name: str, taken: Callable[[str], bool]) -> str:
     while taken(f"{name}_{number}"):
         number += 1
     return f"{name}_{number}"
+
+
+def attributes(names: Iterable[str], *reserved: str) -> list[str]:
+    """The attribute names of one class, each unique in it."""
+    made: list[str] = []
+    for name in names:
+        made.append(unique(attribute(name), lambda text: text in reserved or text in made))
+    return made
+
+
+def members(values: Iterable[tuple[int, str]]) -> dict[str, int]:
+    """The members of an enumeration; several values of one name (as `Reserved`) get their value appended."""
+    first: dict[int, str] = {}
+    for value, name in values:
+        first.setdefault(value, constant(name))
+    names = list(first.values())
+    made: dict[str, int] = {}
+    for value, name in first.items():
+        wanted = name if names.count(name) == 1 else f"{name}_{value}".replace("-", "MINUS_")
+        made[unique(wanted, made.__contains__)] = value
+    return made
 
 
 def service_set(urn: str) -> str:

@@ -84,6 +84,7 @@ class UnionPlan:
 
     code: str
     arms: tuple[ClassPlan, ...]
+    names: tuple[str, ...]
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 
-from jauspy.codec.names import attribute, class_name, constant, service_set, snake, unique, version_package
+from jauspy.codec.names import attribute, attributes, class_name, members, service_set, snake, unique, version_package
 from jauspy.codec.plan import (
     Allowed,
     BitPlan,
@@ -149,14 +149,11 @@ class Owner:
         made.slots = self._slots(parts, has_presence=made.presence is not None)
 
     def _slots(self, nodes: Sequence[Node], *, has_presence: bool) -> tuple[SlotPlan, ...]:
-        taken = {"reserved_presence"}
-        slots = []
-        for node in nodes:
-            name = unique(attribute(node.name), taken.__contains__)
-            taken.add(name)
-            item = self._item(node)
-            slots.append(SlotPlan(name, node.name, item, node.optional and has_presence, node.doc))
-        return tuple(slots)
+        names = attributes((node.name for node in nodes), "reserved_presence")
+        return tuple(
+            SlotPlan(name, node.name, self._item(node), node.optional and has_presence, node.doc)
+            for name, node in zip(names, nodes, strict=True)
+        )
 
     def _item(self, node: Node) -> ItemPlan:
         match node:
@@ -193,7 +190,8 @@ class Owner:
             if made in arms:
                 made = self._nest(replace(arm, declared=None), key=(arm, len(arms)))
             arms.append(made)
-        return UnionPlan(CODES[node.tag.type], tuple(arms))
+        names = attributes((arm.name for arm in node.arms), "code")
+        return UnionPlan(CODES[node.tag.type], tuple(arms), tuple(names))
 
     def _class(self, node: Node) -> ClassPlan:
         if self._shared.owns(node):
@@ -232,11 +230,9 @@ class Owner:
 
     def _bits(self, node: BitField, name: str, path: str) -> ClassPlan:
         made = ClassPlan("bits", name, path, node.doc, code=CODES[node.type])
-        taken = {"reserved_bits"}
+        names = attributes((sub.name for sub in node.subfields), "reserved_bits")
         bits = []
-        for sub in node.subfields:
-            attr = unique(attribute(sub.name), taken.__contains__)
-            taken.add(attr)
+        for attr, sub in zip(names, node.subfields, strict=True):
             mask = (1 << (sub.last - sub.first + 1)) - 1
             allowed = self._allowed(sub.values, sub.name, made.code)
             clipped = tuple((max(low, 0), min(high, mask)) for low, high in allowed.intervals if low <= mask)
@@ -247,16 +243,20 @@ class Owner:
     def _choice(self, node: VariableField, name: str, path: str) -> ClassPlan:
         made = ClassPlan("choice", name, path, node.doc)
         names = [(choice.index, choice.name or choice.units) for choice in node.choices]
-        made.allowed = Allowed(self._enum(f"{name}Choice", tuple(names)))
+        made.allowed = Allowed(self._enum(self._part(name, "Choice"), tuple(names)))
         made.choices = tuple((c.index, self._choice_number(c, name)) for c in node.choices)
         return made
+
+    def _part(self, name: str, part: str) -> str:
+        """`Choice` in a declared class, `ZPositionChoice` where other classes are beside it."""
+        return part if name == self.name else f"{name}{part}"
 
     def _choice_number(self, choice: TypeChoice, name: str) -> NumberPlan:
         return self._number(choice.type, choice.units, choice.scale, choice.values, f"{name}{class_name(choice.name)}")
 
     def _format(self, node: VariableFormatField, name: str, path: str) -> ClassPlan:
         made = ClassPlan("format", name, path, node.doc, count=node.count)
-        made.allowed = Allowed(self._enum(f"{name}Format", tuple((f.index, f.name) for f in node.formats)))
+        made.allowed = Allowed(self._enum(self._part(name, "Format"), tuple((f.index, f.name) for f in node.formats)))
         made.message_formats = tuple(f.index for f in node.formats if f.name.lower() == JAUS_MESSAGE)
         return made
 
@@ -284,24 +284,10 @@ class Owner:
         if isinstance(known, EnumPlan):
             return known
         free = self._free(name)
-        made = EnumPlan(free, f"{self.path}.{free}", _members(values))
+        made = EnumPlan(free, f"{self.path}.{free}", tuple(members(values).items()))
         self._known[name, values] = made
         self._nested.append(made)
         return made
-
-
-def _members(values: tuple[tuple[int, str], ...]) -> tuple[tuple[str, int], ...]:
-    """Unique member names; several values of one name (as `Reserved`) get their value appended."""
-    names = [constant(name) for _, name in values]
-    made: dict[str, int] = {}
-    seen: set[int] = set()
-    for (value, _), name in zip(values, names, strict=True):
-        if value in seen:
-            continue
-        seen.add(value)
-        wanted = name if names.count(name) == 1 else f"{name}_{value}".replace("-", "MINUS_")
-        made[unique(wanted, made.__contains__)] = value
-    return tuple(made.items())
 
 
 def intervals(values: ValueSet, code: str) -> tuple[tuple[float, float], ...]:

@@ -38,7 +38,7 @@ class QueriedNodeRec(rt.Struct):
     def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
         node_id_ = data[at]
         at += 1
-        node_id_ = _E_core_v1_0_types_QueriedNodeRec_NodeID.get(node_id_, node_id_)
+        node_id_ = _E_QueriedNodeRec_NodeID.get(node_id_, node_id_)
         return cls(node_id_), at
 
     def _write(self, out: bytearray) -> None:
@@ -74,7 +74,7 @@ class QueriedComponentRec(rt.Struct):
     def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
         component_id_ = data[at]
         at += 1
-        component_id_ = _E_core_v1_0_types_QueriedComponentRec_ComponentID.get(component_id_, component_id_)
+        component_id_ = _E_QueriedComponentRec_ComponentID.get(component_id_, component_id_)
         return cls(component_id_), at
 
     def _write(self, out: bytearray) -> None:
@@ -228,12 +228,12 @@ class EventTypeRec(rt.Struct):
     def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
         event_type_ = data[at]
         at += 1
-        event_type_ = _E_core_v1_0_types_EventTypeRec_EventType[event_type_]
+        event_type_ = _E_EventTypeRec_EventType[event_type_]
         return cls(event_type_), at
 
     def _write(self, out: bytearray) -> None:
         event_type_ = self.event_type
-        if event_type_ not in _E_core_v1_0_types_EventTypeRec_EventType:
+        if event_type_ not in _E_EventTypeRec_EventType:
             raise rt.Reject
         out += _S_B.pack(event_type_)
 
@@ -312,11 +312,11 @@ class ElementRec(rt.Struct):
             content: rt.Message | bytes = chunk
             if format == 0:
                 content = _registry.nested(chunk, depth)
-            return cls(_E_core_v1_0_types_ElementRec_ElementDataFormat[format], content), data_end
+            return cls(_E_ElementRec_ElementDataFormat[format], content), data_end
 
         def _write(self, out: bytearray) -> None:
             format = self.format
-            if format not in _E_core_v1_0_types_ElementRec_ElementDataFormat:
+            if format not in _E_ElementRec_ElementDataFormat:
                 raise rt.Reject
             raw = rt.message_bytes(self.data) if format == 0 else rt.plain_bytes(self.data)
             out.append(format)
@@ -416,12 +416,12 @@ class DateStamp(rt.Struct):
         )
 
 
-_E_core_v1_0_types_QueriedNodeRec_NodeID = {member.value: member for member in QueriedNodeRec.NodeID}
+_E_QueriedNodeRec_NodeID = {member.value: member for member in QueriedNodeRec.NodeID}
 _S_B = rt.Packer("<B")
-_E_core_v1_0_types_QueriedComponentRec_ComponentID = {member.value: member for member in QueriedComponentRec.ComponentID}
+_E_QueriedComponentRec_ComponentID = {member.value: member for member in QueriedComponentRec.ComponentID}
 _S_2B = rt.Packer("<2B")
 _S_H2B = rt.Packer("<H2B")
-_E_core_v1_0_types_EventTypeRec_EventType = {member.value: member for member in EventTypeRec.EventType}
+_E_EventTypeRec_EventType = {member.value: member for member in EventTypeRec.EventType}
 _S_H = rt.Packer("<H")
-_E_core_v1_0_types_ElementRec_ElementDataFormat = {member.value: member for member in ElementRec.ElementDataFormat}
+_E_ElementRec_ElementDataFormat = {member.value: member for member in ElementRec.ElementDataFormat}
 _S_3H = rt.Packer("<3H")

@@ -265,8 +265,7 @@ class RejectControl(rt.Message):
         code, response_code_ = _S_HB.unpack(data)
         if code != 0x0010:
             raise rt.Reject
-        response_code_ = _E_RejectControl_ResponseCode[response_code_]
-        return cls(response_code_)
+        return cls(_E_RejectControl_ResponseCode[response_code_])
 
     def _pack(self) -> bytes:
         response_code_ = self.response_code
@@ -311,8 +310,7 @@ class ConfirmControl(rt.Message):
         code, response_code_ = _S_HB.unpack(data)
         if code != 0x000F:
             raise rt.Reject
-        response_code_ = _E_ConfirmControl_ResponseCode[response_code_]
-        return cls(response_code_)
+        return cls(_E_ConfirmControl_ResponseCode[response_code_])
 
     def _pack(self) -> bytes:
         response_code_ = self.response_code
@@ -391,8 +389,7 @@ class ReportTimeout(rt.Message):
         code, timeout_ = _S_HB.unpack(data)
         if code != 0x4003:
             raise rt.Reject
-        timeout_ = _E_ReportTimeout_Timeout.get(timeout_, timeout_)
-        return cls(timeout_)
+        return cls(_E_ReportTimeout_Timeout.get(timeout_, timeout_))
 
     def _pack(self) -> bytes:
         timeout_ = self.timeout

@@ -48,8 +48,7 @@ class QueryIdentification(rt.Message):
         code, query_type_ = _S_HB.unpack(data)
         if code != 0x2B00:
             raise rt.Reject
-        query_type_ = _E_QueryIdentification_QueryType.get(query_type_, query_type_)
-        return cls(query_type_)
+        return cls(_E_QueryIdentification_QueryType.get(query_type_, query_type_))
 
     def _pack(self) -> bytes:
         query_type_ = self.query_type
@@ -93,8 +92,7 @@ class QueryConfiguration(rt.Message):
         code, query_type_ = _S_HB.unpack(data)
         if code != 0x2B01:
             raise rt.Reject
-        query_type_ = _E_QueryConfiguration_QueryType.get(query_type_, query_type_)
-        return cls(query_type_)
+        return cls(_E_QueryConfiguration_QueryType.get(query_type_, query_type_))
 
     def _pack(self) -> bytes:
         query_type_ = self.query_type
@@ -165,7 +163,7 @@ class QueryServices(rt.Message):
             size = len(data)
             node_rec_node_id_ = data[at]
             at += 1
-            node_rec_ = core_v1_0_types.QueriedNodeRec(_E_core_v1_0_types_QueriedNodeRec_NodeID.get(node_rec_node_id_, node_rec_node_id_))
+            node_rec_ = core_v1_0_types.QueriedNodeRec(_E_QueriedNodeRec_NodeID.get(node_rec_node_id_, node_rec_node_id_))
             component_list_count = data[at]
             at += 1
             if component_list_count < 1:
@@ -173,7 +171,7 @@ class QueryServices(rt.Message):
             component_list_end = at + component_list_count * 1
             if component_list_end > size:
                 raise rt.Reject
-            component_list_ = [core_v1_0_types.QueriedComponentRec(_E_core_v1_0_types_QueriedComponentRec_ComponentID.get(component_list_item_component_id_, component_list_item_component_id_)) for (component_list_item_component_id_,) in _S_B.iter_unpack(data[at:component_list_end])]
+            component_list_ = [core_v1_0_types.QueriedComponentRec(_E_QueriedComponentRec_ComponentID.get(component_list_item_component_id_, component_list_item_component_id_)) for (component_list_item_component_id_,) in _S_B.iter_unpack(data[at:component_list_end])]
             at = component_list_end
             return cls(node_rec_, component_list_), at
 
@@ -220,7 +218,18 @@ class QueryServices(rt.Message):
             raise rt.Reject
         node_list_ = []
         for _ in range(node_list_count):
-            node_list_item_, at = QueryServices.NodeSeq._read(data, at, depth)
+            node_list_item_node_rec_node_id_ = data[at]
+            at += 1
+            node_list_item_component_list_count = data[at]
+            at += 1
+            if node_list_item_component_list_count < 1:
+                raise rt.Reject
+            node_list_item_component_list_end = at + node_list_item_component_list_count * 1
+            if node_list_item_component_list_end > size:
+                raise rt.Reject
+            node_list_item_component_list_ = [core_v1_0_types.QueriedComponentRec(_E_QueriedComponentRec_ComponentID.get(node_list_item_component_list_item_component_id_, node_list_item_component_list_item_component_id_)) for (node_list_item_component_list_item_component_id_,) in _S_B.iter_unpack(data[at:node_list_item_component_list_end])]
+            at = node_list_item_component_list_end
+            node_list_item_ = QueryServices.NodeSeq(core_v1_0_types.QueriedNodeRec(_E_QueriedNodeRec_NodeID.get(node_list_item_node_rec_node_id_, node_list_item_node_rec_node_id_)), node_list_item_component_list_)
             node_list_.append(node_list_item_)
         if at != len(data):
             raise rt.Reject
@@ -237,7 +246,22 @@ class QueryServices(rt.Message):
         for node_list_item_ in node_list_:
             if type(node_list_item_) is not QueryServices.NodeSeq:
                 raise rt.Reject
-            node_list_item_._write(out)
+            node_list_item_node_rec_ = node_list_item_.node_rec
+            if type(node_list_item_node_rec_) is not core_v1_0_types.QueriedNodeRec:
+                raise rt.Reject
+            node_list_item_node_rec_node_id_ = node_list_item_node_rec_.node_id
+            out += _S_B.pack(node_list_item_node_rec_node_id_)
+            node_list_item_component_list_ = node_list_item_.component_list
+            if type(node_list_item_component_list_) is not list:
+                raise rt.Reject
+            if len(node_list_item_component_list_) < 1:
+                raise rt.Reject
+            out.append(len(node_list_item_component_list_))
+            for node_list_item_component_list_item_ in node_list_item_component_list_:
+                if type(node_list_item_component_list_item_) is not core_v1_0_types.QueriedComponentRec:
+                    raise rt.Reject
+                node_list_item_component_list_item_component_id_ = node_list_item_component_list_item_.component_id
+                out += _S_B.pack(node_list_item_component_list_item_component_id_)
         return bytes(out)
 
 
@@ -380,7 +404,7 @@ class QueryServiceList(rt.Message):
             size = len(data)
             node_rec_node_id_ = data[at]
             at += 1
-            node_rec_ = core_v1_0_types.QueriedNodeRec(_E_core_v1_0_types_QueriedNodeRec_NodeID.get(node_rec_node_id_, node_rec_node_id_))
+            node_rec_ = core_v1_0_types.QueriedNodeRec(_E_QueriedNodeRec_NodeID.get(node_rec_node_id_, node_rec_node_id_))
             component_list_count = data[at]
             at += 1
             if component_list_count < 1:
@@ -445,7 +469,19 @@ class QueryServiceList(rt.Message):
                 raise rt.Reject
             node_list_ = []
             for _ in range(node_list_count):
-                node_list_item_, at = QueryServiceList.NodeSeq._read(data, at, depth)
+                node_list_item_node_rec_node_id_ = data[at]
+                at += 1
+                node_list_item_component_list_count = data[at]
+                at += 1
+                if node_list_item_component_list_count < 1:
+                    raise rt.Reject
+                if node_list_item_component_list_count * 2 > size - at:
+                    raise rt.Reject
+                node_list_item_component_list_ = []
+                for _ in range(node_list_item_component_list_count):
+                    node_list_item_component_list_item_, at = QueryServiceList.ComponentRec._read(data, at, depth)
+                    node_list_item_component_list_.append(node_list_item_component_list_item_)
+                node_list_item_ = QueryServiceList.NodeSeq(core_v1_0_types.QueriedNodeRec(_E_QueriedNodeRec_NodeID.get(node_list_item_node_rec_node_id_, node_list_item_node_rec_node_id_)), node_list_item_component_list_)
                 node_list_.append(node_list_item_)
             return cls(subsystem_rec_, node_list_), at
 
@@ -464,7 +500,21 @@ class QueryServiceList(rt.Message):
             for node_list_item_ in node_list_:
                 if type(node_list_item_) is not QueryServiceList.NodeSeq:
                     raise rt.Reject
-                node_list_item_._write(out)
+                node_list_item_node_rec_ = node_list_item_.node_rec
+                if type(node_list_item_node_rec_) is not core_v1_0_types.QueriedNodeRec:
+                    raise rt.Reject
+                node_list_item_node_rec_node_id_ = node_list_item_node_rec_.node_id
+                out += _S_B.pack(node_list_item_node_rec_node_id_)
+                node_list_item_component_list_ = node_list_item_.component_list
+                if type(node_list_item_component_list_) is not list:
+                    raise rt.Reject
+                if len(node_list_item_component_list_) < 1:
+                    raise rt.Reject
+                out.append(len(node_list_item_component_list_))
+                for node_list_item_component_list_item_ in node_list_item_component_list_:
+                    if type(node_list_item_component_list_item_) is not QueryServiceList.ComponentRec:
+                        raise rt.Reject
+                    node_list_item_component_list_item_._write(out)
 
     subsystem_list: list[QueryServiceList.SubsystemSeq]
 
@@ -491,7 +541,31 @@ class QueryServiceList(rt.Message):
             raise rt.Reject
         subsystem_list_ = []
         for _ in range(subsystem_list_count):
-            subsystem_list_item_, at = QueryServiceList.SubsystemSeq._read(data, at, depth)
+            (subsystem_list_item_subsystem_rec_subsystem_id_,) = _S_H.unpack_from(data, at)
+            at += 2
+            subsystem_list_item_node_list_count = data[at]
+            at += 1
+            if subsystem_list_item_node_list_count < 1:
+                raise rt.Reject
+            if subsystem_list_item_node_list_count * 2 > size - at:
+                raise rt.Reject
+            subsystem_list_item_node_list_ = []
+            for _ in range(subsystem_list_item_node_list_count):
+                subsystem_list_item_node_list_item_node_rec_node_id_ = data[at]
+                at += 1
+                subsystem_list_item_node_list_item_component_list_count = data[at]
+                at += 1
+                if subsystem_list_item_node_list_item_component_list_count < 1:
+                    raise rt.Reject
+                if subsystem_list_item_node_list_item_component_list_count * 2 > size - at:
+                    raise rt.Reject
+                subsystem_list_item_node_list_item_component_list_ = []
+                for _ in range(subsystem_list_item_node_list_item_component_list_count):
+                    subsystem_list_item_node_list_item_component_list_item_, at = QueryServiceList.ComponentRec._read(data, at, depth)
+                    subsystem_list_item_node_list_item_component_list_.append(subsystem_list_item_node_list_item_component_list_item_)
+                subsystem_list_item_node_list_item_ = QueryServiceList.NodeSeq(core_v1_0_types.QueriedNodeRec(_E_QueriedNodeRec_NodeID.get(subsystem_list_item_node_list_item_node_rec_node_id_, subsystem_list_item_node_list_item_node_rec_node_id_)), subsystem_list_item_node_list_item_component_list_)
+                subsystem_list_item_node_list_.append(subsystem_list_item_node_list_item_)
+            subsystem_list_item_ = QueryServiceList.SubsystemSeq(QueryServiceList.SubsystemRec(_E_QueryServiceList_SubsystemID.get(subsystem_list_item_subsystem_rec_subsystem_id_, subsystem_list_item_subsystem_rec_subsystem_id_)), subsystem_list_item_node_list_)
             subsystem_list_.append(subsystem_list_item_)
         if at != len(data):
             raise rt.Reject
@@ -508,7 +582,35 @@ class QueryServiceList(rt.Message):
         for subsystem_list_item_ in subsystem_list_:
             if type(subsystem_list_item_) is not QueryServiceList.SubsystemSeq:
                 raise rt.Reject
-            subsystem_list_item_._write(out)
+            subsystem_list_item_subsystem_rec_ = subsystem_list_item_.subsystem_rec
+            if type(subsystem_list_item_subsystem_rec_) is not QueryServiceList.SubsystemRec:
+                raise rt.Reject
+            subsystem_list_item_subsystem_rec_subsystem_id_ = subsystem_list_item_subsystem_rec_.subsystem_id
+            out += _S_H.pack(subsystem_list_item_subsystem_rec_subsystem_id_)
+            subsystem_list_item_node_list_ = subsystem_list_item_.node_list
+            if type(subsystem_list_item_node_list_) is not list:
+                raise rt.Reject
+            if len(subsystem_list_item_node_list_) < 1:
+                raise rt.Reject
+            out.append(len(subsystem_list_item_node_list_))
+            for subsystem_list_item_node_list_item_ in subsystem_list_item_node_list_:
+                if type(subsystem_list_item_node_list_item_) is not QueryServiceList.NodeSeq:
+                    raise rt.Reject
+                subsystem_list_item_node_list_item_node_rec_ = subsystem_list_item_node_list_item_.node_rec
+                if type(subsystem_list_item_node_list_item_node_rec_) is not core_v1_0_types.QueriedNodeRec:
+                    raise rt.Reject
+                subsystem_list_item_node_list_item_node_rec_node_id_ = subsystem_list_item_node_list_item_node_rec_.node_id
+                out += _S_B.pack(subsystem_list_item_node_list_item_node_rec_node_id_)
+                subsystem_list_item_node_list_item_component_list_ = subsystem_list_item_node_list_item_.component_list
+                if type(subsystem_list_item_node_list_item_component_list_) is not list:
+                    raise rt.Reject
+                if len(subsystem_list_item_node_list_item_component_list_) < 1:
+                    raise rt.Reject
+                out.append(len(subsystem_list_item_node_list_item_component_list_))
+                for subsystem_list_item_node_list_item_component_list_item_ in subsystem_list_item_node_list_item_component_list_:
+                    if type(subsystem_list_item_node_list_item_component_list_item_) is not QueryServiceList.ComponentRec:
+                        raise rt.Reject
+                    subsystem_list_item_node_list_item_component_list_item_._write(out)
         return bytes(out)
 
 
@@ -548,7 +650,16 @@ class RegisterServices(rt.Message):
             raise rt.Reject
         service_list_ = []
         for _ in range(service_list_count):
-            service_list_item_, at = core_v1_0_types.ServiceRec._read(data, at, depth)
+            service_list_item_uri_end = data[at]
+            at += 1
+            service_list_item_uri_end += at
+            if service_list_item_uri_end > size:
+                raise rt.Reject
+            service_list_item_uri_ = data[at:service_list_item_uri_end].decode("latin-1")
+            at = service_list_item_uri_end
+            service_list_item_major_version_number_, service_list_item_minor_version_number_ = _S_2B.unpack_from(data, at)
+            at += 2
+            service_list_item_ = core_v1_0_types.ServiceRec(service_list_item_uri_, service_list_item_major_version_number_, service_list_item_minor_version_number_)
             service_list_.append(service_list_item_)
         if at != len(data):
             raise rt.Reject
@@ -563,7 +674,13 @@ class RegisterServices(rt.Message):
         for service_list_item_ in service_list_:
             if type(service_list_item_) is not core_v1_0_types.ServiceRec:
                 raise rt.Reject
-            service_list_item_._write(out)
+            service_list_item_uri_ = service_list_item_.uri
+            service_list_item_uri_raw = service_list_item_uri_.encode("latin-1")
+            out.append(len(service_list_item_uri_raw))
+            out += service_list_item_uri_raw
+            service_list_item_major_version_number_ = service_list_item_.major_version_number
+            service_list_item_minor_version_number_ = service_list_item_.minor_version_number
+            out += _S_2B.pack(service_list_item_major_version_number_, service_list_item_minor_version_number_)
         return bytes(out)
 
 
@@ -625,9 +742,9 @@ class ReportIdentification(rt.Message):
         size = len(data)
         query_type_, type_ = _S_BH.unpack_from(data, at)
         at += 3
-        query_type_ = _E_ReportIdentification_QueryType.get(query_type_, query_type_)
         if type_ not in _E_ReportIdentification_Type and not 10002 <= type_ <= 20000 and not 20002 <= type_ <= 30000 and not 30002 <= type_ <= 40000 and not 40002 <= type_ <= 50000 and not 50002 <= type_ <= 60000 and type_ < 60002:
             raise rt.Reject
+        query_type_ = _E_ReportIdentification_QueryType.get(query_type_, query_type_)
         type_ = _E_ReportIdentification_Type.get(type_, type_)
         identification_end = data[at]
         at += 1
@@ -771,7 +888,16 @@ class ReportConfiguration(rt.Message):
             raise rt.Reject
         node_list_ = []
         for _ in range(node_list_count):
-            node_list_item_, at = ReportConfiguration.NodeSeq._read(data, at, depth)
+            node_list_item_node_rec_node_id_ = data[at]
+            at += 1
+            node_list_item_component_list_count = data[at]
+            at += 1
+            node_list_item_component_list_end = at + node_list_item_component_list_count * 2
+            if node_list_item_component_list_end > size:
+                raise rt.Reject
+            node_list_item_component_list_ = [core_v1_0_types.ComponentRec(node_list_item_component_list_item_component_id_, node_list_item_component_list_item_instance_id_) for node_list_item_component_list_item_component_id_, node_list_item_component_list_item_instance_id_ in _S_2B.iter_unpack(data[at:node_list_item_component_list_end])]
+            at = node_list_item_component_list_end
+            node_list_item_ = ReportConfiguration.NodeSeq(ReportConfiguration.NodeRec(node_list_item_node_rec_node_id_), node_list_item_component_list_)
             node_list_.append(node_list_item_)
         if at != len(data):
             raise rt.Reject
@@ -786,7 +912,21 @@ class ReportConfiguration(rt.Message):
         for node_list_item_ in node_list_:
             if type(node_list_item_) is not ReportConfiguration.NodeSeq:
                 raise rt.Reject
-            node_list_item_._write(out)
+            node_list_item_node_rec_ = node_list_item_.node_rec
+            if type(node_list_item_node_rec_) is not ReportConfiguration.NodeRec:
+                raise rt.Reject
+            node_list_item_node_rec_node_id_ = node_list_item_node_rec_.node_id
+            out += _S_B.pack(node_list_item_node_rec_node_id_)
+            node_list_item_component_list_ = node_list_item_.component_list
+            if type(node_list_item_component_list_) is not list:
+                raise rt.Reject
+            out.append(len(node_list_item_component_list_))
+            for node_list_item_component_list_item_ in node_list_item_component_list_:
+                if type(node_list_item_component_list_item_) is not core_v1_0_types.ComponentRec:
+                    raise rt.Reject
+                node_list_item_component_list_item_component_id_ = node_list_item_component_list_item_.component_id
+                node_list_item_component_list_item_instance_id_ = node_list_item_component_list_item_.instance_id
+                out += _S_2B.pack(node_list_item_component_list_item_component_id_, node_list_item_component_list_item_instance_id_)
         return bytes(out)
 
 
@@ -921,7 +1061,16 @@ class ReportServices(rt.Message):
                 raise rt.Reject
             service_list_ = []
             for _ in range(service_list_count):
-                service_list_item_, at = core_v1_0_types.ServiceRec._read(data, at, depth)
+                service_list_item_uri_end = data[at]
+                at += 1
+                service_list_item_uri_end += at
+                if service_list_item_uri_end > size:
+                    raise rt.Reject
+                service_list_item_uri_ = data[at:service_list_item_uri_end].decode("latin-1")
+                at = service_list_item_uri_end
+                service_list_item_major_version_number_, service_list_item_minor_version_number_ = _S_2B.unpack_from(data, at)
+                at += 2
+                service_list_item_ = core_v1_0_types.ServiceRec(service_list_item_uri_, service_list_item_major_version_number_, service_list_item_minor_version_number_)
                 service_list_.append(service_list_item_)
             return cls(component_rec_, service_list_), at
 
@@ -939,7 +1088,13 @@ class ReportServices(rt.Message):
             for service_list_item_ in service_list_:
                 if type(service_list_item_) is not core_v1_0_types.ServiceRec:
                     raise rt.Reject
-                service_list_item_._write(out)
+                service_list_item_uri_ = service_list_item_.uri
+                service_list_item_uri_raw = service_list_item_uri_.encode("latin-1")
+                out.append(len(service_list_item_uri_raw))
+                out += service_list_item_uri_raw
+                service_list_item_major_version_number_ = service_list_item_.major_version_number
+                service_list_item_minor_version_number_ = service_list_item_.minor_version_number
+                out += _S_2B.pack(service_list_item_major_version_number_, service_list_item_minor_version_number_)
 
     @dataclass(slots=True, repr=False)
     class NodeSeq(rt.Struct):
@@ -974,7 +1129,26 @@ class ReportServices(rt.Message):
                 raise rt.Reject
             component_list_ = []
             for _ in range(component_list_count):
-                component_list_item_, at = ReportServices.ComponentSeq._read(data, at, depth)
+                component_list_item_component_rec_component_id_, component_list_item_component_rec_instance_id_ = _S_2B.unpack_from(data, at)
+                at += 2
+                component_list_item_service_list_count = data[at]
+                at += 1
+                if component_list_item_service_list_count * 3 > size - at:
+                    raise rt.Reject
+                component_list_item_service_list_ = []
+                for _ in range(component_list_item_service_list_count):
+                    component_list_item_service_list_item_uri_end = data[at]
+                    at += 1
+                    component_list_item_service_list_item_uri_end += at
+                    if component_list_item_service_list_item_uri_end > size:
+                        raise rt.Reject
+                    component_list_item_service_list_item_uri_ = data[at:component_list_item_service_list_item_uri_end].decode("latin-1")
+                    at = component_list_item_service_list_item_uri_end
+                    component_list_item_service_list_item_major_version_number_, component_list_item_service_list_item_minor_version_number_ = _S_2B.unpack_from(data, at)
+                    at += 2
+                    component_list_item_service_list_item_ = core_v1_0_types.ServiceRec(component_list_item_service_list_item_uri_, component_list_item_service_list_item_major_version_number_, component_list_item_service_list_item_minor_version_number_)
+                    component_list_item_service_list_.append(component_list_item_service_list_item_)
+                component_list_item_ = ReportServices.ComponentSeq(core_v1_0_types.ComponentRec(component_list_item_component_rec_component_id_, component_list_item_component_rec_instance_id_), component_list_item_service_list_)
                 component_list_.append(component_list_item_)
             return cls(node_rec_, component_list_), at
 
@@ -991,7 +1165,26 @@ class ReportServices(rt.Message):
             for component_list_item_ in component_list_:
                 if type(component_list_item_) is not ReportServices.ComponentSeq:
                     raise rt.Reject
-                component_list_item_._write(out)
+                component_list_item_component_rec_ = component_list_item_.component_rec
+                if type(component_list_item_component_rec_) is not core_v1_0_types.ComponentRec:
+                    raise rt.Reject
+                component_list_item_component_rec_component_id_ = component_list_item_component_rec_.component_id
+                component_list_item_component_rec_instance_id_ = component_list_item_component_rec_.instance_id
+                out += _S_2B.pack(component_list_item_component_rec_component_id_, component_list_item_component_rec_instance_id_)
+                component_list_item_service_list_ = component_list_item_.service_list
+                if type(component_list_item_service_list_) is not list:
+                    raise rt.Reject
+                out.append(len(component_list_item_service_list_))
+                for component_list_item_service_list_item_ in component_list_item_service_list_:
+                    if type(component_list_item_service_list_item_) is not core_v1_0_types.ServiceRec:
+                        raise rt.Reject
+                    component_list_item_service_list_item_uri_ = component_list_item_service_list_item_.uri
+                    component_list_item_service_list_item_uri_raw = component_list_item_service_list_item_uri_.encode("latin-1")
+                    out.append(len(component_list_item_service_list_item_uri_raw))
+                    out += component_list_item_service_list_item_uri_raw
+                    component_list_item_service_list_item_major_version_number_ = component_list_item_service_list_item_.major_version_number
+                    component_list_item_service_list_item_minor_version_number_ = component_list_item_service_list_item_.minor_version_number
+                    out += _S_2B.pack(component_list_item_service_list_item_major_version_number_, component_list_item_service_list_item_minor_version_number_)
 
     node_list: list[ReportServices.NodeSeq]
 
@@ -1016,7 +1209,36 @@ class ReportServices(rt.Message):
             raise rt.Reject
         node_list_ = []
         for _ in range(node_list_count):
-            node_list_item_, at = ReportServices.NodeSeq._read(data, at, depth)
+            node_list_item_node_rec_node_id_ = data[at]
+            at += 1
+            node_list_item_component_list_count = data[at]
+            at += 1
+            if node_list_item_component_list_count * 3 > size - at:
+                raise rt.Reject
+            node_list_item_component_list_ = []
+            for _ in range(node_list_item_component_list_count):
+                node_list_item_component_list_item_component_rec_component_id_, node_list_item_component_list_item_component_rec_instance_id_ = _S_2B.unpack_from(data, at)
+                at += 2
+                node_list_item_component_list_item_service_list_count = data[at]
+                at += 1
+                if node_list_item_component_list_item_service_list_count * 3 > size - at:
+                    raise rt.Reject
+                node_list_item_component_list_item_service_list_ = []
+                for _ in range(node_list_item_component_list_item_service_list_count):
+                    node_list_item_component_list_item_service_list_item_uri_end = data[at]
+                    at += 1
+                    node_list_item_component_list_item_service_list_item_uri_end += at
+                    if node_list_item_component_list_item_service_list_item_uri_end > size:
+                        raise rt.Reject
+                    node_list_item_component_list_item_service_list_item_uri_ = data[at:node_list_item_component_list_item_service_list_item_uri_end].decode("latin-1")
+                    at = node_list_item_component_list_item_service_list_item_uri_end
+                    node_list_item_component_list_item_service_list_item_major_version_number_, node_list_item_component_list_item_service_list_item_minor_version_number_ = _S_2B.unpack_from(data, at)
+                    at += 2
+                    node_list_item_component_list_item_service_list_item_ = core_v1_0_types.ServiceRec(node_list_item_component_list_item_service_list_item_uri_, node_list_item_component_list_item_service_list_item_major_version_number_, node_list_item_component_list_item_service_list_item_minor_version_number_)
+                    node_list_item_component_list_item_service_list_.append(node_list_item_component_list_item_service_list_item_)
+                node_list_item_component_list_item_ = ReportServices.ComponentSeq(core_v1_0_types.ComponentRec(node_list_item_component_list_item_component_rec_component_id_, node_list_item_component_list_item_component_rec_instance_id_), node_list_item_component_list_item_service_list_)
+                node_list_item_component_list_.append(node_list_item_component_list_item_)
+            node_list_item_ = ReportServices.NodeSeq(ReportServices.NodeRec(node_list_item_node_rec_node_id_), node_list_item_component_list_)
             node_list_.append(node_list_item_)
         if at != len(data):
             raise rt.Reject
@@ -1031,7 +1253,38 @@ class ReportServices(rt.Message):
         for node_list_item_ in node_list_:
             if type(node_list_item_) is not ReportServices.NodeSeq:
                 raise rt.Reject
-            node_list_item_._write(out)
+            node_list_item_node_rec_ = node_list_item_.node_rec
+            if type(node_list_item_node_rec_) is not ReportServices.NodeRec:
+                raise rt.Reject
+            node_list_item_node_rec_node_id_ = node_list_item_node_rec_.node_id
+            out += _S_B.pack(node_list_item_node_rec_node_id_)
+            node_list_item_component_list_ = node_list_item_.component_list
+            if type(node_list_item_component_list_) is not list:
+                raise rt.Reject
+            out.append(len(node_list_item_component_list_))
+            for node_list_item_component_list_item_ in node_list_item_component_list_:
+                if type(node_list_item_component_list_item_) is not ReportServices.ComponentSeq:
+                    raise rt.Reject
+                node_list_item_component_list_item_component_rec_ = node_list_item_component_list_item_.component_rec
+                if type(node_list_item_component_list_item_component_rec_) is not core_v1_0_types.ComponentRec:
+                    raise rt.Reject
+                node_list_item_component_list_item_component_rec_component_id_ = node_list_item_component_list_item_component_rec_.component_id
+                node_list_item_component_list_item_component_rec_instance_id_ = node_list_item_component_list_item_component_rec_.instance_id
+                out += _S_2B.pack(node_list_item_component_list_item_component_rec_component_id_, node_list_item_component_list_item_component_rec_instance_id_)
+                node_list_item_component_list_item_service_list_ = node_list_item_component_list_item_.service_list
+                if type(node_list_item_component_list_item_service_list_) is not list:
+                    raise rt.Reject
+                out.append(len(node_list_item_component_list_item_service_list_))
+                for node_list_item_component_list_item_service_list_item_ in node_list_item_component_list_item_service_list_:
+                    if type(node_list_item_component_list_item_service_list_item_) is not core_v1_0_types.ServiceRec:
+                        raise rt.Reject
+                    node_list_item_component_list_item_service_list_item_uri_ = node_list_item_component_list_item_service_list_item_.uri
+                    node_list_item_component_list_item_service_list_item_uri_raw = node_list_item_component_list_item_service_list_item_uri_.encode("latin-1")
+                    out.append(len(node_list_item_component_list_item_service_list_item_uri_raw))
+                    out += node_list_item_component_list_item_service_list_item_uri_raw
+                    node_list_item_component_list_item_service_list_item_major_version_number_ = node_list_item_component_list_item_service_list_item_.major_version_number
+                    node_list_item_component_list_item_service_list_item_minor_version_number_ = node_list_item_component_list_item_service_list_item_.minor_version_number
+                    out += _S_2B.pack(node_list_item_component_list_item_service_list_item_major_version_number_, node_list_item_component_list_item_service_list_item_minor_version_number_)
         return bytes(out)
 
 
@@ -1137,7 +1390,16 @@ class ReportServiceList(rt.Message):
                 raise rt.Reject
             service_list_ = []
             for _ in range(service_list_count):
-                service_list_item_, at = core_v1_0_types.ServiceRec._read(data, at, depth)
+                service_list_item_uri_end = data[at]
+                at += 1
+                service_list_item_uri_end += at
+                if service_list_item_uri_end > size:
+                    raise rt.Reject
+                service_list_item_uri_ = data[at:service_list_item_uri_end].decode("latin-1")
+                at = service_list_item_uri_end
+                service_list_item_major_version_number_, service_list_item_minor_version_number_ = _S_2B.unpack_from(data, at)
+                at += 2
+                service_list_item_ = core_v1_0_types.ServiceRec(service_list_item_uri_, service_list_item_major_version_number_, service_list_item_minor_version_number_)
                 service_list_.append(service_list_item_)
             return cls(component_rec_, service_list_), at
 
@@ -1155,7 +1417,13 @@ class ReportServiceList(rt.Message):
             for service_list_item_ in service_list_:
                 if type(service_list_item_) is not core_v1_0_types.ServiceRec:
                     raise rt.Reject
-                service_list_item_._write(out)
+                service_list_item_uri_ = service_list_item_.uri
+                service_list_item_uri_raw = service_list_item_uri_.encode("latin-1")
+                out.append(len(service_list_item_uri_raw))
+                out += service_list_item_uri_raw
+                service_list_item_major_version_number_ = service_list_item_.major_version_number
+                service_list_item_minor_version_number_ = service_list_item_.minor_version_number
+                out += _S_2B.pack(service_list_item_major_version_number_, service_list_item_minor_version_number_)
 
     @dataclass(slots=True, repr=False)
     class NodeSeq(rt.Struct):
@@ -1190,7 +1458,26 @@ class ReportServiceList(rt.Message):
                 raise rt.Reject
             component_list_ = []
             for _ in range(component_list_count):
-                component_list_item_, at = ReportServiceList.ComponentSeq._read(data, at, depth)
+                component_list_item_component_rec_component_id_, component_list_item_component_rec_instance_id_ = _S_2B.unpack_from(data, at)
+                at += 2
+                component_list_item_service_list_count = data[at]
+                at += 1
+                if component_list_item_service_list_count * 3 > size - at:
+                    raise rt.Reject
+                component_list_item_service_list_ = []
+                for _ in range(component_list_item_service_list_count):
+                    component_list_item_service_list_item_uri_end = data[at]
+                    at += 1
+                    component_list_item_service_list_item_uri_end += at
+                    if component_list_item_service_list_item_uri_end > size:
+                        raise rt.Reject
+                    component_list_item_service_list_item_uri_ = data[at:component_list_item_service_list_item_uri_end].decode("latin-1")
+                    at = component_list_item_service_list_item_uri_end
+                    component_list_item_service_list_item_major_version_number_, component_list_item_service_list_item_minor_version_number_ = _S_2B.unpack_from(data, at)
+                    at += 2
+                    component_list_item_service_list_item_ = core_v1_0_types.ServiceRec(component_list_item_service_list_item_uri_, component_list_item_service_list_item_major_version_number_, component_list_item_service_list_item_minor_version_number_)
+                    component_list_item_service_list_.append(component_list_item_service_list_item_)
+                component_list_item_ = ReportServiceList.ComponentSeq(core_v1_0_types.ComponentRec(component_list_item_component_rec_component_id_, component_list_item_component_rec_instance_id_), component_list_item_service_list_)
                 component_list_.append(component_list_item_)
             return cls(node_rec_, component_list_), at
 
@@ -1207,7 +1494,26 @@ class ReportServiceList(rt.Message):
             for component_list_item_ in component_list_:
                 if type(component_list_item_) is not ReportServiceList.ComponentSeq:
                     raise rt.Reject
-                component_list_item_._write(out)
+                component_list_item_component_rec_ = component_list_item_.component_rec
+                if type(component_list_item_component_rec_) is not core_v1_0_types.ComponentRec:
+                    raise rt.Reject
+                component_list_item_component_rec_component_id_ = component_list_item_component_rec_.component_id
+                component_list_item_component_rec_instance_id_ = component_list_item_component_rec_.instance_id
+                out += _S_2B.pack(component_list_item_component_rec_component_id_, component_list_item_component_rec_instance_id_)
+                component_list_item_service_list_ = component_list_item_.service_list
+                if type(component_list_item_service_list_) is not list:
+                    raise rt.Reject
+                out.append(len(component_list_item_service_list_))
+                for component_list_item_service_list_item_ in component_list_item_service_list_:
+                    if type(component_list_item_service_list_item_) is not core_v1_0_types.ServiceRec:
+                        raise rt.Reject
+                    component_list_item_service_list_item_uri_ = component_list_item_service_list_item_.uri
+                    component_list_item_service_list_item_uri_raw = component_list_item_service_list_item_uri_.encode("latin-1")
+                    out.append(len(component_list_item_service_list_item_uri_raw))
+                    out += component_list_item_service_list_item_uri_raw
+                    component_list_item_service_list_item_major_version_number_ = component_list_item_service_list_item_.major_version_number
+                    component_list_item_service_list_item_minor_version_number_ = component_list_item_service_list_item_.minor_version_number
+                    out += _S_2B.pack(component_list_item_service_list_item_major_version_number_, component_list_item_service_list_item_minor_version_number_)
 
     @dataclass(slots=True, repr=False)
     class SubsystemSeq(rt.Struct):
@@ -1242,7 +1548,36 @@ class ReportServiceList(rt.Message):
                 raise rt.Reject
             node_list_ = []
             for _ in range(node_list_count):
-                node_list_item_, at = ReportServiceList.NodeSeq._read(data, at, depth)
+                node_list_item_node_rec_node_id_ = data[at]
+                at += 1
+                node_list_item_component_list_count = data[at]
+                at += 1
+                if node_list_item_component_list_count * 3 > size - at:
+                    raise rt.Reject
+                node_list_item_component_list_ = []
+                for _ in range(node_list_item_component_list_count):
+                    node_list_item_component_list_item_component_rec_component_id_, node_list_item_component_list_item_component_rec_instance_id_ = _S_2B.unpack_from(data, at)
+                    at += 2
+                    node_list_item_component_list_item_service_list_count = data[at]
+                    at += 1
+                    if node_list_item_component_list_item_service_list_count * 3 > size - at:
+                        raise rt.Reject
+                    node_list_item_component_list_item_service_list_ = []
+                    for _ in range(node_list_item_component_list_item_service_list_count):
+                        node_list_item_component_list_item_service_list_item_uri_end = data[at]
+                        at += 1
+                        node_list_item_component_list_item_service_list_item_uri_end += at
+                        if node_list_item_component_list_item_service_list_item_uri_end > size:
+                            raise rt.Reject
+                        node_list_item_component_list_item_service_list_item_uri_ = data[at:node_list_item_component_list_item_service_list_item_uri_end].decode("latin-1")
+                        at = node_list_item_component_list_item_service_list_item_uri_end
+                        node_list_item_component_list_item_service_list_item_major_version_number_, node_list_item_component_list_item_service_list_item_minor_version_number_ = _S_2B.unpack_from(data, at)
+                        at += 2
+                        node_list_item_component_list_item_service_list_item_ = core_v1_0_types.ServiceRec(node_list_item_component_list_item_service_list_item_uri_, node_list_item_component_list_item_service_list_item_major_version_number_, node_list_item_component_list_item_service_list_item_minor_version_number_)
+                        node_list_item_component_list_item_service_list_.append(node_list_item_component_list_item_service_list_item_)
+                    node_list_item_component_list_item_ = ReportServiceList.ComponentSeq(core_v1_0_types.ComponentRec(node_list_item_component_list_item_component_rec_component_id_, node_list_item_component_list_item_component_rec_instance_id_), node_list_item_component_list_item_service_list_)
+                    node_list_item_component_list_.append(node_list_item_component_list_item_)
+                node_list_item_ = ReportServiceList.NodeSeq(ReportServiceList.NodeRec(node_list_item_node_rec_node_id_), node_list_item_component_list_)
                 node_list_.append(node_list_item_)
             return cls(subsystem_rec_, node_list_), at
 
@@ -1259,7 +1594,38 @@ class ReportServiceList(rt.Message):
             for node_list_item_ in node_list_:
                 if type(node_list_item_) is not ReportServiceList.NodeSeq:
                     raise rt.Reject
-                node_list_item_._write(out)
+                node_list_item_node_rec_ = node_list_item_.node_rec
+                if type(node_list_item_node_rec_) is not ReportServiceList.NodeRec:
+                    raise rt.Reject
+                node_list_item_node_rec_node_id_ = node_list_item_node_rec_.node_id
+                out += _S_B.pack(node_list_item_node_rec_node_id_)
+                node_list_item_component_list_ = node_list_item_.component_list
+                if type(node_list_item_component_list_) is not list:
+                    raise rt.Reject
+                out.append(len(node_list_item_component_list_))
+                for node_list_item_component_list_item_ in node_list_item_component_list_:
+                    if type(node_list_item_component_list_item_) is not ReportServiceList.ComponentSeq:
+                        raise rt.Reject
+                    node_list_item_component_list_item_component_rec_ = node_list_item_component_list_item_.component_rec
+                    if type(node_list_item_component_list_item_component_rec_) is not core_v1_0_types.ComponentRec:
+                        raise rt.Reject
+                    node_list_item_component_list_item_component_rec_component_id_ = node_list_item_component_list_item_component_rec_.component_id
+                    node_list_item_component_list_item_component_rec_instance_id_ = node_list_item_component_list_item_component_rec_.instance_id
+                    out += _S_2B.pack(node_list_item_component_list_item_component_rec_component_id_, node_list_item_component_list_item_component_rec_instance_id_)
+                    node_list_item_component_list_item_service_list_ = node_list_item_component_list_item_.service_list
+                    if type(node_list_item_component_list_item_service_list_) is not list:
+                        raise rt.Reject
+                    out.append(len(node_list_item_component_list_item_service_list_))
+                    for node_list_item_component_list_item_service_list_item_ in node_list_item_component_list_item_service_list_:
+                        if type(node_list_item_component_list_item_service_list_item_) is not core_v1_0_types.ServiceRec:
+                            raise rt.Reject
+                        node_list_item_component_list_item_service_list_item_uri_ = node_list_item_component_list_item_service_list_item_.uri
+                        node_list_item_component_list_item_service_list_item_uri_raw = node_list_item_component_list_item_service_list_item_uri_.encode("latin-1")
+                        out.append(len(node_list_item_component_list_item_service_list_item_uri_raw))
+                        out += node_list_item_component_list_item_service_list_item_uri_raw
+                        node_list_item_component_list_item_service_list_item_major_version_number_ = node_list_item_component_list_item_service_list_item_.major_version_number
+                        node_list_item_component_list_item_service_list_item_minor_version_number_ = node_list_item_component_list_item_service_list_item_.minor_version_number
+                        out += _S_2B.pack(node_list_item_component_list_item_service_list_item_major_version_number_, node_list_item_component_list_item_service_list_item_minor_version_number_)
 
     subsystem_list: list[ReportServiceList.SubsystemSeq]
 
@@ -1284,7 +1650,46 @@ class ReportServiceList(rt.Message):
             raise rt.Reject
         subsystem_list_ = []
         for _ in range(subsystem_list_count):
-            subsystem_list_item_, at = ReportServiceList.SubsystemSeq._read(data, at, depth)
+            (subsystem_list_item_subsystem_rec_subsystem_id_,) = _S_H.unpack_from(data, at)
+            at += 2
+            subsystem_list_item_node_list_count = data[at]
+            at += 1
+            if subsystem_list_item_node_list_count * 2 > size - at:
+                raise rt.Reject
+            subsystem_list_item_node_list_ = []
+            for _ in range(subsystem_list_item_node_list_count):
+                subsystem_list_item_node_list_item_node_rec_node_id_ = data[at]
+                at += 1
+                subsystem_list_item_node_list_item_component_list_count = data[at]
+                at += 1
+                if subsystem_list_item_node_list_item_component_list_count * 3 > size - at:
+                    raise rt.Reject
+                subsystem_list_item_node_list_item_component_list_ = []
+                for _ in range(subsystem_list_item_node_list_item_component_list_count):
+                    subsystem_list_item_node_list_item_component_list_item_component_rec_component_id_, subsystem_list_item_node_list_item_component_list_item_component_rec_instance_id_ = _S_2B.unpack_from(data, at)
+                    at += 2
+                    subsystem_list_item_node_list_item_component_list_item_service_list_count = data[at]
+                    at += 1
+                    if subsystem_list_item_node_list_item_component_list_item_service_list_count * 3 > size - at:
+                        raise rt.Reject
+                    subsystem_list_item_node_list_item_component_list_item_service_list_ = []
+                    for _ in range(subsystem_list_item_node_list_item_component_list_item_service_list_count):
+                        subsystem_list_item_node_list_item_component_list_item_service_list_item_uri_end = data[at]
+                        at += 1
+                        subsystem_list_item_node_list_item_component_list_item_service_list_item_uri_end += at
+                        if subsystem_list_item_node_list_item_component_list_item_service_list_item_uri_end > size:
+                            raise rt.Reject
+                        subsystem_list_item_node_list_item_component_list_item_service_list_item_uri_ = data[at:subsystem_list_item_node_list_item_component_list_item_service_list_item_uri_end].decode("latin-1")
+                        at = subsystem_list_item_node_list_item_component_list_item_service_list_item_uri_end
+                        subsystem_list_item_node_list_item_component_list_item_service_list_item_major_version_number_, subsystem_list_item_node_list_item_component_list_item_service_list_item_minor_version_number_ = _S_2B.unpack_from(data, at)
+                        at += 2
+                        subsystem_list_item_node_list_item_component_list_item_service_list_item_ = core_v1_0_types.ServiceRec(subsystem_list_item_node_list_item_component_list_item_service_list_item_uri_, subsystem_list_item_node_list_item_component_list_item_service_list_item_major_version_number_, subsystem_list_item_node_list_item_component_list_item_service_list_item_minor_version_number_)
+                        subsystem_list_item_node_list_item_component_list_item_service_list_.append(subsystem_list_item_node_list_item_component_list_item_service_list_item_)
+                    subsystem_list_item_node_list_item_component_list_item_ = ReportServiceList.ComponentSeq(core_v1_0_types.ComponentRec(subsystem_list_item_node_list_item_component_list_item_component_rec_component_id_, subsystem_list_item_node_list_item_component_list_item_component_rec_instance_id_), subsystem_list_item_node_list_item_component_list_item_service_list_)
+                    subsystem_list_item_node_list_item_component_list_.append(subsystem_list_item_node_list_item_component_list_item_)
+                subsystem_list_item_node_list_item_ = ReportServiceList.NodeSeq(ReportServiceList.NodeRec(subsystem_list_item_node_list_item_node_rec_node_id_), subsystem_list_item_node_list_item_component_list_)
+                subsystem_list_item_node_list_.append(subsystem_list_item_node_list_item_)
+            subsystem_list_item_ = ReportServiceList.SubsystemSeq(ReportServiceList.SubsystemRec(subsystem_list_item_subsystem_rec_subsystem_id_), subsystem_list_item_node_list_)
             subsystem_list_.append(subsystem_list_item_)
         if at != len(data):
             raise rt.Reject
@@ -1299,7 +1704,50 @@ class ReportServiceList(rt.Message):
         for subsystem_list_item_ in subsystem_list_:
             if type(subsystem_list_item_) is not ReportServiceList.SubsystemSeq:
                 raise rt.Reject
-            subsystem_list_item_._write(out)
+            subsystem_list_item_subsystem_rec_ = subsystem_list_item_.subsystem_rec
+            if type(subsystem_list_item_subsystem_rec_) is not ReportServiceList.SubsystemRec:
+                raise rt.Reject
+            subsystem_list_item_subsystem_rec_subsystem_id_ = subsystem_list_item_subsystem_rec_.subsystem_id
+            out += _S_H.pack(subsystem_list_item_subsystem_rec_subsystem_id_)
+            subsystem_list_item_node_list_ = subsystem_list_item_.node_list
+            if type(subsystem_list_item_node_list_) is not list:
+                raise rt.Reject
+            out.append(len(subsystem_list_item_node_list_))
+            for subsystem_list_item_node_list_item_ in subsystem_list_item_node_list_:
+                if type(subsystem_list_item_node_list_item_) is not ReportServiceList.NodeSeq:
+                    raise rt.Reject
+                subsystem_list_item_node_list_item_node_rec_ = subsystem_list_item_node_list_item_.node_rec
+                if type(subsystem_list_item_node_list_item_node_rec_) is not ReportServiceList.NodeRec:
+                    raise rt.Reject
+                subsystem_list_item_node_list_item_node_rec_node_id_ = subsystem_list_item_node_list_item_node_rec_.node_id
+                out += _S_B.pack(subsystem_list_item_node_list_item_node_rec_node_id_)
+                subsystem_list_item_node_list_item_component_list_ = subsystem_list_item_node_list_item_.component_list
+                if type(subsystem_list_item_node_list_item_component_list_) is not list:
+                    raise rt.Reject
+                out.append(len(subsystem_list_item_node_list_item_component_list_))
+                for subsystem_list_item_node_list_item_component_list_item_ in subsystem_list_item_node_list_item_component_list_:
+                    if type(subsystem_list_item_node_list_item_component_list_item_) is not ReportServiceList.ComponentSeq:
+                        raise rt.Reject
+                    subsystem_list_item_node_list_item_component_list_item_component_rec_ = subsystem_list_item_node_list_item_component_list_item_.component_rec
+                    if type(subsystem_list_item_node_list_item_component_list_item_component_rec_) is not core_v1_0_types.ComponentRec:
+                        raise rt.Reject
+                    subsystem_list_item_node_list_item_component_list_item_component_rec_component_id_ = subsystem_list_item_node_list_item_component_list_item_component_rec_.component_id
+                    subsystem_list_item_node_list_item_component_list_item_component_rec_instance_id_ = subsystem_list_item_node_list_item_component_list_item_component_rec_.instance_id
+                    out += _S_2B.pack(subsystem_list_item_node_list_item_component_list_item_component_rec_component_id_, subsystem_list_item_node_list_item_component_list_item_component_rec_instance_id_)
+                    subsystem_list_item_node_list_item_component_list_item_service_list_ = subsystem_list_item_node_list_item_component_list_item_.service_list
+                    if type(subsystem_list_item_node_list_item_component_list_item_service_list_) is not list:
+                        raise rt.Reject
+                    out.append(len(subsystem_list_item_node_list_item_component_list_item_service_list_))
+                    for subsystem_list_item_node_list_item_component_list_item_service_list_item_ in subsystem_list_item_node_list_item_component_list_item_service_list_:
+                        if type(subsystem_list_item_node_list_item_component_list_item_service_list_item_) is not core_v1_0_types.ServiceRec:
+                            raise rt.Reject
+                        subsystem_list_item_node_list_item_component_list_item_service_list_item_uri_ = subsystem_list_item_node_list_item_component_list_item_service_list_item_.uri
+                        subsystem_list_item_node_list_item_component_list_item_service_list_item_uri_raw = subsystem_list_item_node_list_item_component_list_item_service_list_item_uri_.encode("latin-1")
+                        out.append(len(subsystem_list_item_node_list_item_component_list_item_service_list_item_uri_raw))
+                        out += subsystem_list_item_node_list_item_component_list_item_service_list_item_uri_raw
+                        subsystem_list_item_node_list_item_component_list_item_service_list_item_major_version_number_ = subsystem_list_item_node_list_item_component_list_item_service_list_item_.major_version_number
+                        subsystem_list_item_node_list_item_component_list_item_service_list_item_minor_version_number_ = subsystem_list_item_node_list_item_component_list_item_service_list_item_.minor_version_number
+                        out += _S_2B.pack(subsystem_list_item_node_list_item_component_list_item_service_list_item_major_version_number_, subsystem_list_item_node_list_item_component_list_item_service_list_item_minor_version_number_)
         return bytes(out)
 
 
@@ -1307,13 +1755,13 @@ _E_QueryIdentification_QueryType = {member.value: member for member in QueryIden
 _S_HB = rt.Packer("<HB")
 _E_QueryConfiguration_QueryType = {member.value: member for member in QueryConfiguration.QueryType}
 _S_H = rt.Packer("<H")
-_E_core_v1_0_types_QueriedNodeRec_NodeID = {member.value: member for member in core_v1_0_types.QueriedNodeRec.NodeID}
-_E_core_v1_0_types_QueriedComponentRec_ComponentID = {member.value: member for member in core_v1_0_types.QueriedComponentRec.ComponentID}
+_E_QueriedNodeRec_NodeID = {member.value: member for member in core_v1_0_types.QueriedNodeRec.NodeID}
+_E_QueriedComponentRec_ComponentID = {member.value: member for member in core_v1_0_types.QueriedComponentRec.ComponentID}
 _S_B = rt.Packer("<B")
 _E_QueryServiceList_SubsystemID = {member.value: member for member in QueryServiceList.SubsystemID}
 _E_QueryServiceList_ComponentID = {member.value: member for member in QueryServiceList.ComponentID}
+_S_2B = rt.Packer("<2B")
 _E_ReportIdentification_QueryType = {member.value: member for member in ReportIdentification.QueryType}
 _E_ReportIdentification_Type = {member.value: member for member in ReportIdentification.Type}
 _S_BH = rt.Packer("<BH")
-_S_2B = rt.Packer("<2B")
 _S_H2B = rt.Packer("<H2B")

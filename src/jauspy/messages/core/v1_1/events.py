@@ -366,7 +366,7 @@ class QueryEvents(rt.Message):
         return rt.Composite(
             cls,
             (
-                rt.Slot("query_events_var", "QueryEventsVar", rt.Union.of("B", QueryEvents.MessageIDRec, core_v1_0_types.EventTypeRec, QueryEvents.EventIDRec, core_v1_0_types.AllEventsRec)),
+                rt.Slot("query_events_var", "QueryEventsVar", rt.Union.of("B", message_id_rec=QueryEvents.MessageIDRec, event_type_rec=core_v1_0_types.EventTypeRec, event_id_rec=QueryEvents.EventIDRec, all_events_rec=core_v1_0_types.AllEventsRec)),
             ),
         )
 
@@ -470,8 +470,7 @@ class ConfirmEventRequest(rt.Message):
         code, request_id_, event_id_, confirmed_periodic_rate_ = _S_H2BH.unpack(data)
         if code != 0x01F3:
             raise rt.Reject
-        confirmed_periodic_rate_ = confirmed_periodic_rate_ * 0.016662851911192492
-        return cls(request_id_, event_id_, confirmed_periodic_rate_)
+        return cls(request_id_, event_id_, confirmed_periodic_rate_ * 0.016662851911192492)
 
     def _pack(self) -> bytes:
         request_id_ = self.request_id
@@ -666,7 +665,18 @@ class ReportEvents(rt.Message):
             raise rt.Reject
         event_list_ = []
         for _ in range(event_list_count):
-            event_list_item_, at = ReportEvents.ReportEventRec._read(data, at, depth)
+            event_list_item_event_type_, event_list_item_event_id_ = _S_2B.unpack_from(data, at)
+            at += 2
+            (event_list_item_query_message_end,) = _S_I.unpack_from(data, at)
+            at += 4
+            if event_list_item_query_message_end > 2147483647:
+                raise rt.Reject
+            event_list_item_query_message_end += at
+            if event_list_item_query_message_end > size:
+                raise rt.Reject
+            event_list_item_query_message_ = _registry.nested(data[at:event_list_item_query_message_end], depth)
+            at = event_list_item_query_message_end
+            event_list_item_ = ReportEvents.ReportEventRec(_E_ReportEvents_EventType[event_list_item_event_type_], event_list_item_event_id_, event_list_item_query_message_)
             event_list_.append(event_list_item_)
         if at != len(data):
             raise rt.Reject
@@ -681,7 +691,17 @@ class ReportEvents(rt.Message):
         for event_list_item_ in event_list_:
             if type(event_list_item_) is not ReportEvents.ReportEventRec:
                 raise rt.Reject
-            event_list_item_._write(out)
+            event_list_item_event_type_ = event_list_item_.event_type
+            if event_list_item_event_type_ not in _E_ReportEvents_EventType:
+                raise rt.Reject
+            event_list_item_event_id_ = event_list_item_.event_id
+            out += _S_2B.pack(event_list_item_event_type_, event_list_item_event_id_)
+            event_list_item_query_message_ = event_list_item_.query_message
+            event_list_item_query_message_raw = rt.message_bytes(event_list_item_query_message_)
+            if len(event_list_item_query_message_raw) > 2147483647:
+                raise rt.Reject
+            out += _S_I.pack(len(event_list_item_query_message_raw))
+            out += event_list_item_query_message_raw
         return bytes(out)
 
 
@@ -788,8 +808,7 @@ class CommandEvent(rt.Message):
         code, event_id_, command_result_ = _S_H2B.unpack(data)
         if code != 0x41F6:
             raise rt.Reject
-        command_result_ = _E_CommandEvent_CommandResult[command_result_]
-        return cls(event_id_, command_result_)
+        return cls(event_id_, _E_CommandEvent_CommandResult[command_result_])
 
     def _pack(self) -> bytes:
         event_id_ = self.event_id
@@ -833,8 +852,7 @@ class ReportEventTimeout(rt.Message):
         code, timeout_ = _S_HB.unpack(data)
         if code != 0x41F2:
             raise rt.Reject
-        timeout_ = _E_ReportEventTimeout_Timeout.get(timeout_, timeout_)
-        return cls(timeout_)
+        return cls(_E_ReportEventTimeout_Timeout.get(timeout_, timeout_))
 
     def _pack(self) -> bytes:
         timeout_ = self.timeout

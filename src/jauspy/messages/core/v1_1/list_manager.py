@@ -81,7 +81,10 @@ class SetElement(rt.Message):
             raise rt.Reject
         element_list_ = []
         for _ in range(element_list_count):
-            element_list_item_, at = core_v1_0_types.ElementRec._read(data, at, depth)
+            element_list_item_element_uid_, element_list_item_previous_uid_, element_list_item_next_uid_ = _S_3H.unpack_from(data, at)
+            at += 6
+            element_list_item_element_data_, at = core_v1_0_types.ElementRec.ElementData._read(data, at, depth)
+            element_list_item_ = core_v1_0_types.ElementRec(element_list_item_element_uid_, element_list_item_previous_uid_, element_list_item_next_uid_, element_list_item_element_data_)
             element_list_.append(element_list_item_)
         if at != len(data):
             raise rt.Reject
@@ -101,7 +104,14 @@ class SetElement(rt.Message):
         for element_list_item_ in element_list_:
             if type(element_list_item_) is not core_v1_0_types.ElementRec:
                 raise rt.Reject
-            element_list_item_._write(out)
+            element_list_item_element_uid_ = element_list_item_.element_uid
+            element_list_item_previous_uid_ = element_list_item_.previous_uid
+            element_list_item_next_uid_ = element_list_item_.next_uid
+            out += _S_3H.pack(element_list_item_element_uid_, element_list_item_previous_uid_, element_list_item_next_uid_)
+            element_list_item_element_data_ = element_list_item_.element_data
+            if type(element_list_item_element_data_) is not core_v1_0_types.ElementRec.ElementData:
+                raise rt.Reject
+            element_list_item_element_data_._write(out)
         return bytes(out)
 
 
@@ -392,8 +402,7 @@ class RejectElementRequest(rt.Message):
         code, request_id_, response_code_ = _S_H2B.unpack(data)
         if code != 0x041D:
             raise rt.Reject
-        response_code_ = _E_RejectElementRequest_ResponseCode[response_code_]
-        return cls(request_id_, response_code_)
+        return cls(request_id_, _E_RejectElementRequest_ResponseCode[response_code_])
 
     def _pack(self) -> bytes:
         request_id_ = self.request_id
@@ -623,10 +632,10 @@ class ReportElementCount(rt.Message):
 
 
 _S_B = rt.Packer("<B")
+_S_3H = rt.Packer("<3H")
 _S_H = rt.Packer("<H")
 _S_2H = rt.Packer("<2H")
 _S_HB = rt.Packer("<HB")
 _E_RejectElementRequest_ResponseCode = {member.value: member for member in RejectElementRequest.ResponseCode}
 _S_H2B = rt.Packer("<H2B")
 _E_ReportElement_ElementDataFormat = {member.value: member for member in ReportElement.ElementDataFormat}
-_S_3H = rt.Packer("<3H")

@@ -143,8 +143,7 @@ class SetEmergency(rt.Message):
         code, emergency_code_ = _S_2H.unpack(data)
         if code != 0x0006:
             raise rt.Reject
-        emergency_code_ = _E_SetEmergency_EmergencyCode[emergency_code_]
-        return cls(emergency_code_)
+        return cls(_E_SetEmergency_EmergencyCode[emergency_code_])
 
     def _pack(self) -> bytes:
         emergency_code_ = self.emergency_code
@@ -187,8 +186,7 @@ class ClearEmergency(rt.Message):
         code, emergency_code_ = _S_2H.unpack(data)
         if code != 0x0007:
             raise rt.Reject
-        emergency_code_ = _E_ClearEmergency_EmergencyCode[emergency_code_]
-        return cls(emergency_code_)
+        return cls(_E_ClearEmergency_EmergencyCode[emergency_code_])
 
     def _pack(self) -> bytes:
         emergency_code_ = self.emergency_code
@@ -264,8 +262,7 @@ class ReportStatus(rt.Message):
         code, status_, reserved_ = _S_HBI.unpack(data)
         if code != 0x4002:
             raise rt.Reject
-        status_ = _E_ReportStatus_Status[status_]
-        return cls(status_, reserved_)
+        return cls(_E_ReportStatus_Status[status_], reserved_)
 
     def _pack(self) -> bytes:
         status_ = self.status

@@ -20,8 +20,8 @@ class ZPosition(rt.Struct):
     4: meter, -50000..50000 meter
     """
 
-    class ZPositionChoice(IntEnum):
-        """Values of ZPositionChoice."""
+    class Choice(IntEnum):
+        """Values of Choice."""
 
         ALTITUDE_AGL = 0
         ALTITUDE_MSL = 1
@@ -29,7 +29,7 @@ class ZPosition(rt.Struct):
         DEPTH = 3
         Z_LOCAL = 4
 
-    choice: ZPosition.ZPositionChoice | int
+    choice: ZPosition.Choice | int
     value: float
 
     @classmethod
@@ -43,7 +43,7 @@ class ZPosition(rt.Struct):
                 3: rt.Real("I", rt.Scaling(-50000.0, 50000.0, 4294967295), "meter"),
                 4: rt.Real("I", rt.Scaling(-50000.0, 50000.0, 4294967295), "meter"),
             },
-            rt.Values(ZPosition.ZPositionChoice),
+            rt.Values(ZPosition.Choice),
         )
 
     @classmethod
@@ -72,7 +72,7 @@ class ZPosition(rt.Struct):
             value = -50000.0 + value_ * 2.3283064370807974e-05
         else:
             raise rt.Reject
-        return cls(_E_mobility_v1_0_types_ZPosition_ZPositionChoice[choice], value), at
+        return cls(_E_ZPosition_Choice[choice], value), at
 
     def _write(self, out: bytearray) -> None:
         choice = self.choice
@@ -550,7 +550,7 @@ class ReportVelocityStateExtRec(rt.Struct):
 
 
 _S_I = rt.Packer("<I")
-_E_mobility_v1_0_types_ZPosition_ZPositionChoice = {member.value: member for member in ZPosition.ZPositionChoice}
+_E_ZPosition_Choice = {member.value: member for member in ZPosition.Choice}
 _R_2 = rt.Scaling(-50000.0, 50000.0, 4294967295)
 _S_BI = rt.Packer("<BI")
 _M_mobility_v1_0_types_VelocityVehicleXYZRec_0 = rt.Masks("", ((1, "I"), (2, "I"), (4, "I")))

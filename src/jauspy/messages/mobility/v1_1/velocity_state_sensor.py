@@ -315,7 +315,7 @@ class ReportVelocityStateExt(rt.Message):
         return rt.Composite(
             cls,
             (
-                rt.Slot("velocity_var", "VelocityVar", rt.Union.of("B", mobility_v1_0_types.VelocityVehicleXYZRec, mobility_v1_0_types.VelocityLocalXYZRec, mobility_v1_0_types.VelocityNEDRec)),
+                rt.Slot("velocity_var", "VelocityVar", rt.Union.of("B", velocity_vehicle_xyz_rec=mobility_v1_0_types.VelocityVehicleXYZRec, velocity_local_xyz_rec=mobility_v1_0_types.VelocityLocalXYZRec, velocity_ned_rec=mobility_v1_0_types.VelocityNEDRec)),
                 rt.Slot("report_velocity_state_ext_rec", "ReportVelocityStateExtRec", mobility_v1_0_types.ReportVelocityStateExtRec.layout()),
             ),
         )
