@@ -1,0 +1,1 @@
+"""Descriptions of the robots that come with jauspy, one TOML file each."""
