@@ -28,11 +28,11 @@ def pack(packet: Packet) -> bytes:
 
 
 def check_version(data: bytes | memoryview) -> None:
-    """Raise `ProtocolError` unless this is an AS5669A version 2 datagram."""
-    if not data:
-        raise ProtocolError("empty", "a datagram without bytes")
-    if data[0] != header.VERSION:
+    """Raise `ProtocolError` unless this is an AS5669A version 2 datagram with something in it."""
+    if data and data[0] != header.VERSION:
         raise ProtocolError("version", f"transport version {data[0]} is not {header.VERSION}")
+    if len(data) < 2:
+        raise ProtocolError("empty", "a datagram without a packet")
 
 
 def headers(data: bytes | memoryview) -> Iterator[RawPacket]:
@@ -56,7 +56,7 @@ def unpack_all(data: bytes | memoryview) -> tuple[list[Packet], list[ProtocolErr
             packets.append(packet)
     except ProtocolError as error:
         return packets, [error]
-    return packets, [] if packets else [ProtocolError("empty", "a version byte and no packet")]
+    return packets, []
 
 
 def unpack(data: bytes | memoryview) -> list[Packet]:

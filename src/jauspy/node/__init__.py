@@ -1,0 +1,8 @@
+"""The node manager: an asyncio shell around `protocol.node.NodeCore`."""
+
+from __future__ import annotations
+
+from jauspy.node.config import NodeConfig
+from jauspy.node.manager import NodeManager
+
+__all__ = ["NodeConfig", "NodeManager"]

@@ -1,0 +1,68 @@
+"""The UDP sockets of a node manager."""
+
+from __future__ import annotations
+
+import errno
+import logging
+import socket
+from typing import NamedTuple
+
+from jauspy.errors import TransportError
+from jauspy.node import owner
+from jauspy.node.config import NodeConfig
+from jauspy.transport import multicast
+
+_LOGGER = logging.getLogger(__name__)
+
+RECEIVE_BUFFER = 4 * 1024 * 1024
+"""Bytes asked of the kernel, so that a burst survives until it is read; the kernel may give less."""
+
+
+class UdpSockets(NamedTuple):
+    """`unicast` sends everything; `group` only receives multicasts, and is None when `unicast` does that too."""
+
+    unicast: socket.socket
+    group: socket.socket | None
+    joined: int
+
+    def all(self) -> list[socket.socket]:
+        """The sockets to read from."""
+        return [self.unicast] if self.group is None else [self.unicast, self.group]
+
+
+def open_udp(config: NodeConfig) -> UdpSockets:
+    """Bind and join; raises `TransportError` that names who has the port.
+
+    On a wildcard address one exclusive socket does all. On a specific address, multicasts need a second socket,
+    bound to the group and shared, so that node managers on several addresses of one host all get them.
+    """
+    unicast = _bind(config.address, config.port, shared=False)
+    multicast.prepare_sender(unicast, multicast.ANY, config.multicast_ttl)
+    if config.address == multicast.ANY:
+        return UdpSockets(unicast, None, multicast.join(unicast, config.multicast_group, config.interfaces))
+    try:
+        group = _bind(config.multicast_group, unicast.getsockname()[1], shared=True)
+    except TransportError as error:
+        _LOGGER.warning("no multicasts will be received: %s", error)
+        return UdpSockets(unicast, None, 0)
+    return UdpSockets(unicast, group, multicast.join(group, config.multicast_group, config.interfaces))
+
+
+def _bind(address: str, port: int, *, shared: bool) -> socket.socket:
+    sock = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+    try:
+        sock.setblocking(False)
+        sock.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, RECEIVE_BUFFER)
+        if shared:
+            sock.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        sock.bind((address, port))
+    except OSError as error:
+        sock.close()
+        if error.errno == errno.EADDRINUSE:
+            raise TransportError(
+                f"UDP port {port} is used by {owner.of_udp_port(port)}; stop it, or choose another port with --port"
+            ) from None
+        if error.errno == errno.EADDRNOTAVAIL:
+            raise TransportError(f"{address} is no address of this machine; choose another with --address") from None
+        raise TransportError(f"cannot bind UDP {address}:{port}: {error.strerror}") from error
+    return sock

@@ -1,0 +1,41 @@
+"""The contract between a component and the way its datagrams travel."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Protocol, TypeAlias
+
+from jauspy.ids import JausID
+
+Receiver: TypeAlias = Callable[[bytes], None]
+
+
+class Transport(Protocol):
+    """Carries JUDP datagrams of one component, one packet each.
+
+    The owner sets `received` before `open`; it is called in the event loop with each datagram that arrives.
+    """
+
+    id: JausID
+    received: Receiver
+
+    async def open(self) -> None:
+        """Be ready to send and receive; raises `TransportError` when that is not possible."""
+
+    async def close(self) -> None:
+        """Give everything back; a second call does nothing."""
+
+    def send(self, datagram: bytes) -> None:
+        """Send, or drop and count; never blocks and never raises."""
+
+    @property
+    def connected(self) -> bool:
+        """True while datagrams can be expected to arrive."""
+
+    @property
+    def counters(self) -> Mapping[str, int]:
+        """What was sent, received and dropped, by reason."""
+
+
+def ignore(datagram: bytes) -> None:
+    """The receiver of a transport that nobody owns yet."""

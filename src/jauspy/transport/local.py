@@ -1,0 +1,135 @@
+"""A component's socket to its node manager: the Junior local protocol, which reconnects by itself."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import socket
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Final
+
+from jauspy.errors import TransportError
+from jauspy.ids import JausID
+from jauspy.protocol import junior
+from jauspy.protocol.counters import Counters
+from jauspy.transport import draining, local_socket
+from jauspy.transport.base import Receiver, ignore
+
+_LOGGER = logging.getLogger(__name__)
+
+CONNECT_INTERVAL: Final = 0.025
+"""Seconds between Connects until the node manager accepts; what its own clients use."""
+RETRY_INTERVAL: Final = 0.25
+"""Seconds between Connects once the node manager has been away for a while."""
+KEEP_ALIVE: Final = 1.0
+"""Seconds between Connects while connected; node managers answer each, so silence means that ours is gone."""
+MISSED: Final = 2
+"""Keep-alives without an answer after which the node manager counts as gone."""
+
+
+class LocalTransport:
+    """Sends to `<root>/JuniorRTE`, listens on `<root>/<id in decimal>`.
+
+    `open` waits at most `patience` seconds for the node manager; `patience=None` does not wait for it at all.
+    """
+
+    def __init__(self, id: JausID, root: Path = Path("/tmp"), *, patience: float | None = 2.0) -> None:  # noqa: S108
+        self.id = id
+        self.received: Receiver = ignore
+        self._root = Path(root)
+        self._patience = patience
+        self._counters = Counters(_LOGGER)
+        self._socket: socket.socket | None = None
+        self._keeper: asyncio.Task[None] | None = None
+        self._accepted = asyncio.Event()
+        self._unanswered = 0
+
+    @property
+    def path(self) -> Path:
+        """The component's own socket."""
+        return self._root / str(int(self.id))
+
+    @property
+    def connected(self) -> bool:
+        """True while the node manager answers."""
+        return self._accepted.is_set()
+
+    @property
+    def counters(self) -> Mapping[str, int]:
+        """What was sent, received and dropped, by reason."""
+        return self._counters
+
+    async def open(self) -> None:
+        """Bind the component's socket and connect; raises `TransportError` when no node manager answers."""
+        self._socket = local_socket.bind(self.path, owner=f"another component {self.id}")
+        loop = asyncio.get_running_loop()
+        draining.attach(loop, self._socket, self._take, self._failed)
+        self._keeper = loop.create_task(self._keep_connected(), name=f"keep {self.id} connected")
+        if self._patience is None:
+            return
+        try:
+            await asyncio.wait_for(self._accepted.wait(), self._patience)
+        except TimeoutError:
+            await self.close()
+            raise TransportError(
+                f"no node manager answers on {self._root / junior.SOCKET_NAME}; "
+                "start one with 'jauspy node-manager', or name its folder with --local-root"
+            ) from None
+
+    async def close(self) -> None:
+        """Say goodbye, and remove the component's socket."""
+        sock, self._socket = self._socket, None
+        if sock is None:
+            return
+        if self._keeper is not None:
+            self._keeper.cancel()
+            await asyncio.gather(self._keeper, return_exceptions=True)
+        self._send_on(sock, junior.cancel(self.id))
+        draining.detach(asyncio.get_running_loop(), sock)
+        self._accepted.clear()
+        self.path.unlink(missing_ok=True)
+
+    def send(self, datagram: bytes) -> None:
+        """Hand a datagram to the node manager; dropped and counted when it is not there or does not keep up."""
+        if self._socket is not None and self._send_on(self._socket, datagram):
+            self._counters["sent"] += 1
+
+    def _send_on(self, sock: socket.socket, datagram: bytes) -> bool:
+        try:
+            sock.sendto(datagram, str(self._root / junior.SOCKET_NAME))
+        except BlockingIOError:
+            self._counters.drop("node_manager_busy")
+            return False
+        except OSError as error:
+            self._counters.drop("no_node_manager", error)
+            self._accepted.clear()
+            return False
+        return True
+
+    def _take(self, datagram: bytes, _sender: object) -> None:
+        control = junior.parse(datagram)
+        if control is None:
+            self._counters["received"] += 1
+            self.received(datagram)
+        elif control.kind is junior.ControlKind.ACCEPT:
+            self._unanswered = 0
+            if not self.connected:
+                self._counters["connected"] += 1
+                self._accepted.set()
+
+    def _failed(self, error: OSError) -> None:
+        self._counters.drop("socket_error", error)
+
+    async def _keep_connected(self) -> None:
+        interval = CONNECT_INTERVAL
+        while self._socket is not None:
+            if self.connected and self._unanswered >= MISSED:
+                self._accepted.clear()
+            if self.connected:
+                interval = CONNECT_INTERVAL
+            self._unanswered += 1
+            self._send_on(self._socket, junior.connect(self.id))
+            await asyncio.sleep(KEEP_ALIVE if self.connected else interval)
+            if not self.connected:
+                interval = min(interval * 1.3, RETRY_INTERVAL)

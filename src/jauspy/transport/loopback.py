@@ -1,0 +1,84 @@
+"""Components in one process, without sockets: for tests, and for systems that fit into one program."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+from collections.abc import Mapping
+
+from jauspy.errors import ProtocolError, TransportError
+from jauspy.ids import JausID
+from jauspy.protocol import addressing, judp
+from jauspy.protocol.counters import Counters
+from jauspy.transport.base import Receiver, ignore
+
+_LOGGER = logging.getLogger(__name__)
+
+
+class LoopbackHub:
+    """The place where loopback transports meet; routes as a node manager does."""
+
+    def __init__(self) -> None:
+        self.members: dict[int, LoopbackTransport] = {}
+
+    def route(self, datagram: bytes, sender: LoopbackTransport) -> None:
+        """Deliver a datagram to every member that it addresses."""
+        for raw in judp.headers(datagram):
+            exact = self.members.get(raw.destination)
+            if exact is not None:
+                exact.deliver(datagram)
+            elif addressing.is_wildcard(raw.destination):
+                for id, member in list(self.members.items()):
+                    if member is not sender and addressing.reaches(raw.destination, id):
+                        member.deliver(datagram)
+
+
+class LoopbackTransport:
+    """A transport whose other end is a `LoopbackHub`; datagrams arrive in a later turn of the event loop."""
+
+    def __init__(self, id: JausID, hub: LoopbackHub) -> None:
+        self.id = id
+        self.received: Receiver = ignore
+        self._hub = hub
+        self._counters = Counters(_LOGGER)
+
+    @property
+    def connected(self) -> bool:
+        """True between `open` and `close`."""
+        return self._hub.members.get(int(self.id)) is self
+
+    @property
+    def counters(self) -> Mapping[str, int]:
+        """What was sent, received and dropped, by reason."""
+        return self._counters
+
+    async def open(self) -> None:
+        """Join the hub; raises `TransportError` when the id is taken."""
+        if self._hub.members.setdefault(int(self.id), self) is not self:
+            raise TransportError(f"another component {self.id} is already on this loopback hub; choose another id")
+
+    async def close(self) -> None:
+        """Leave the hub."""
+        if self.connected:
+            del self._hub.members[int(self.id)]
+
+    def send(self, datagram: bytes) -> None:
+        """Hand a datagram to the hub; dropped and counted when it is malformed or the transport is closed."""
+        if not self.connected:
+            self._counters.drop("closed")
+            return
+        try:
+            self._hub.route(datagram, self)
+        except ProtocolError as error:
+            self._counters.drop(f"malformed.{error.reason}", error)
+        else:
+            self._counters["sent"] += 1
+
+    def deliver(self, datagram: bytes) -> None:
+        """Called by the hub."""
+        asyncio.get_running_loop().call_soon(self._arrive, datagram)
+
+    def _arrive(self, datagram: bytes) -> None:
+        if self.connected:
+            self._counters["received"] += 1
+            self.received(datagram)

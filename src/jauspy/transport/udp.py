@@ -1,0 +1,116 @@
+"""A component that speaks JUDP itself, such as an OCU on a machine without a node manager."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import socket
+from collections.abc import Mapping
+
+from jauspy.errors import ProtocolError, TransportError
+from jauspy.ids import JausID
+from jauspy.protocol import addressing, judp
+from jauspy.protocol.address_book import Address, AddressBook
+from jauspy.protocol.counters import Counters
+from jauspy.transport import draining, multicast
+from jauspy.transport.base import Receiver, ignore
+
+_LOGGER = logging.getLogger(__name__)
+
+
+class UdpTransport:
+    """Sends what is for an id that was heard before to where it was heard from, and all else to `peer` and `group`.
+
+    `peer` is the UDP address of a node manager. `group` is a multicast address and port; None sends no multicasts.
+    At least one of them is needed. Multicasts leave by `interface`, an IPv4 address of this machine.
+    """
+
+    def __init__(
+        self,
+        id: JausID,
+        *,
+        peer: Address | None = None,
+        group: Address | None = None,
+        bind: Address = (multicast.ANY, 0),
+        interface: str = multicast.ANY,
+    ) -> None:
+        self.id = id
+        self.received: Receiver = ignore
+        self._peers = [address for address in (peer, group) if address is not None]
+        self._bind = bind
+        self._interface = interface
+        self._book = AddressBook()
+        self._counters = Counters(_LOGGER)
+        self._socket: socket.socket | None = None
+
+    @property
+    def connected(self) -> bool:
+        """True between `open` and `close`: UDP knows no more."""
+        return self._socket is not None
+
+    @property
+    def counters(self) -> Mapping[str, int]:
+        """What was sent, received and dropped, by reason."""
+        return self._counters
+
+    async def open(self) -> None:
+        """Bind the socket; raises `TransportError` when the address cannot be used."""
+        if not self._peers:
+            raise TransportError("a UDP transport needs the address of a node manager or a multicast group")
+        sock = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        try:
+            sock.setblocking(False)
+            multicast.prepare_sender(sock, self._interface, judp.MULTICAST_TTL)
+            sock.bind(self._bind)
+        except OSError as error:
+            sock.close()
+            host, port = self._bind
+            raise TransportError(f"cannot use UDP {host}:{port}: {error.strerror}") from error
+        self._socket = sock
+        draining.attach(asyncio.get_running_loop(), sock, self._take, self._failed)
+
+    async def close(self) -> None:
+        """Close the socket."""
+        sock, self._socket = self._socket, None
+        if sock is not None:
+            draining.detach(asyncio.get_running_loop(), sock)
+
+    def send(self, datagram: bytes) -> None:
+        """Send to the learned address of the destination, or ask everywhere."""
+        if self._socket is None:
+            self._counters.drop("closed")
+            return
+        try:
+            destination = next(judp.headers(datagram)).destination
+        except ProtocolError as error:
+            self._counters.drop(f"malformed.{error.reason}", error)
+            return
+        known = self._book.find(destination)
+        for address in [known] if known else self._peers:
+            self._send_to(self._socket, datagram, address)
+
+    def _send_to(self, sock: socket.socket, datagram: bytes, address: Address) -> None:
+        try:
+            sock.sendto(datagram, address)
+        except OSError as error:
+            self._counters.drop("unreachable", error)
+        else:
+            self._counters["sent"] += 1
+
+    def _take(self, datagram: bytes, sender: Address) -> None:
+        try:
+            sources = [raw.source for raw in judp.headers(datagram)]
+        except ProtocolError as error:
+            self._counters.drop(f"malformed.{error.reason}", error)
+            return
+        for source in sources:
+            if source == int(self.id):
+                self._counters["echoes"] += 1
+                return
+            if not addressing.is_wildcard(source) and not addressing.is_unassigned(source):
+                self._book.learn(source, sender)
+        self._counters["received"] += 1
+        self.received(datagram)
+
+    def _failed(self, error: OSError) -> None:
+        self._counters.drop("socket_error", error)
