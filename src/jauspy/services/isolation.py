@@ -33,7 +33,8 @@ class Attempt:
             return False
         self.failed = True
         self._counters["action_failed"] += 1
-        _LOG.error("%s failed on %r: %s", self._name, self._trigger, error, exc_info=error)
+        what, source = self._trigger.msg or self._trigger.key, self._trigger.source or "inside"
+        _LOG.error("%s failed on %r from %s: %s", self._name, what, source, error, exc_info=error)
         return True
 
 

@@ -53,7 +53,8 @@ def _slots(kind: type[Struct]) -> tuple[Slot, ...]:
 
 
 def _masked(record: S, asked: int) -> S:
-    unasked = [name for bit, name in enumerate(_optional(type(record))) if not asked >> bit & 1]
+    optional = enumerate(_optional(type(record)))
+    unasked = [name for bit, name in optional if not asked >> bit & 1 and getattr(record, name) is not None]
     if unasked:
         record = copy(record)
         for name in unasked:

@@ -9,8 +9,8 @@ from jauspy.ids import ANY_COMPONENT, ANY_NODE, ANY_SUBSYSTEM, JausID
 
 MAX_COMPONENTS: Final = 256
 """Other components that may be registered at once."""
-MAX_SERVICES: Final = 255
-"""Services of one component: their count is one byte."""
+MAX_SERVICES: Final = 64
+"""Services of one component that are kept; the wire allows 255, which no component comes near."""
 
 
 class Offer(NamedTuple):

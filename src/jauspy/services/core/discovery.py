@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from itertools import groupby
 from operator import attrgetter
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 from jauspy.ids import JausID
 from jauspy.messages.core import (
@@ -26,6 +26,9 @@ from jauspy.messages.core import (
 )
 from jauspy.services.core.directory import Directory, Offer
 from jauspy.services.service import Service
+
+if TYPE_CHECKING:
+    from jauspy.services.host import Host
 
 SYSTEM, SUBSYSTEM, NODE, COMPONENT = 1, 2, 3, 4
 """The levels of a query (its field QueryType)."""
@@ -59,7 +62,7 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
 
     def attached(self) -> None:
         """The component's own services, those it inherits included."""
-        self.directory.register(self.host.id, own_offers(self))
+        self.directory.register(self.host.id, own_offers(self.host))
 
     def publish_services(self, msg: RegisterServices, source: JausID) -> None:
         """Take up another component of this subsystem."""
@@ -136,13 +139,22 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
         )
 
 
-def own_offers(service: Service) -> list[Offer]:
-    """What the component of `service` offers, as for its registration at another component's Discovery."""
+def registration(host: Host) -> RegisterServices:
+    """What a component without Discovery sends to the one of its subsystem that has it."""
+    return RegisterServices(service_list=[_service(offer) for offer in own_offers(host)])
+
+
+def own_offers(host: Host) -> list[Offer]:
+    """The services of a component and all they inherit from."""
     offers = []
-    for urn, definition in service.host.definitions.items():
+    for urn, definition in host.definitions.items():
         major, _, minor = definition.version.partition(".")
         offers.append(Offer(urn, int(major), int(minor or 0)))
     return sorted(offers)
+
+
+def _service(offer: Offer) -> ServiceRec:
+    return ServiceRec(uri=offer.uri, major_version_number=offer.major, minor_version_number=offer.minor)
 
 
 def _filtered(offers: tuple[Offer, ...], wanted: str | None) -> tuple[Offer, ...]:
@@ -163,8 +175,5 @@ def _nodes(report: Any, found: Mapping[JausID, Iterable[Offer]]) -> list[Any]:
 def _component(report: Any, id: JausID, offers: Iterable[Offer]) -> Any:
     return report.ComponentSeq(
         component_rec=ComponentRec(component_id=id.component, instance_id=0),
-        service_list=[
-            ServiceRec(uri=offer.uri, major_version_number=offer.major, minor_version_number=offer.minor)
-            for offer in offers
-        ],
+        service_list=[_service(offer) for offer in offers],
     )

@@ -61,7 +61,7 @@ class LocalPoseSensor(Service, urn="urn:jaus:jss:mobility:LocalPoseSensor"):
     def update_local_pose_ext(self, msg: SetLocalPoseExt) -> None:
         """As `update_local_pose`; a height above some datum says nothing about z of the local frame."""
         z = msg.z_position
-        local = z is not None and z.choice == ZPosition.ZPositionChoice.Z_LOCAL
+        local = z is not None and z.choice == ZPosition.Choice.Z_LOCAL
         self._set(msg.x, msg.y, z.value if z is not None and local else None, msg.heading)
 
     def _set(self, x: float | None, y: float | None, z: float | None, yaw: float | None) -> None:

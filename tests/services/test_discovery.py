@@ -1,0 +1,159 @@
+from __future__ import annotations
+
+import pytest
+
+from jauspy.ids import JausID
+from jauspy.messages.core import (
+    ComponentRec,
+    QueriedComponentRec,
+    QueriedNodeRec,
+    QueryConfiguration,
+    QueryIdentification,
+    QueryServiceList,
+    QueryServices,
+    QuerySubsystemList,
+    RegisterServices,
+    ReportIdentification,
+    ReportServices,
+    ReportSubsystemList,
+    ServiceRec,
+    SubsystemRec,
+)
+from jauspy.services.core import Discovery, Identity, Liveness
+from jauspy.services.core.discovery import registration
+from jauspy.services.core.directory import MAX_COMPONENTS
+
+A = "42.1.1"
+MANIPULATOR = ServiceRec("urn:jaus:jss:manipulator:PrimitiveManipulator", 2, 0)
+
+
+def services(*wanted: tuple[int, int]) -> QueryServices:
+    return QueryServices([QueryServices.NodeSeq(QueriedNodeRec(n), [QueriedComponentRec(c)]) for n, c in wanted])
+
+
+def listed(report: ReportServices) -> dict[tuple[int, int], list[str]]:
+    return {
+        (node.node_rec.node_id, component.component_rec.component_id): [each.uri for each in component.service_list]
+        for node in report.node_list
+        for component in node.component_list
+    }
+
+
+@pytest.fixture
+def rig(make):
+    rig = make(Discovery({2: Identity("A robot", 10001)}), Liveness())
+    rig.tell("101.1.5", RegisterServices([MANIPULATOR]))
+    rig.tell("101.2.1", RegisterServices([MANIPULATOR]))
+    return rig
+
+
+@pytest.mark.parametrize(
+    ("level", "type", "name"), [(1, 10001, "jauspy"), (2, 10001, "A robot"), (3, 40001, None), (4, 60001, None)]
+)
+def test_identification_at_all_levels(rig, level, type, name) -> None:
+    answer = rig.ask(A, QueryIdentification(level))
+    assert isinstance(answer, ReportIdentification)
+    assert (answer.query_type, answer.type) == (level, type)
+    assert name in (None, answer.identification)
+
+
+@pytest.mark.parametrize(
+    "query", [QueryIdentification(0), QueryIdentification(77), QueryConfiguration(1), QueryConfiguration(9)]
+)
+def test_reserved_levels_are_not_answered(rig, query) -> None:
+    assert rig.tell(A, query) == []
+
+
+def test_configuration_of_subsystem_and_node(rig) -> None:
+    def found(level: int) -> list[tuple[int, list[ComponentRec]]]:
+        return [(n.node_rec.node_id, n.component_list) for n in rig.ask(A, QueryConfiguration(level)).node_list]
+
+    assert found(2) == [(1, [ComponentRec(1, 0), ComponentRec(5, 0)]), (2, [ComponentRec(1, 0)])]
+    assert found(3) == [(1, [ComponentRec(1, 0), ComponentRec(5, 0)])]
+
+
+def test_subsystem_list_points_here(rig) -> None:
+    assert rig.ask(A, QuerySubsystemList()) == ReportSubsystemList([SubsystemRec(101, 1, 1)])
+
+
+def test_services_with_wildcards_and_without(rig) -> None:
+    own = [f"urn:jaus:jss:core:{name}" for name in ("Discovery", "Events", "Liveness", "Transport")]
+    other = [MANIPULATOR.uri]
+    assert listed(rig.ask(A, services((255, 255)))) == {(1, 1): own, (1, 5): other, (2, 1): other}
+    assert listed(rig.ask(A, services((1, 255)))) == {(1, 1): own, (1, 5): other}
+    assert listed(rig.ask(A, services((255, 1)))) == {(1, 1): own, (2, 1): other}
+    assert listed(rig.ask(A, services((1, 5), (2, 1)))) == {(1, 5): other, (2, 1): other}
+    assert listed(rig.ask(A, services((9, 9)))) == {}
+
+
+def test_inherited_services_are_listed_with_their_versions(robot) -> None:
+    (node,) = robot.ask(A, services((255, 255))).node_list
+    offers = {
+        (each.uri.rpartition(":")[2], each.major_version_number, each.minor_version_number)
+        for each in node.component_list[0].service_list
+    }
+    assert offers == {
+        (name, 1, 1)
+        for name in (
+            "Transport", "Events", "AccessControl", "Management", "Discovery", "Liveness", "Time",
+            "PrimitiveDriver", "VelocityStateSensor", "LocalPoseSensor",
+        )
+    }  # fmt: skip
+
+
+def service_list(subsystem: int, node: int, component: int, wanted: str | None = None) -> QueryServiceList:
+    q = QueryServiceList
+    return q(
+        [
+            q.SubsystemSeq(
+                q.SubsystemRec(subsystem), [q.NodeSeq(QueriedNodeRec(node), [q.ComponentRec(component, wanted)])]
+            )
+        ]
+    )
+
+
+def test_service_list_with_search_filter(rig) -> None:
+    def found(query: QueryServiceList) -> dict[tuple[int, int, int], list[str]]:
+        return {
+            (subsystem.subsystem_rec.subsystem_id, *where): uris
+            for subsystem in rig.ask(A, query).subsystem_list
+            for where, uris in listed(subsystem).items()
+        }
+
+    assert set(found(service_list(65535, 255, 255))) == {(101, 1, 1), (101, 1, 5), (101, 2, 1)}
+    assert found(service_list(101, 255, 255, "Liveness")) == {(101, 1, 1): ["urn:jaus:jss:core:Liveness"]}
+    assert found(service_list(102, 255, 255)) == {}
+    assert found(service_list(101, 1, 5, "core")) == {}
+
+
+def test_registration_replaces_and_foreign_subsystems_are_ignored(rig) -> None:
+    rig.tell("101.1.5", RegisterServices([]))
+    rig.tell("102.1.5", RegisterServices([MANIPULATOR]))
+    assert listed(rig.ask(A, services((1, 5)))) == {(1, 5): []}
+    assert rig.host.counters["foreign_registration"] == 1
+    assert len(rig.ask(A, QueryConfiguration(2)).node_list) == 2
+
+
+def test_nobody_can_register_for_the_component_itself(rig) -> None:
+    before = rig.ask(A, services((1, 1)))
+    rig.tell("101.1.1", RegisterServices([MANIPULATOR]))
+    assert rig.ask(A, services((1, 1))) == before
+
+
+def test_the_directory_is_bounded(rig) -> None:
+    for node in range(1, 255):
+        for component in (1, 2):
+            rig.tell(f"101.{node}.{component}", RegisterServices([MANIPULATOR] * 255))
+    directory = rig.host.service(Discovery).directory
+    assert len(directory.all()) == MAX_COMPONENTS + 1
+    assert rig.host.counters["registration_dropped"] > 0
+    assert directory.all()[JausID(101, 1, 5)] == ((MANIPULATOR.uri, 2, 0),)
+    rig.ask(A, services((255, 255)))
+
+
+def test_a_component_without_discovery_registers_what_it_has(rig, make) -> None:
+    other = make(Liveness())
+    rig.tell("101.1.9", registration(other.host))
+    assert listed(rig.ask(A, services((1, 9)))) == {
+        (1, 9): [f"urn:jaus:jss:core:{n}" for n in ("Events", "Liveness", "Transport")]
+    }

@@ -1,0 +1,242 @@
+from __future__ import annotations
+
+import logging
+from collections import Counter
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from jauspy.codec.base import Message
+from jauspy.errors import ConfigError
+from jauspy.ids import JausID
+from jauspy.messages import registry
+from jauspy.messages.core import (
+    QueryHeartbeatPulse,
+    QueryStatus,
+    ReportHeartbeatPulse,
+    ReportStatus,
+    RequestControl,
+    Resume,
+)
+from jauspy.messages.mobility import QueryWrenchEffort, ReportWrenchEffort, SetWrenchEffort
+from jauspy.protocol.header import Broadcast, Priority
+from jauspy.schema import load_builtin
+from jauspy.services.core import AccessControl, Liveness, Management
+from jauspy.services.mobility import PrimitiveDriver
+from jauspy.services.outbox import Outbox, Outgoing
+from jauspy.services.service import Service
+
+A = "42.1.1"
+SOURCE = JausID.parse(A)
+INPUTS = sorted({m.code for s in load_builtin().services for m in s.inputs})
+
+
+# --- what comes from the network
+
+
+@pytest.mark.parametrize(
+    ("payload", "reason"),
+    [
+        (b"", "too_short"),
+        (b"\x02", "too_short"),
+        (b"\xff\xff\x00", "unknown_message"),
+        (b"\x02\x40\x01\x00\x00\x00\x00", "unknown_message"),
+        (b"\x0d\x00", "malformed_RequestControl"),
+        (b"\x0d\x00\x01\x01", "malformed_RequestControl"),
+        (b"\x06\x00\x99\x99", "malformed_SetEmergency"),
+    ],
+)
+def test_what_cannot_be_read_is_counted_by_reason_and_logged_once(robot, caplog, payload, reason) -> None:
+    with caplog.at_level(logging.DEBUG, "jauspy.services"):
+        for _ in range(3):
+            assert robot.tell(A, payload) == []
+    assert robot.host.counters == {reason: 3}
+    assert len(caplog.records) == 1
+    assert caplog.records[0].levelno == logging.DEBUG
+    assert isinstance(robot.ask(A, QueryStatus()), ReportStatus)
+
+
+def test_wildcards_send_nothing(robot) -> None:
+    assert robot.tell("42.1.255", RequestControl(200)) == []
+    assert robot.host.counters == {"bad_source": 1}
+    assert robot.host.controller is None
+
+
+# The robot goes through all examples: what one leaves behind is the next one's start.
+@settings(max_examples=200, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(messages=st.lists(st.tuples(st.sampled_from(INPUTS), st.binary(max_size=40)), min_size=1, max_size=20))
+def test_garbage_never_raises(robot, messages: list[tuple[int, bytes]]) -> None:
+    for code, body in messages:
+        robot.host.receive(code.to_bytes(2, "little") + body, SOURCE, robot.now)
+        robot.run(0.01)
+    assert robot.host.counters["action_failed"] == 0
+    assert robot.host.counters["unencodable"] == 0
+    assert len(robot.host.counters) < 50
+
+
+def test_what_no_state_wants_is_counted(robot) -> None:
+    robot.tell(A, Resume())
+    assert robot.host.counters["ignored"] == 1
+
+
+# --- what goes out
+
+
+def outgoing(number: int, priority: Priority = Priority.STANDARD) -> Outgoing:
+    return Outgoing(JausID(1, 1, number), QueryStatus(), b"", priority)
+
+
+def test_the_output_queue_drops_the_oldest_of_the_lowest_priority() -> None:
+    counters: Counter[str] = Counter()
+    box = Outbox(3, counters)
+    for each in (
+        outgoing(1),
+        outgoing(2, Priority.LOW),
+        outgoing(3, Priority.LOW),
+        outgoing(4),
+        outgoing(5, Priority.HIGH),
+    ):
+        box.put(each)
+    assert [each.destination.component for each in box.drain()] == [1, 4, 5]
+    assert counters == {"output_dropped": 2}
+    assert box.drain() == []
+
+
+def test_a_component_that_is_not_emptied_stays_bounded(make) -> None:
+    rig = make(Liveness(), max_output=10)
+    for _ in range(50):
+        rig.host.receive(QueryHeartbeatPulse().encode(), SOURCE, 0.0)
+    assert len(rig.sent()) == 10
+    assert rig.host.counters["output_dropped"] == 40
+
+
+def test_services_choose_priority_and_broadcast(make) -> None:
+    rig = make(Liveness())
+    for broadcast in (Broadcast.NONE, Broadcast.LOCAL, Broadcast.GLOBAL):
+        rig.host.send(SOURCE, ReportHeartbeatPulse(), priority=Priority.HIGH, broadcast=broadcast)
+    sent = rig.host.poll_output(0.0)
+    assert [(each.broadcast, each.priority) for each in sent] == [
+        (b, Priority.HIGH) for b in (Broadcast.NONE, Broadcast.LOCAL, Broadcast.GLOBAL)
+    ]
+    assert sent[0].payload == ReportHeartbeatPulse().encode()
+
+
+def test_what_cannot_be_encoded_is_counted_and_not_sent(make) -> None:
+    class Wrong(Liveness):
+        def report_heartbeat_pulse(self) -> Message:
+            return ReportWrenchEffort(propulsive_linear_effort_x=1000.0)
+
+    rig = make(Wrong())
+    assert rig.tell(A, QueryHeartbeatPulse()) == []
+    assert rig.host.counters["unencodable"] == 1
+
+
+# --- bugs of actions
+
+
+def test_a_bug_is_logged_with_its_message_counted_and_contained(make, drive, caplog) -> None:
+    class Buggy(PrimitiveDriver):
+        def set_wrench_effort(self, msg: SetWrenchEffort) -> None:
+            raise ZeroDivisionError("of mine")
+
+    rig = make(Buggy(drive), Liveness())
+    rig.tell(A, RequestControl(100))
+    rig.tell(A, Resume())
+    before = rig.host.state
+    assert rig.tell(A, SetWrenchEffort(propulsive_linear_effort_x=12.5)) == []
+    (record,) = caplog.records
+    assert record.levelno == logging.ERROR
+    for expected in ("PrimitiveDriver", "Controlled.Available.Ready", "setWrenchEffort", "12.49", A, "of mine"):
+        assert expected in record.getMessage()
+    assert rig.host.state == before
+    assert rig.host.counters["action_failed"] == 1
+    assert rig.ask(A, QueryHeartbeatPulse()) == ReportHeartbeatPulse()
+    assert isinstance(rig.ask(A, QueryWrenchEffort(0)), ReportWrenchEffort)
+
+
+def test_a_bug_in_a_timer_does_not_stop_the_others(make) -> None:
+    rig, called = make(Liveness()), []
+    rig.host.set_timer("broken", 1.0, lambda: 1 / 0)
+    rig.host.set_timer("fine", 1.0, lambda: called.append("fine"))
+    rig.run(1.0)
+    assert called == ["fine"]
+    assert rig.host.counters["action_failed"] == 1
+
+
+def test_internal_events_that_bring_up_more_are_bounded(make) -> None:
+    class Endless(Management):
+        def initialize(self) -> None:
+            for _ in range(3):
+                self.host.fire("Initialized")
+                self.host.fire("Nonsense")
+
+    rig = make(Endless())
+    rig.tell(A, RequestControl(100))
+    rig.tell(A, bytes.fromhex("0500"))
+    assert rig.host.status is ReportStatus.Status.STANDBY
+    for _ in range(1000):
+        rig.host._busy = True
+        rig.host.fire("Nonsense")
+    assert rig.host.counters["event_dropped"] > 0
+
+
+# --- putting a component together
+
+
+def test_inherited_core_services_come_by_themselves(make, drive) -> None:
+    rig = make(PrimitiveDriver(drive))
+    assert [type(s).__name__ for s in rig.host.services] == [
+        "PrimitiveDriver",
+        "Management",
+        "AccessControl",
+        "Events",
+        "Transport",
+    ]
+    given = AccessControl(timeout=9)
+    assert make(PrimitiveDriver(drive), given).host.service(AccessControl) is given
+
+
+def test_missing_actions_are_named(make) -> None:
+    class Half(Service, urn="urn:jaus:jss:mobility:PrimitiveDriver"):
+        pass
+
+    with pytest.raises(ConfigError) as caught:
+        make(Half())
+    text = str(caught.value)
+    ready = "PrimitiveDriver, state Receiving.Ready.Controlled.Available.Ready"
+    assert f"{ready}: action setWrenchEffort needs a method `set_wrench_effort` of Half" in text
+    assert f"{ready}: action resetTravelSpeed needs a method `reset_travel_speed` of Half" in text
+    assert "Send of ReportWrenchEffort needs a method `report_wrench_effort` of Half" in text
+    assert text.count("report_wrench_effort") == 2
+
+
+def test_a_service_without_definition_or_given_twice_is_refused(make) -> None:
+    class Nameless(Service):
+        pass
+
+    class Unknown(Service, urn="urn:x:Unknown"):
+        pass
+
+    class OtherVersion(Liveness, version="7.7"):
+        pass
+
+    for services, text in (
+        ((Nameless(),), "names no definition"),
+        ((Liveness(), Liveness()), "given twice"),
+        ((Unknown(),), "no definition of urn:x:Unknown"),
+        ((OtherVersion(),), r"Liveness 7\.7 is loaded \(versions there: 1\.1\)"),
+    ):
+        with pytest.raises(ConfigError, match=text):
+            make(*services)
+
+
+def test_a_component_has_the_bound_classes_as_inputs(robot) -> None:
+    assert robot.host.accepts(QueryStatus())
+    assert not robot.host.accepts(ReportStatus(status=ReportStatus.Status.READY, reserved=0))
+    assert not robot.host.accepts(registry.by_name("QueryElementList")())
+
+
+def test_without_management_there_is_no_status(make) -> None:
+    rig = make(Liveness())
+    assert (rig.host.status, rig.host.controller, rig.host.state) == (None, None, "Receiving.Ready")

@@ -1,0 +1,210 @@
+"""Every transition of Management 1.1."""
+
+from __future__ import annotations
+
+import pytest
+
+from jauspy.messages.core import (
+    ClearEmergency,
+    ConfirmControl,
+    QueryControl,
+    QueryStatus,
+    RejectControl,
+    ReleaseControl,
+    ReportStatus,
+    RequestControl,
+    Reset,
+    Resume,
+    SetAuthority,
+    SetEmergency,
+    Shutdown,
+    Standby,
+)
+from jauspy.services.core import AccessControl, Management
+from jauspy.services.core.management import MAX_EMERGENCY_CLIENTS
+
+A, B, C = "42.1.1", "42.2.1", "42.2.2"
+BUSY = ConfirmControl(ConfirmControl.ResponseCode.NOT_AVAILABLE)
+RELEASED = RejectControl(RejectControl.ResponseCode.CONTROL_RELEASED)
+REFUSED = RejectControl(RejectControl.ResponseCode.NOT_AVAILABLE)
+STOP = SetEmergency(1)
+CLEAR = ClearEmergency(1)
+
+FREE_STANDBY = "Receiving.Ready.NotControlled.Available.Standby"
+FREE_EMERGENCY = "Receiving.Ready.NotControlled.NotAvailable.Emergency"
+FREE_FAILURE = "Receiving.Ready.NotControlled.NotAvailable.Failure"
+FREE_SHUTDOWN = "Receiving.Ready.NotControlled.NotAvailable.Shutdown"
+HELD_STANDBY = "Receiving.Ready.Controlled.Available.Standby"
+HELD_READY = "Receiving.Ready.Controlled.Available.Ready"
+HELD_EMERGENCY = "Receiving.Ready.Controlled.NotAvailable.Emergency"
+
+WAY_THERE = {
+    FREE_STANDBY: [],
+    FREE_EMERGENCY: [(B, STOP)],
+    FREE_SHUTDOWN: [(A, RequestControl(100)), (A, Shutdown())],
+    HELD_STANDBY: [(A, RequestControl(100))],
+    HELD_READY: [(A, RequestControl(100)), (A, Resume())],
+    HELD_EMERGENCY: [(A, RequestControl(100)), (A, Resume()), (B, STOP)],
+}
+
+# (state before, who sends, what, who gets what, state afterwards); A is in control where somebody is, B set emergencies
+TRANSITIONS = [
+    (FREE_STANDBY, A, Resume(), [], FREE_STANDBY),
+    (FREE_STANDBY, A, Standby(), [], FREE_STANDBY),
+    (FREE_STANDBY, A, Reset(), [], FREE_STANDBY),
+    (FREE_STANDBY, A, Shutdown(), [], FREE_STANDBY),
+    (FREE_STANDBY, B, STOP, [], FREE_EMERGENCY),
+    (FREE_STANDBY, B, CLEAR, [], FREE_STANDBY),
+    (FREE_EMERGENCY, B, CLEAR, [], FREE_STANDBY),
+    (FREE_EMERGENCY, A, CLEAR, [], FREE_EMERGENCY),
+    (FREE_EMERGENCY, A, RequestControl(200), [(A, BUSY)], FREE_EMERGENCY),
+    (FREE_EMERGENCY, A, ReleaseControl(), [(A, RELEASED)], FREE_EMERGENCY),
+    (FREE_EMERGENCY, A, SetAuthority(5), [], FREE_EMERGENCY),
+    (FREE_EMERGENCY, A, Shutdown(), [], FREE_EMERGENCY),
+    (FREE_EMERGENCY, A, Reset(), [], FREE_EMERGENCY),
+    (FREE_SHUTDOWN, A, RequestControl(200), [(A, BUSY)], FREE_SHUTDOWN),
+    (FREE_SHUTDOWN, B, STOP, [], FREE_EMERGENCY),
+    (HELD_STANDBY, A, Resume(), [], HELD_READY),
+    (HELD_STANDBY, B, Resume(), [], HELD_STANDBY),
+    (HELD_STANDBY, A, Reset(), [(A, RELEASED)], FREE_STANDBY),
+    (HELD_STANDBY, B, Reset(), [], HELD_STANDBY),
+    (HELD_STANDBY, A, Shutdown(), [(A, RELEASED)], FREE_SHUTDOWN),
+    (HELD_STANDBY, B, Shutdown(), [], HELD_STANDBY),
+    (HELD_STANDBY, B, STOP, [], HELD_EMERGENCY),
+    (HELD_STANDBY, A, ReleaseControl(), [(A, RELEASED)], FREE_STANDBY),
+    (HELD_READY, A, Standby(), [], HELD_STANDBY),
+    (HELD_READY, B, Standby(), [], HELD_READY),
+    (HELD_READY, A, Reset(), [(A, RELEASED)], FREE_STANDBY),
+    (HELD_READY, A, Shutdown(), [(A, RELEASED)], FREE_SHUTDOWN),
+    (HELD_READY, C, STOP, [], HELD_EMERGENCY),
+    (HELD_READY, A, ReleaseControl(), [(A, RELEASED)], FREE_STANDBY),
+    (HELD_EMERGENCY, B, CLEAR, [], HELD_READY),
+    (HELD_EMERGENCY, A, CLEAR, [], HELD_EMERGENCY),
+    (HELD_EMERGENCY, A, RequestControl(200), [(A, BUSY)], HELD_EMERGENCY),
+    (HELD_EMERGENCY, C, RequestControl(200), [(C, BUSY)], HELD_EMERGENCY),
+    (HELD_EMERGENCY, A, ReleaseControl(), [(A, REFUSED)], HELD_EMERGENCY),
+    (HELD_EMERGENCY, A, SetAuthority(5), [], HELD_EMERGENCY),
+    (HELD_EMERGENCY, A, Standby(), [], HELD_EMERGENCY),
+    (HELD_EMERGENCY, A, Resume(), [], HELD_EMERGENCY),
+    (HELD_EMERGENCY, A, Reset(), [], HELD_EMERGENCY),
+    (HELD_EMERGENCY, A, Shutdown(), [], HELD_EMERGENCY),
+]
+
+
+@pytest.fixture
+def rig(make):
+    return make(Management(), AccessControl(timeout=5))
+
+
+@pytest.mark.parametrize(("before", "client", "message", "answers", "after"), TRANSITIONS)
+def test_transitions(rig, before, client, message, answers, after) -> None:
+    for who, what in WAY_THERE[before]:
+        rig.tell(who, what)
+    assert rig.host.state == before
+    assert rig.tell(client, message) == answers
+    assert rig.host.state == after
+
+
+@pytest.mark.parametrize(
+    ("state", "status"),
+    [
+        (FREE_STANDBY, "STANDBY"),
+        (FREE_EMERGENCY, "EMERGENCY"),
+        (FREE_SHUTDOWN, "SHUTDOWN"),
+        (HELD_STANDBY, "STANDBY"),
+        (HELD_READY, "READY"),
+        (HELD_EMERGENCY, "EMERGENCY"),
+    ],
+)
+def test_status_is_reported_in_every_state_to_everybody_in_five_bytes(rig, state, status) -> None:
+    for who, what in WAY_THERE[state]:
+        rig.tell(who, what)
+    answer = rig.ask(C, QueryStatus())
+    assert answer == ReportStatus(status=ReportStatus.Status[status], reserved=0)
+    assert len(answer.encode()) == 2 + 5
+    assert rig.host.status is ReportStatus.Status[status]
+
+
+@pytest.mark.parametrize(
+    ("before", "answers", "after"),
+    [
+        (FREE_STANDBY, [], FREE_FAILURE),
+        (HELD_READY, [(A, RELEASED)], FREE_FAILURE),
+        (FREE_EMERGENCY, [], FREE_EMERGENCY),
+        (HELD_EMERGENCY, [], HELD_EMERGENCY),
+    ],
+)
+def test_failure(rig, before, answers, after) -> None:
+    for who, what in WAY_THERE[before]:
+        rig.tell(who, what)
+    rig.host.fire("Failure")
+    assert rig.sent() == answers
+    assert rig.host.state == after
+    if after == FREE_FAILURE:
+        assert rig.host.status is ReportStatus.Status.FAILURE
+        assert rig.ask(A, RequestControl(100)) == BUSY
+
+
+@pytest.mark.parametrize("state", [HELD_STANDBY, HELD_READY])
+def test_time_out_gives_control_back(rig, state) -> None:
+    for who, what in WAY_THERE[state]:
+        rig.tell(who, what)
+    assert rig.run(5.0) == [(5.0, A, RELEASED)]
+    assert rig.host.state == FREE_STANDBY
+
+
+def test_an_emergency_lasts_until_everybody_who_set_it_has_cleared_it(rig) -> None:
+    for client in (B, C, B, B):
+        rig.tell(client, STOP)
+    rig.tell(B, CLEAR)
+    assert rig.host.state == FREE_EMERGENCY
+    rig.tell(B, CLEAR)
+    assert rig.host.state == FREE_EMERGENCY
+    rig.tell(C, CLEAR)
+    assert rig.host.state == FREE_STANDBY
+    rig.tell(C, STOP)
+    rig.tell(C, CLEAR)
+    assert rig.host.state == FREE_STANDBY
+
+
+def test_a_flood_of_emergencies_takes_no_memory(rig) -> None:
+    clients = [f"{number}.1.1" for number in range(1, 3 * MAX_EMERGENCY_CLIENTS)]
+    for client in clients:
+        rig.tell(client, STOP)
+    assert len(rig.host.service(Management)._emergency_clients) == MAX_EMERGENCY_CLIENTS
+    for client in clients:
+        assert rig.host.status is ReportStatus.Status.EMERGENCY or client not in clients[:MAX_EMERGENCY_CLIENTS]
+        rig.tell(client, CLEAR)
+    assert rig.host.state == FREE_STANDBY
+
+
+def test_initialization_can_take_its_time(make) -> None:
+    class Slow(Management):
+        def initialize(self) -> None:
+            self.host.set_timer("warm up", self.host.now + 2.0, lambda: self.host.fire("Initialized"))
+
+    rig = make(Slow(), AccessControl(timeout=5))
+    rig.tell(A, RequestControl(100))
+    assert rig.tell(A, Reset()) == [(A, RELEASED)]
+    assert rig.host.status is ReportStatus.Status.INITIALIZE
+    assert rig.ask(A, RequestControl(100)) == BUSY
+    rig.run(2.0)
+    assert rig.host.state == FREE_STANDBY
+    assert rig.ask(A, QueryControl()).authority_code == 0
+
+
+def test_an_emergency_during_initialization_starts_it_again_afterwards(make) -> None:
+    class Slow(Management):
+        def initialize(self) -> None:
+            self.host.set_timer("warm up", self.host.now + 2.0, lambda: self.host.fire("Initialized"))
+
+    rig = make(Slow())
+    rig.tell(A, RequestControl(100))
+    rig.tell(A, Reset())
+    rig.tell(B, STOP)
+    rig.run(10.0)
+    assert rig.host.status is ReportStatus.Status.EMERGENCY
+    rig.tell(B, CLEAR)
+    assert rig.host.status is ReportStatus.Status.INITIALIZE
+    rig.run(2.0)
+    assert rig.host.status is ReportStatus.Status.STANDBY

@@ -1,0 +1,58 @@
+from __future__ import annotations
+
+import pytest
+
+from jauspy.messages.core import (
+    DateStamp,
+    QueryHeartbeatPulse,
+    QueryTime,
+    ReportHeartbeatPulse,
+    ReportTime,
+    RequestControl,
+    SetTime,
+    TimeStamp,
+)
+
+A, B = "42.1.1", "42.2.1"
+NOW = ReportTime(TimeStamp(535, 26, 9, 15, 14), DateStamp(14, 3, 26))
+
+
+def test_heartbeat(robot) -> None:
+    assert robot.ask(A, QueryHeartbeatPulse()) == ReportHeartbeatPulse()
+
+
+def test_time_by_presence_vector(robot) -> None:
+    assert robot.ask(A, QueryTime(0xFF)) == NOW
+    assert robot.ask(A, QueryTime(1)) == ReportTime(time_stamp=NOW.time_stamp)
+    assert robot.ask(A, QueryTime(2)) == ReportTime(date_stamp=NOW.date_stamp)
+    assert robot.ask(A, QueryTime(0)) == ReportTime()
+
+
+def test_only_the_client_in_control_sets_the_time(robot) -> None:
+    wanted = SetTime(TimeStamp(0, 1, 2, 3, 31), DateStamp(31, 12, 30))
+    robot.tell(A, wanted)
+    assert robot.ask(A, QueryTime(3)) == NOW
+    robot.tell(A, RequestControl(100))
+    robot.tell(B, wanted)
+    assert robot.ask(A, QueryTime(3)) == NOW
+    robot.tell(A, wanted)
+    assert robot.ask(A, QueryTime(3)) == ReportTime(wanted.time_stamp, wanted.date_stamp)
+    robot.run(2.5)
+    assert robot.ask(A, QueryTime(1)).time_stamp == TimeStamp(500, 3, 2, 3, 31)
+
+
+@pytest.mark.parametrize(
+    ("wanted", "after"),
+    [
+        (SetTime(time_stamp=TimeStamp(1, 2, 3, 4, 5)), ReportTime(TimeStamp(1, 2, 3, 4, 5), DateStamp(5, 3, 26))),
+        (SetTime(date_stamp=DateStamp(1, 2, 30)), ReportTime(TimeStamp(535, 26, 9, 15, 1), DateStamp(1, 2, 30))),
+        (SetTime(), NOW),
+        (SetTime(date_stamp=DateStamp(31, 2, 26)), NOW),
+    ],
+    ids=["time", "date", "nothing", "30 February"],
+)
+def test_parts_of_the_time(robot, wanted, after) -> None:
+    robot.tell(A, RequestControl(100))
+    robot.tell(A, wanted)
+    assert robot.ask(A, QueryTime(3)) == after
+    assert robot.host.counters["impossible_time"] == (wanted == SetTime(date_stamp=DateStamp(31, 2, 26)))
