@@ -75,7 +75,7 @@ def velocity_decode(data: bytes) -> Velocity:
             raise ValueError(time)
     if at != len(data):
         raise ValueError(at)
-    return Velocity(*values, time)  # type: ignore[arg-type]  # eight numbers
+    return Velocity(*values, time)  # type: ignore[call-arg, arg-type]  # eight numbers
 
 
 def _raw(value: float, lower: float, upper: float, step: float) -> int:

