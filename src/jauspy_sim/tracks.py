@@ -1,0 +1,73 @@
+"""The tracked chassis: efforts to belts, the state of the free joint to pose and twist."""
+
+from __future__ import annotations
+
+import math
+from typing import Final
+
+import mujoco
+import numpy as np
+
+from jauspy.platform.contract import Pose, Twist
+from jauspy.platform.skid_steer import mix
+
+BRAKE_FORCE: Final = 400.0
+"""Holding force of one track's brake, newtons: more than the ground can pass on to it."""
+
+
+def roll_pitch_yaw(w: float, x: float, y: float, z: float) -> tuple[float, float, float]:
+    """Fixed-axis angles (REP-103) of a unit quaternion, radians."""
+    roll = math.atan2(2.0 * (w * x + y * z), 1.0 - 2.0 * (x * x + y * y))
+    pitch = math.asin(min(1.0, max(-1.0, 2.0 * (w * y - z * x))))
+    yaw = math.atan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z))
+    return roll, pitch, yaw
+
+
+class TrackedDrive:
+    """A `DriveBase`: joints and motors `left_track`, `right_track`, free joint `base`, their names after `prefix`."""
+
+    def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, prefix: str) -> None:
+        self._model = model
+        self._data = data
+        base = model.joint(f"{prefix}base")
+        self._base_position = slice(base.qposadr[0], base.qposadr[0] + 7)
+        self._base_velocity = slice(base.dofadr[0], base.dofadr[0] + 6)
+        tracks = [f"{prefix}{name}" for name in ("left_track", "right_track")]
+        belts = [model.joint(name) for name in tracks]
+        self._belt_positions = [int(belt.qposadr[0]) for belt in belts]
+        self._belt_dofs = [int(belt.dofadr[0]) for belt in belts]
+        self._motors = [int(model.actuator(name).id) for name in tracks]
+        self._gear_friction = [float(model.dof_frictionloss[dof]) for dof in self._belt_dofs]
+        self.stop()
+
+    def set_effort(self, linear_x: float, rotational_z: float) -> None:
+        """Drive with fractions of the motors' full force, -1..1; positive z turns left. Zero brakes."""
+        efforts = mix(linear_x, rotational_z)
+        braking = not any(efforts)
+        for motor, dof, friction, effort in zip(
+            self._motors, self._belt_dofs, self._gear_friction, efforts, strict=True
+        ):
+            self._data.ctrl[motor] = effort
+            self._model.dof_frictionloss[dof] = BRAKE_FORCE if braking else friction
+
+    def stop(self) -> None:
+        """Brake, and hold the robot also on a slope."""
+        self.set_effort(0.0, 0.0)
+
+    def pose(self) -> Pose:
+        """Pose of `base_link` in the world."""
+        x, y, z, *quaternion = self._data.qpos[self._base_position].tolist()
+        return Pose(x, y, z, *roll_pitch_yaw(*quaternion))
+
+    def twist(self) -> Twist:
+        """Velocity of `base_link` in its own frame."""
+        velocity = self._data.qvel[self._base_velocity]
+        rotation = np.empty(9)
+        mujoco.mju_quat2Mat(rotation, self._data.qpos[self._base_position][3:])
+        linear = velocity[:3] @ rotation.reshape(3, 3)  # a free joint's linear velocity is in the world's frame
+        return Twist(*linear.tolist(), *velocity[3:].tolist())
+
+    def rewind_belts(self) -> None:
+        """Put the belts back to position zero: only their surface speed shall act."""
+        for position in self._belt_positions:
+            self._data.qpos[position] = 0.0

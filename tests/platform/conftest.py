@@ -1,0 +1,39 @@
+"""Every backend that the platform's contract tests run over."""
+
+from collections.abc import Callable, Iterator
+from importlib.util import find_spec
+
+import pytest
+
+from jauspy.platform.backends import find
+from jauspy.platform.contract import Robot
+
+OpenRobot = Callable[[], Robot]
+
+
+@pytest.fixture(
+    params=[
+        "kinematic",
+        pytest.param("sim", marks=pytest.mark.skipif(find_spec("mujoco") is None, reason="MuJoCo is not installed")),
+    ]
+)
+def backend_name(request: pytest.FixtureRequest) -> str:
+    return str(request.param)
+
+
+@pytest.fixture
+def open_robot(backend_name: str) -> Iterator[OpenRobot]:
+    opened: list[Robot] = []
+
+    def open_one() -> Robot:
+        opened.append(find(backend_name).open("inc1", "empty"))
+        return opened[-1]
+
+    yield open_one
+    for robot in opened:
+        robot.close()
+
+
+@pytest.fixture
+def robot(open_robot: OpenRobot) -> Robot:
+    return open_robot()

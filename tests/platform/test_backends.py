@@ -1,0 +1,30 @@
+"""Backends are found by entry point."""
+
+from importlib.metadata import EntryPoint
+
+import pytest
+
+from jauspy.errors import ConfigError
+from jauspy.platform import backends
+from jauspy.platform.kinematic import KinematicBackend
+
+
+def test_shipped_backends_are_announced() -> None:
+    assert {"kinematic", "sim"} <= set(backends.names())
+
+
+def test_finds_by_name() -> None:
+    assert isinstance(backends.find("kinematic"), KinematicBackend)
+
+
+def test_unknown_name_lists_what_is_there() -> None:
+    with pytest.raises(ConfigError, match=r"'gazebo'.*kinematic.*sim"):
+        backends.find("gazebo")
+
+
+@pytest.mark.parametrize("value", ["no_such_package:Backend", "jauspy.platform.kinematic:NoSuchBackend"])
+def test_backend_that_cannot_be_loaded_is_a_configuration_error(monkeypatch: pytest.MonkeyPatch, value: str) -> None:
+    entry = EntryPoint("broken", value, backends.GROUP)
+    monkeypatch.setattr(backends, "entry_points", lambda **_: [entry])
+    with pytest.raises(ConfigError, match=r"'broken'.*cannot be loaded"):
+        backends.find("broken")

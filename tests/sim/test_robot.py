@@ -1,0 +1,125 @@
+"""The MuJoCo robot in its worlds."""
+
+import logging
+import math
+from pathlib import Path
+
+import pytest
+
+from jauspy.errors import ConfigError
+from jauspy_sim.backend import MujocoBackend
+
+pytest.importorskip("mujoco", reason="MuJoCo is not installed")
+
+from jauspy_sim.assembly import TIMESTEP, build, known, prefix
+from jauspy_sim.robot import SimulatedRobot
+from jauspy_sim.tracks import roll_pitch_yaw
+
+
+@pytest.fixture
+def demo() -> SimulatedRobot:
+    return SimulatedRobot.open("inc1", "demo")
+
+
+@pytest.mark.parametrize("world", known("worlds"))
+@pytest.mark.parametrize("robot", known("robots"))
+def test_any_robot_stands_in_any_world(robot: str, world: str) -> None:
+    pose = SimulatedRobot.open(robot, world).drive.pose()
+    assert max(map(abs, (pose.x, pose.y, pose.z, pose.roll, pose.pitch, pose.yaw))) < 1e-3
+
+
+def test_masses_are_plausible() -> None:
+    model = build("inc1", "empty")
+    base = model.body(f"{prefix('inc1')}base_link").id
+    assert 40.0 < model.body_subtreemass[base] < 60.0
+    for body in range(base, model.nbody):
+        a, b, c = sorted(model.body_inertia[body])
+        assert a > 0.0
+        assert a + b >= c
+
+
+def test_climbs_the_ramp_onto_the_deck(demo: SimulatedRobot) -> None:
+    demo.drive.set_effort(0.4, 0.0)
+    demo.advance(8.0)
+    on_ramp = demo.drive.pose()
+    assert on_ramp.z > 0.15
+    assert on_ramp.pitch == pytest.approx(-math.radians(12), abs=0.02)
+    demo.advance(3.0)
+    on_deck = demo.drive.pose()
+    assert on_deck.z == pytest.approx(0.4, abs=0.005)
+    assert on_deck.pitch == pytest.approx(0.0, abs=0.01)
+
+
+def test_the_brake_holds_it_on_the_ramp(demo: SimulatedRobot) -> None:
+    demo.drive.set_effort(0.4, 0.0)
+    demo.advance(8.0)
+    demo.drive.stop()
+    demo.advance(1.0)
+    before = demo.drive.pose()
+    demo.advance(5.0)
+    assert math.dist((before.x, before.z), (demo.drive.pose().x, demo.drive.pose().z)) < 0.005
+
+
+def test_pushes_a_carton(demo: SimulatedRobot) -> None:
+    data, model = demo._data, demo._model
+    carton = data.body("carton_1").xpos
+    start = carton.copy()
+    address = model.joint(f"{prefix('inc1')}base").qposadr[0]
+    data.qpos[address : address + 2] = (2.6, 2.2)
+    demo.drive.set_effort(0.4, 0.0)
+    demo.advance(1.5)
+    assert carton[0] - start[0] > 0.2
+    assert abs(demo.drive.pose().yaw) < 0.2
+
+
+def test_belts_do_not_travel(demo: SimulatedRobot) -> None:
+    demo.drive.set_effort(1.0, 0.3)
+    demo.advance(1.0)
+    for track in ("left_track", "right_track"):
+        joint = demo._data.joint(f"{prefix('inc1')}{track}")
+        assert joint.qpos[0] == 0.0
+        assert joint.qvel[0] < -0.3
+
+
+def test_leftover_time_is_carried(demo: SimulatedRobot) -> None:
+    demo.advance(0.75 * TIMESTEP)
+    assert demo.time == 0.0
+    demo.advance(0.75 * TIMESTEP)
+    assert demo.time == TIMESTEP
+    demo.advance(0.5 * TIMESTEP)
+    assert demo.time == 2 * TIMESTEP
+
+
+def test_tenths_of_seconds_lose_no_step(demo: SimulatedRobot) -> None:
+    for _ in range(20):
+        demo.advance(0.1)
+    assert demo.time == pytest.approx(2.0, abs=1e-12)
+
+
+@pytest.mark.parametrize("angles", [(0.1, -0.2, 0.3), (-1.0, 1.2, -3.0), (0.0, 0.0, 2.5)])
+def test_roll_pitch_yaw_of_a_quaternion(angles: tuple[float, float, float]) -> None:
+    (cr, sr), (cp, sp), (cy, sy) = ((math.cos(a / 2), math.sin(a / 2)) for a in angles)
+    quaternion = (
+        cr * cp * cy + sr * sp * sy,
+        sr * cp * cy - cr * sp * sy,
+        cr * sp * cy + sr * cp * sy,
+        cr * cp * sy - sr * sp * cy,
+    )
+    assert roll_pitch_yaw(*quaternion) == pytest.approx(angles)
+
+
+def test_unknown_world_lists_the_known_ones() -> None:
+    with pytest.raises(ConfigError, match=r"'mars'.*worlds.*demo, empty"):
+        MujocoBackend().open("inc1", "mars")
+
+
+def test_warnings_are_logged_and_no_file_is_left(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    robot = SimulatedRobot.open("inc1", "empty")
+    robot._data.qpos[:] = math.nan
+    with caplog.at_level(logging.WARNING, logger="jauspy_sim.mujoco"):
+        robot.advance(TIMESTEP)
+    assert "QPOS" in caplog.text.upper()
+    assert list(tmp_path.iterdir()) == []
