@@ -16,9 +16,19 @@ def free_port():
         return probe.getsockname()[1]
 
 
-@pytest.fixture
-def local_root():
-    """A local root whose name is short enough for Unix sockets."""
+def _root():
     root = Path(tempfile.mkdtemp(prefix="jauspy-"))
     yield root
     shutil.rmtree(root)
+
+
+@pytest.fixture
+def local_root():
+    """A local root whose name is short enough for Unix sockets."""
+    yield from _root()
+
+
+@pytest.fixture
+def other_root():
+    """Another one."""
+    yield from _root()

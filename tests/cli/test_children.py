@@ -21,9 +21,10 @@ async def test_a_child_is_ready_when_it_says_so_and_gone_afterwards(free_port, l
     await child.stop()  # twice is fine
 
 
-async def test_a_child_that_fails_says_why(local_root):
-    with pytest.raises(ChildFailed, match=r"decode: there is no file 'nowhere'"):
-        async with Child("decode", ["decode", "nowhere"]):
+async def test_a_child_that_fails_says_why(free_port, local_root):
+    arguments = ["node-manager", "--port", str(free_port), "--local-root", str(local_root), "--address", "203.0.113.9"]
+    with pytest.raises(ChildFailed, match=r"^node manager: 203\.0\.113\.9 is no address of this machine"):
+        async with Child("node manager", arguments):
             pass
 
 

@@ -12,7 +12,6 @@ from jauspy.cli.render import unit_symbol
 from jauspy.codec.base import Message
 from jauspy.codec.items import Bits, Blob, Choice, Formatted, Item, Number, Real, Text
 from jauspy.codec.layout import Composite, Grid, Repeat, Slot, Union
-from jauspy.codec.names import attribute
 from jauspy.codec.registry import Registry
 from jauspy.codec.wire import FLOATS, limits
 from jauspy.errors import ConfigError, EncodeError
@@ -101,7 +100,7 @@ def _parts(layout: Item) -> Iterator[tuple[str, Item]]:
     elif isinstance(layout, Bits):
         yield from ((bit.name, Number("B", bit.values)) for bit in layout.bits)
     elif isinstance(layout, Union):
-        yield from ((attribute(arm.cls.__name__), arm) for arm in layout.arms)
+        yield from layout.arms.items()
     elif isinstance(layout, Choice):
         yield "choice", Number("B", layout.index)
         yield "value", next(iter(layout.items.values()))

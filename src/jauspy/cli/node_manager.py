@@ -30,7 +30,9 @@ def node_manager(
     ] = "239.255.0.1",
     interface: Annotated[
         list[str] | None,
-        typer.Option("--interface", metavar="IP|NAME", help="Join the group on this interface; may be repeated."),
+        typer.Option(
+            "--interface", metavar="IP", help="Address of an interface to join the group on; may be repeated."
+        ),
     ] = None,
     verbose: Annotated[bool, typer.Option("--verbose", "-v", help="Log what is dropped and why.")] = False,
     with_parent: WithParent = False,
@@ -52,7 +54,7 @@ def node_manager(
         end_with_parent()
     run(
         serve(
-            NodeConfig(
+            NodeConfig.make(
                 address=address,
                 port=port,
                 local_root=local_root,
@@ -71,7 +73,7 @@ async def serve(config: NodeConfig, *, quiet: bool) -> None:
     async with NodeManager(config) as manager:
         asyncio.get_running_loop().add_signal_handler(signal.SIGUSR1, print_counters, manager.counters)
         print(
-            f"node manager ready: UDP {config.address}:{config.port}, local sockets in {config.local_root}", flush=True
+            f"node manager ready: UDP {config.address}:{manager.port}, local sockets in {config.local_root}", flush=True
         )
         try:
             await manager.run()

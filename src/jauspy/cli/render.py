@@ -15,7 +15,6 @@ from rich.text import Text
 from jauspy.codec.base import Message
 from jauspy.codec.items import Bits, Blob, Choice, Formatted, Item, Number, Real
 from jauspy.codec.layout import Composite, Grid, Repeat, Union
-from jauspy.codec.names import attribute
 from jauspy.codec.wire import FLOATS
 
 _SYMBOLS: Final = {
@@ -92,8 +91,7 @@ def tree_of(item: Item, value: Any) -> Tree:
     if isinstance(item, Bits):
         return {bit.name: _integer(getattr(value, bit.name)) for bit in item.bits} | _spare(value)
     if isinstance(item, Union):
-        arm = next(arm for arm in item.arms if arm.cls is type(value))
-        return {attribute(arm.cls.__name__): tree_of(arm, value)}
+        return {name: tree_of(arm, value) for name, arm in item.arms.items() if arm.cls is type(value)}
     if isinstance(item, Repeat):
         return [tree_of(item.item, part) for part in value]
     if isinstance(item, Grid):

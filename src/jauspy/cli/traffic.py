@@ -12,6 +12,7 @@ from rich.text import Text
 from jauspy.capture.dissect import OLD_HEADER, Content, Dissection, Part
 from jauspy.capture.reader import Datagram
 from jauspy.cli import console
+from jauspy.cli.explain import explanation
 from jauspy.cli.render import field_lines
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet, Priority
 
@@ -165,7 +166,8 @@ class HumanPrinter:
         if content.message is None and content.payload:
             out.print(Text(f"     {_hex(content.payload)}", style="dim"))
         if self._explain:
-            self._explanation(content)
+            for row in explanation(content):
+                out.print(Text("     ").append_text(row))
         elif content.message is not None:
             for line in field_lines(content.message):
                 out.print(Text("     ").append_text(line))
