@@ -16,7 +16,7 @@ class Pace:
     def __init__(self, step: float, patience: float, *, start: float) -> None:
         self.step = step
         self.patience = patience
-        self.counters: Counter[str] = Counter(steps=0, late=0, skipped=0)
+        self.counters: Counter[str] = Counter(steps=0, late=0, skipped=0, abandoned=0)
         self._due = start + step
 
     def wait(self, now: float) -> float:

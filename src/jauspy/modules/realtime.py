@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import threading
 import time
 from collections import Counter
@@ -41,6 +42,9 @@ class RealTime:
 
     Between the two only that thread touches the robot. Others command `drive` and read `snapshot` at any time: both
     go through a lock that is never held while the robot moves, so an event loop is not held up by physics.
+
+    `lapse`: seconds after which the drive is stopped unless somebody calls `alive`, so that a program that hangs does
+    not leave a robot driving; endless when not given.
     """
 
     def __init__(
@@ -49,12 +53,15 @@ class RealTime:
         *,
         step: float = STEP,
         patience: float = PATIENCE,
+        lapse: float = math.inf,
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
         self._robot = robot
         self._step = step
         self._patience = patience
+        self._lapse = lapse
         self._clock = clock
+        self._alive = clock()
         self._lock = threading.Lock()
         self._command: _Effort | None = None
         self._snapshot = self._look()
@@ -77,7 +84,7 @@ class RealTime:
 
     @property
     def counters(self) -> Mapping[str, int]:
-        """Steps made, steps that came late, and steps left out since time was too far ahead."""
+        """`steps` made; those `late`; those `skipped` as too late; those `abandoned`, made after a `lapse`."""
         return Counter(self._pace.counters)
 
     @property
@@ -90,9 +97,14 @@ class RealTime:
         with self._lock:
             self._command = _Effort(linear_x, rotational_z)
 
+    def alive(self) -> None:
+        """Who commands the robot is still there."""
+        self._alive = self._clock()
+
     def open(self) -> None:
         """Start the thread; twice is fine."""
         if self._executor is None:
+            self.alive()
             self._pace = Pace(self._step, self._patience, start=self._clock())
             self._executor = ThreadPoolExecutor(1, thread_name_prefix="robot")
             self._ended = self._executor.submit(self._live)
@@ -125,10 +137,11 @@ class RealTime:
     def _make_step(self) -> None:
         with self._lock:
             command, self._command = self._command, None
-        if command == _Effort(0.0, 0.0):
-            self._robot.drive.stop()
-        elif command is not None:
+        if command is not None:
             self._robot.drive.set_effort(command.linear_x, command.rotational_z)
+        if self._clock() - self._alive > self._lapse:
+            self._robot.drive.stop()
+            self._pace.counters["abandoned"] += 1
         self._robot.advance(self._step)
         snapshot = self._look()
         with self._lock:
