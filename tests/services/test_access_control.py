@@ -63,8 +63,9 @@ TRANSITIONS = [
 ]
 
 
-@pytest.mark.parametrize(("held", "client", "message", "answers", "state"), TRANSITIONS)
-def test_transitions(rig, held, client, message, answers, state) -> None:
+@pytest.mark.parametrize("row", TRANSITIONS)
+def test_transitions(rig, row) -> None:
+    held, client, message, answers, state = row
     if held:
         assert rig.ask(A, RequestControl(100)) == ACCEPTED
     assert rig.tell(client, message) == answers

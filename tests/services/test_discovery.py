@@ -20,8 +20,8 @@ from jauspy.messages.core import (
     SubsystemRec,
 )
 from jauspy.services.core import Discovery, Identity, Liveness
-from jauspy.services.core.discovery import registration
 from jauspy.services.core.directory import MAX_COMPONENTS
+from jauspy.services.core.discovery import registration
 
 A = "42.1.1"
 MANIPULATOR = ServiceRec("urn:jaus:jss:manipulator:PrimitiveManipulator", 2, 0)

@@ -163,6 +163,12 @@ def test_a_false_guard_passes_on_to_the_next() -> None:
     assert rig.log == ["a", "b"]
 
 
+def test_simple_without_end_state_stays_as_in_jsidl_1_0() -> None:
+    rig = Rig(two_states(a=(on("Ask", "simple", do="a"),)))
+    assert rig.get("Ask") is Outcome.TAKEN
+    assert (rig.machine.state, rig.log) == ("Top.A", ["a"])
+
+
 def test_internal_without_actions_swallows() -> None:
     rig = Rig(two_states(a=(on("Ask"),), top=(on("Ask", do="c"),)))
     assert rig.get("Ask") is Outcome.IGNORED
@@ -293,7 +299,7 @@ def test_everything_missing_is_told_at_once_with_service_state_and_action() -> N
         "S, state Top.A: action doThis needs a method `do_this` of Actions",
         "S, state Top.A: predicate isThere needs a method `is_there` of Actions",
         "S, state Top.A: goes to Top.Nowhere, which is not a state",
-        "S, state Top.A: receives Nothing, which is no input of S or its parents",
+        "S, state Top.A: receives Nothing, which is no message of S or its parents",
         "S, state Top.B: a push transition without an end state",
     ):
         assert expected in text
@@ -309,7 +315,7 @@ def test_a_private_parent_does_not_lend_its_actions() -> None:
     parent = two_states()
     asks = definition("Child", state("Top", state("A", transitions=(on("Ask", do="a"),))), start="Top", parent="S")
     assert Rig(asks, parent, Child=Own()).get("Ask") is Outcome.TAKEN
-    with pytest.raises(ConfigError, match="Child, state Top.A: action a needs a method `a` of Own"):
+    with pytest.raises(ConfigError, match=r"Child, state Top\.A: action a needs a method `a` of Own"):
         Rig(asks, parent, Child=Own(), S=Private())
 
 

@@ -96,8 +96,9 @@ def rig(make):
     return make(Management(), AccessControl(timeout=5))
 
 
-@pytest.mark.parametrize(("before", "client", "message", "answers", "after"), TRANSITIONS)
-def test_transitions(rig, before, client, message, answers, after) -> None:
+@pytest.mark.parametrize("row", TRANSITIONS)
+def test_transitions(rig, row) -> None:
+    before, client, message, answers, after = row
     for who, what in WAY_THERE[before]:
         rig.tell(who, what)
     assert rig.host.state == before

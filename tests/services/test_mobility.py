@@ -73,8 +73,19 @@ def values(report) -> dict[str, float]:
         [(A, RequestControl(100)), (A, Resume()), (A, Reset())],
         [(A, RequestControl(100)), (A, Resume()), (A, Shutdown())],
     ],
-    ids=["nothing", "no control", "standby", "another's", "standby again", "emergency", "released", "taken", "reset", "shutdown"],
-)  # fmt: skip
+    ids=[
+        "nothing",
+        "no control",
+        "standby",
+        "another's",
+        "standby again",
+        "emergency",
+        "released",
+        "taken",
+        "reset",
+        "shutdown",
+    ],
+)
 def test_nothing_moves_without_control_and_ready(robot, drive, before) -> None:
     for client, message in before:
         robot.tell(client, message)

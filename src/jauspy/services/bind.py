@@ -58,7 +58,8 @@ class Binder:
         return Rule(
             name=f"{where}, {_described(transition)}",
             key=self._key(owner, transition, where),
-            kind=transition.kind,
+            # JSIDL 1.0 writes what keeps the state as a simple transition without an end state.
+            kind="internal" if transition.kind == "simple" and transition.end_state is None else transition.kind,
             guard=self._guard(owned, where),
             steps=tuple(self._step(Owned(owner, action), node) for action in transition.actions),
             end=self._end(transition, root, where),
@@ -71,17 +72,18 @@ class Binder:
         if not transition.parameters:
             return ANY_MESSAGE
         wanted = transition.parameters[0].type
-        for definition in self._line(owner):
-            for message in definition.inputs:
-                if message.name == wanted:
-                    return message.code
-        self.problems.append(f"{where}: receives {wanted}, which is no input of {owner.name} or its parents")
+        line = list(self._line(owner))
+        # Outputs come last: a service may be the client of another one of its own kind.
+        for message in (*(m for each in line for m in each.inputs), *(m for each in line for m in each.outputs)):
+            if message.name == wanted:
+                return message.code
+        self.problems.append(f"{where}: receives {wanted}, which is no message of {owner.name} or its parents")
         return wanted
 
     def _end(self, transition: model.Transition, root: StateNode, where: str) -> StateNode | None:
         if transition.end_state is None:
-            if transition.kind in ("simple", "push"):
-                self.problems.append(f"{where}: a {transition.kind} transition without an end state")
+            if transition.kind == "push":
+                self.problems.append(f"{where}: a push transition without an end state")
             return None
         end = root.find(transition.end_state)
         if end is None:

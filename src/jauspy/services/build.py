@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Container, Iterable, Mapping
 from dataclasses import dataclass
 
 from jauspy import messages
@@ -16,7 +16,7 @@ from jauspy.services.bind import Binder, Reply
 from jauspy.services.core.defaults import DEFAULTS
 from jauspy.services.isolation import Containment
 from jauspy.services.lineage import definitions_of
-from jauspy.services.machine import Machine
+from jauspy.services.machine import BoundState, Machine, Rule
 from jauspy.services.service import Service
 from jauspy.services.tree import merge, start_of
 from jauspy.services.trigger import Key
@@ -50,14 +50,15 @@ def build(
     binder.raise_problems()
     starts = {name: start_of(root, name, list(definitions.values())) for name, root in roots.items()}
     machines = {name: Machine(states, starts[name], contain) for name, states in bound.items()}
-    events = {
-        rule.key: machines[name]
-        for name, states in bound.items()
-        for state in states.values()
-        for rule in state.transitions + state.defaults
-        if isinstance(rule.key, str)
-    }
-    return Built(all_services, definitions, machines, _inputs(definitions, registry or messages.registry), events)
+    keys = [(rule.key, name) for name, states in bound.items() for rule in _rules(states.values())]
+    events = {key: machines[name] for key, name in keys if isinstance(key, str)}
+    received = {key for key, _ in keys if isinstance(key, int)}
+    inputs = _inputs(definitions.values(), received, registry or messages.registry)
+    return Built(all_services, definitions, machines, inputs, events)
+
+
+def _rules(states: Iterable[BoundState]) -> Iterable[Rule]:
+    return (rule for state in states for rule in state.transitions + state.defaults)
 
 
 def _by_urn(services: Iterable[Service]) -> dict[str, Service]:
@@ -77,12 +78,15 @@ def _default(urn: str) -> Service:
     return DEFAULTS[urn]()
 
 
-def _inputs(definitions: Mapping[str, Definition], registry: Registry) -> dict[int, type[Message]]:
-    """The message class for each code the component takes: that of the version of the service it runs."""
+def _inputs(
+    definitions: Iterable[Definition], received: Container[int], registry: Registry
+) -> dict[int, type[Message]]:
+    """The class for each message the component takes: that of the version of the service it runs."""
     found: dict[int, type[Message]] = {}
-    for definition in definitions.values():
-        for message in definition.inputs:
-            for kind in registry.by_code(message.code):
-                if definition.id == kind.SERVICE and definition.version == kind.VERSION:
-                    found.setdefault(message.code, kind)
+    for definition in definitions:
+        for message in definition.messages:
+            if message in definition.inputs or message.code in received:
+                for kind in registry.by_code(message.code):
+                    if definition.id == kind.SERVICE and definition.version == kind.VERSION:
+                        found.setdefault(message.code, kind)
     return found
