@@ -1,0 +1,137 @@
+"""A whole robot: a backend, brought to life in real time, and its capability modules as JAUS components."""
+
+from __future__ import annotations
+
+import asyncio
+import time
+from collections.abc import Callable, Mapping
+from contextlib import AsyncExitStack, suppress
+from datetime import UTC, datetime
+from types import TracebackType
+from typing import Final, Self
+
+from jauspy.component import Component
+from jauspy.ids import JausID
+from jauspy.modules.config import ModuleConfig, RobotConfig
+from jauspy.modules.mobility import cm_mob
+from jauspy.modules.realtime import RealTime, Snapshot
+from jauspy.platform import backends
+from jauspy.platform.contract import DriveBase
+from jauspy.services.core import Identity
+from jauspy.services.host import Host
+from jauspy.transport import Transport
+
+LAPSE: Final = 1.0
+"""Seconds that the event loop may hang before the drive is stopped without it."""
+
+SYSTEM, SUBSYSTEM, NODE, COMPONENT = 1, 2, 3, 4
+_VEHICLE, _NODE, _COMPONENT = 10001, 40001, 60001  # the types that Discovery reports (AS5710)
+
+
+class RobotRunner:
+    """Runs the robot that `config` describes: `async with RobotRunner(...)`, or `await runner.run()`.
+
+    `transports` makes the transport of each component, by its id. `backend` and `world` replace what `config` says.
+    Opening raises `ConfigError` for an unknown backend, model or world, and `TransportError` for a transport that
+    cannot be opened. Closing ends the components first, and then the robot, which stands still from there on.
+    """
+
+    def __init__(
+        self,
+        config: RobotConfig,
+        transports: Callable[[JausID], Transport],
+        *,
+        backend: str | None = None,
+        world: str | None = None,
+    ) -> None:
+        self.config = config.model_copy(update={"backend": backend or config.backend, "world": world or config.world})
+        self._transports = transports
+        self._realtime: RealTime | None = None
+        self._components: tuple[Component, ...] = ()
+        self._stack = AsyncExitStack()
+
+    @property
+    def components(self) -> tuple[Component, ...]:
+        """The components, one per module, in the order of the configuration; empty when not open."""
+        return self._components
+
+    @property
+    def snapshot(self) -> Snapshot | None:
+        """The robot's state after its last step; None before it was opened."""
+        return self._realtime.snapshot if self._realtime else None
+
+    @property
+    def counters(self) -> Mapping[str, int]:
+        """How well the robot kept time, as `RealTime.counters`, and what its components counted, by id."""
+        counts = {f"realtime.{name}": n for name, n in self._realtime.counters.items()} if self._realtime else {}
+        for component in self._components:
+            counts |= {f"{component.id}.{name}": n for name, n in component.counters.items()}
+        return counts
+
+    async def open(self) -> None:
+        """Start everything; what had started is stopped again when something cannot."""
+        if self._components:
+            return
+        async with AsyncExitStack() as stack:
+            realtime = self._bring_to_life(stack)
+            stack.push_async_callback(_cancel, asyncio.create_task(_heartbeat(realtime)))
+            components = []
+            for module in self.config.modules:
+                host = _host(self.config, module, realtime.drive)
+                components.append(await stack.enter_async_context(Component(host, self._transports(host.id))))
+            self._realtime, self._components = realtime, tuple(components)
+            self._stack = stack.pop_all()
+
+    async def close(self) -> None:
+        """Stop everything, in order; twice is fine."""
+        self._components = ()
+        await self._stack.aclose()
+
+    async def run(self) -> None:
+        """Open, run until cancelled, close; raises what the robot raised, if it breaks down."""
+        async with self:
+            if self._realtime is not None:
+                await asyncio.wrap_future(self._realtime.ended)
+
+    async def __aenter__(self) -> Self:
+        await self.open()
+        return self
+
+    async def __aexit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        await self.close()
+
+    def _bring_to_life(self, stack: AsyncExitStack) -> RealTime:
+        robot = backends.find(self.config.backend).open(self.config.model, self.config.world)
+        stack.callback(robot.close)
+        return stack.enter_context(RealTime(robot, lapse=LAPSE))
+
+
+def _host(config: RobotConfig, module: ModuleConfig, drive: DriveBase) -> Host:
+    identities = {
+        SYSTEM: Identity(config.name, _VEHICLE),
+        SUBSYSTEM: Identity(config.name, _VEHICLE),
+        NODE: Identity(f"{config.name} node {config.node}", _NODE),
+        COMPONENT: Identity(module.type, _COMPONENT),
+    }
+    return cm_mob(
+        config.id_of(module),
+        drive,
+        module,
+        identities=identities,
+        utc_now=lambda: datetime.now(UTC),
+        now=time.monotonic(),
+    )
+
+
+async def _heartbeat(realtime: RealTime) -> None:
+    while True:
+        realtime.alive()
+        await asyncio.sleep(LAPSE / 4.0)
+
+
+async def _cancel(task: asyncio.Task[None]) -> None:
+    task.cancel()
+    with suppress(asyncio.CancelledError):
+        await task
