@@ -1,1 +1,0 @@
-"""Descriptions of the robots that come with jauspy, one TOML file each."""
