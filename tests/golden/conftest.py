@@ -162,4 +162,6 @@ def vectors() -> ModuleType:
 def models() -> dict[tuple[str, str, str], m.Message]:
     """The model of every message by service, version and name."""
     services = load_builtin().services
-    return {(service.id, service.version, message.name): message for service in services for message in service.messages}
+    return {
+        (service.id, service.version, message.name): message for service in services for message in service.messages
+    }

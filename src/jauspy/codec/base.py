@@ -20,7 +20,7 @@ MAX_NESTING: Final = 8
 """Levels of messages inside messages that are decoded; deeper ones stay bytes."""
 
 
-class Reject(Exception):  # noqa: N818 - a signal, no error a user sees
+class Reject(Exception):
     """Straight-line code met something it does not handle."""
 
 

@@ -8,7 +8,7 @@ from jauspy.codec.generator_fixed import Constants
 from jauspy.codec.generator_layout import layout_method
 from jauspy.codec.generator_text import annotation, describe, docstring, indent, needs_keywords, quote
 from jauspy.codec.plan import ClassPlan, EnumPlan, ModulePlan, SlotPlan
-from jauspy.codec.undefined import undefined_presence, undefined_bits
+from jauspy.codec.undefined import undefined_bits, undefined_presence
 
 
 def class_lines(plan: ClassPlan, module: ModulePlan, constants: Constants) -> list[str]:
@@ -19,6 +19,7 @@ def class_lines(plan: ClassPlan, module: ModulePlan, constants: Constants) -> li
     blocks = [docstring(_summary(plan), _details(plan))]
     if plan.kind == "message":
         blocks.append(_constants(plan, module))
+    blocks.append([f"{name} = {path}" for name, path in plan.aliases.items()])
     blocks += [_enum(n) if isinstance(n, EnumPlan) else class_lines(n, module, constants) for n in plan.nested]
     blocks.append(_attributes(plan))
     blocks += [layout_method(plan), decode_method(plan, constants), encode_method(plan, constants)]
@@ -53,7 +54,9 @@ def _enum(plan: EnumPlan) -> list[str]:
 def _attributes(plan: ClassPlan) -> list[str]:
     match plan.kind:
         case "bits":
-            lines = [f"{bit.name}: {f'{bit.allowed.enum.path} | int' if bit.allowed.enum else 'int'}" for bit in plan.bits]
+            lines = [
+                f"{bit.name}: {f'{bit.allowed.enum.path} | int' if bit.allowed.enum else 'int'}" for bit in plan.bits
+            ]
             return [*lines, *(["reserved_bits: int = 0"] if undefined_bits(plan) else [])]
         case "choice":
             kinds = sorted({annotation(number) for _, number in plan.choices}, reverse=True)

@@ -67,7 +67,12 @@ class _Decoder:
             names, lines, arguments = self._flat_slots(list(self.plan.slots))
             packer = self.constants.packer("H" + "".join(fixed))
             targets = ", ".join(["code", *names]) + ("," if not names else "")
-            return [f"{targets} = {packer}.unpack(data)", *_if(f"code != 0x{code:04X}"), *lines, self._return(arguments)]
+            return [
+                f"{targets} = {packer}.unpack(data)",
+                *_if(f"code != 0x{code:04X}"),
+                *lines,
+                self._return(arguments),
+            ]
         if self.plan.presence and self._is_one_run():
             return self._masked_message(code)
         body = self._body(2)
@@ -226,7 +231,10 @@ class _Decoder:
         lines: list[str] = []
         for bit in plan.bits:
             if not covers(bit.allowed, 0, bit.mask):
-                lines += [f"part = {_part(name, bit.shift, bit.mask)}", *_if(outside(bit.allowed, "part", self.constants, 0, bit.mask))]
+                lines += [
+                    f"part = {_part(name, bit.shift, bit.mask)}",
+                    *_if(outside(bit.allowed, "part", self.constants, 0, bit.mask)),
+                ]
         return lines
 
     def _bits_value(self, plan: ClassPlan, name: str) -> str:

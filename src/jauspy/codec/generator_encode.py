@@ -137,9 +137,7 @@ class _Encoder:
     def _single(self, slot: SlotPlan) -> list[str]:
         return self._optional(slot, self._item(slot.item, f"{slot.name}_"))
 
-    def _flat_slots(
-        self, slots: list[SlotPlan], prefix: str = "", source: str = "self"
-    ) -> tuple[list[str], list[str]]:
+    def _flat_slots(self, slots: list[SlotPlan], prefix: str = "", source: str = "self") -> tuple[list[str], list[str]]:
         lines: list[str] = []
         values: list[str] = []
         for slot in slots:
@@ -253,7 +251,10 @@ class _Encoder:
             if is_fixed_run(run):
                 inner, values = self._flat_slots(run, name, name)
                 codes = "".join(code for slot in run for code in fixed_codes(slot.item) or [])
-                lines += [*inner, *([f"out += {self.constants.packer(codes)}.pack({', '.join(values)})"] if values else [])]
+                lines += [
+                    *inner,
+                    *([f"out += {self.constants.packer(codes)}.pack({', '.join(values)})"] if values else []),
+                ]
             else:
                 inner_name = f"{name}{run[0].name}_"
                 lines += [f"{inner_name} = {name}.{run[0].name}", *self._item(run[0].item, inner_name)]
@@ -264,7 +265,9 @@ class _Encoder:
         low = f"len({name}) < {count.minimum}" if count.minimum else ""
         high = f"len({name}) > {count.maximum}" if count.maximum < limits(code)[1] else ""
         checks = _if(" or ".join(part for part in (low, high) if part)) if low or high else []
-        append = f"out.append(len({name}))" if code == "B" else f"out += {self.constants.packer(code)}.pack(len({name}))"
+        append = (
+            f"out.append(len({name}))" if code == "B" else f"out += {self.constants.packer(code)}.pack(len({name}))"
+        )
         return [*checks, append]
 
     def _loop(self, item: ItemPlan, name: str) -> list[str]:

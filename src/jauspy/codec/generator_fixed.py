@@ -37,7 +37,9 @@ class Constants:
 
     def members(self, enum: EnumPlan) -> str:
         """A map of values to members."""
-        return self._add(f"_E_{'_'.join(enum.path.split('.')[-2:])}", f"{{member.value: member for member in {enum.path}}}")
+        return self._add(
+            f"_E_{'_'.join(enum.path.split('.')[-2:])}", f"{{member.value: member for member in {enum.path}}}"
+        )
 
     def scaling(self, scale: Scaling) -> str:
         """A scale range."""
@@ -100,9 +102,7 @@ def covers(allowed: Allowed, low: float, high: float) -> bool:
     return reached >= high
 
 
-def outside(
-    allowed: Allowed, name: str, constants: Constants, low: float = -math.inf, high: float = math.inf
-) -> str:
+def outside(allowed: Allowed, name: str, constants: Constants, low: float = -math.inf, high: float = math.inf) -> str:
     """A condition that is true when `name`, known to be within `low`..`high`, is not allowed."""
     parts = [f"{name} not in {constants.members(allowed.enum)}"] if allowed.enum else []
     for start, end in allowed.intervals:

@@ -79,7 +79,9 @@ def _lazy(name: str, modules: list[ModulePlan], package: str) -> str:
     by_module: dict[str, list[str]] = {}
     for cls, module in exported.items():
         by_module.setdefault(module, []).append(cls)
-    title = f"Messages of {name.split('.')[0]}" + (f", {name.split('.')[1]}" if "." in name else ", newest versions")
+    title = f"Messages of {name.split('.', maxsplit=1)[0]}" + (
+        f", {name.split('.')[1]}" if "." in name else ", newest versions"
+    )
     return "\n".join(
         [
             f'"""{title}; loaded on use. {NOTE}"""',

@@ -138,6 +138,7 @@ class ClassPlan:
     message_formats: tuple[int, ...] = ()
     nested: list[EnumPlan | ClassPlan] = field(default_factory=list)
     message: Message | None = None
+    aliases: dict[str, str] = field(default_factory=dict)
 
 
 @dataclass(eq=False, slots=True)

@@ -91,7 +91,11 @@ class SharedTypes:
 
         A list or variant in an arm of a variant gets a class that is named after its use, so it is never shared.
         """
-        return not isinstance(node, (List, Variant)) and node.declared is not None and node.declared.set_id not in self._services
+        return (
+            not isinstance(node, (List, Variant))
+            and node.declared is not None
+            and node.declared.set_id not in self._services
+        )
 
     def use(self, node: Node, user: ModulePlan) -> ClassPlan:
         """The class of a declared node; `user` will import its module."""
@@ -125,6 +129,7 @@ class Owner:
         self._nested: list[EnumPlan | ClassPlan] = []
         self._known: dict[object, ClassPlan | EnumPlan] = {}
         self._taken: set[str] = set(_OWN_NAMES)
+        self._aliases: dict[str, str] = {}
 
     def message(self, message: Message) -> ClassPlan:
         """The class of a message; its body's fields become its own attributes."""
@@ -132,6 +137,7 @@ class Owner:
         if message.body is not None:
             self._fill(made, message.body)
         made.nested = self._nested
+        made.aliases = self._aliases
         return made
 
     def declared(self, node: Node) -> ClassPlan:
@@ -198,8 +204,15 @@ class Owner:
 
     def _class(self, node: Node) -> ClassPlan:
         if self._shared.owns(node):
-            return self._shared.use(node, self._module)
+            return self._alias(self._shared.use(node, self._module))
         return self._nest(node, key=_bare(node))
+
+    def _alias(self, made: ClassPlan) -> ClassPlan:
+        """Also offer a shared class under the message that uses it."""
+        if made.name not in self._taken:
+            self._taken.add(made.name)
+            self._aliases[made.name] = made.path
+        return made
 
     def _nest(self, node: Node, key: object) -> ClassPlan:
         known = self._known.get(key)
@@ -340,5 +353,3 @@ def class_minimum(made: ClassPlan) -> int:
 def module_alias(name: str) -> str:
     """How a module of shared types is called where it is imported."""
     return snake(name.replace(".", " ")) or name
-
-

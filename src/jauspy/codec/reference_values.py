@@ -137,7 +137,9 @@ class Explainer:
     def _bits(self, node: m.BitField, leaf: Container, path: str) -> dict[str, Any]:
         values: dict[str, Any] = {}
         rest = leaf.value
-        for name, sub in zip(attributes((s.name for s in node.subfields), "reserved_bits"), node.subfields, strict=True):
+        for name, sub in zip(
+            attributes((s.name for s in node.subfields), "reserved_bits"), node.subfields, strict=True
+        ):
             mask = (1 << (sub.last - sub.first + 1)) - 1
             part = leaf.value >> sub.first & mask
             rest &= ~(mask << sub.first)
@@ -246,7 +248,9 @@ class Stacker:
 
     def _bits(self, node: m.BitField, value: dict[str, Any]) -> int:
         raw: int = value.get("reserved_bits", 0)
-        for name, sub in zip(attributes((s.name for s in node.subfields), "reserved_bits"), node.subfields, strict=True):
+        for name, sub in zip(
+            attributes((s.name for s in node.subfields), "reserved_bits"), node.subfields, strict=True
+        ):
             raw |= number_of(value[name], sub.values) << sub.first
         return raw
 
@@ -302,7 +306,9 @@ def named(raw: Any, values: m.ValueSet | None) -> Any:
     """The member name of a number, or the number itself."""
     if values is None:
         return raw
-    return next((name for name, number in members([(e.value, e.name) for e in values.enums]).items() if number == raw), raw)
+    return next(
+        (name for name, number in members([(e.value, e.name) for e in values.enums]).items() if number == raw), raw
+    )
 
 
 def allows(values: m.ValueSet | None, raw: float) -> bool:

@@ -17,6 +17,7 @@ Rounding = Literal["round", "floor", "ceiling"]
 NEAR_TIE: Final = 2.0**-16
 """Float arithmetic on raw values below 2**32 errs by a few 2**-20 steps at most."""
 
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Scaling:
     """A scale range over raw values 0..`top`; `step` is the float width of one raw step."""

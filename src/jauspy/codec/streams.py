@@ -103,5 +103,3 @@ class Writer:
         self.number("H", type(message).CODE)
         message.layout().write(self, message, path)
         self.depth -= 1
-
-

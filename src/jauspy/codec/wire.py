@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import re
 from itertools import groupby
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
-from jauspy.schema.model import Scalar
+if TYPE_CHECKING:  # the loader behind `jauspy.schema` is heavy, and messages do not need it
+    from jauspy.schema.model import Scalar
 
 CODES: Final[dict[Scalar, str]] = {
     "u8": "B",

@@ -137,6 +137,9 @@ class QueryServices(rt.Message):
     VERSION: ClassVar[str] = "1.1"
     IS_COMMAND: ClassVar[bool] = False
 
+    QueriedNodeRec = core_v1_0_types.QueriedNodeRec
+    QueriedComponentRec = core_v1_0_types.QueriedComponentRec
+
     @dataclass(slots=True, repr=False)
     class NodeSeq(rt.Struct):
         """NodeSeq.
@@ -278,6 +281,8 @@ class QueryServiceList(rt.Message):
     SERVICE: ClassVar[str] = "urn:jaus:jss:core:Discovery"
     VERSION: ClassVar[str] = "1.1"
     IS_COMMAND: ClassVar[bool] = False
+
+    QueriedNodeRec = core_v1_0_types.QueriedNodeRec
 
     class SubsystemID(IntEnum):
         """Values of SubsystemID."""
@@ -627,6 +632,8 @@ class RegisterServices(rt.Message):
     VERSION: ClassVar[str] = "1.1"
     IS_COMMAND: ClassVar[bool] = True
 
+    ServiceRec = core_v1_0_types.ServiceRec
+
     service_list: list[core_v1_0_types.ServiceRec]
 
     @classmethod
@@ -783,6 +790,8 @@ class ReportConfiguration(rt.Message):
     SERVICE: ClassVar[str] = "urn:jaus:jss:core:Discovery"
     VERSION: ClassVar[str] = "1.1"
     IS_COMMAND: ClassVar[bool] = False
+
+    ComponentRec = core_v1_0_types.ComponentRec
 
     @dataclass(slots=True, repr=False)
     class NodeRec(rt.Struct):
@@ -943,6 +952,8 @@ class ReportSubsystemList(rt.Message):
     VERSION: ClassVar[str] = "1.1"
     IS_COMMAND: ClassVar[bool] = False
 
+    SubsystemRec = core_v1_0_types.SubsystemRec
+
     subsystem_list: list[core_v1_0_types.SubsystemRec]
 
     @classmethod
@@ -999,6 +1010,9 @@ class ReportServices(rt.Message):
     SERVICE: ClassVar[str] = "urn:jaus:jss:core:Discovery"
     VERSION: ClassVar[str] = "1.1"
     IS_COMMAND: ClassVar[bool] = False
+
+    ComponentRec = core_v1_0_types.ComponentRec
+    ServiceRec = core_v1_0_types.ServiceRec
 
     @dataclass(slots=True, repr=False)
     class NodeRec(rt.Struct):
@@ -1300,6 +1314,9 @@ class ReportServiceList(rt.Message):
     SERVICE: ClassVar[str] = "urn:jaus:jss:core:Discovery"
     VERSION: ClassVar[str] = "1.1"
     IS_COMMAND: ClassVar[bool] = False
+
+    ComponentRec = core_v1_0_types.ComponentRec
+    ServiceRec = core_v1_0_types.ServiceRec
 
     @dataclass(slots=True, repr=False)
     class SubsystemRec(rt.Struct):

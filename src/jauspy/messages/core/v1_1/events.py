@@ -303,6 +303,9 @@ class QueryEvents(rt.Message):
     VERSION: ClassVar[str] = "1.1"
     IS_COMMAND: ClassVar[bool] = False
 
+    EventTypeRec = core_v1_0_types.EventTypeRec
+    AllEventsRec = core_v1_0_types.AllEventsRec
+
     @dataclass(slots=True, repr=False)
     class MessageIDRec(rt.Struct):
         """Selects by message.

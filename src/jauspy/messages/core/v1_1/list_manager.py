@@ -25,6 +25,8 @@ class SetElement(rt.Message):
     VERSION: ClassVar[str] = "1.1"
     IS_COMMAND: ClassVar[bool] = True
 
+    ElementRec = core_v1_0_types.ElementRec
+
     @dataclass(slots=True, repr=False)
     class RequestIDRec(rt.Struct):
         """Which request is answered.

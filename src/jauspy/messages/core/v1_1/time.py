@@ -23,6 +23,9 @@ class SetTime(rt.Message):
     VERSION: ClassVar[str] = "1.1"
     IS_COMMAND: ClassVar[bool] = True
 
+    TimeStamp = core_v1_0_types.TimeStamp
+    DateStamp = core_v1_0_types.DateStamp
+
     time_stamp: core_v1_0_types.TimeStamp | None = None
     date_stamp: core_v1_0_types.DateStamp | None = None
     reserved_presence: int = 0
@@ -170,6 +173,9 @@ class ReportTime(rt.Message):
     SERVICE: ClassVar[str] = "urn:jaus:jss:core:Time"
     VERSION: ClassVar[str] = "1.1"
     IS_COMMAND: ClassVar[bool] = False
+
+    TimeStamp = core_v1_0_types.TimeStamp
+    DateStamp = core_v1_0_types.DateStamp
 
     time_stamp: core_v1_0_types.TimeStamp | None = None
     date_stamp: core_v1_0_types.DateStamp | None = None

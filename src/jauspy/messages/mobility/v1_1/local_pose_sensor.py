@@ -31,6 +31,8 @@ class SetLocalPose(rt.Message):
     VERSION: ClassVar[str] = "1.1"
     IS_COMMAND: ClassVar[bool] = True
 
+    TimeStamp = core_v1_0_types.TimeStamp
+
     x: float | None = None
     y: float | None = None
     z: float | None = None
@@ -227,6 +229,8 @@ class SetLocalPoseExt(rt.Message):
     SERVICE: ClassVar[str] = "urn:jaus:jss:mobility:LocalPoseSensor"
     VERSION: ClassVar[str] = "1.1"
     IS_COMMAND: ClassVar[bool] = True
+
+    ZPosition = mobility_v1_0_types.ZPosition
 
     x: float | None = None
     y: float | None = None
@@ -492,6 +496,8 @@ class ReportLocalPose(rt.Message):
     SERVICE: ClassVar[str] = "urn:jaus:jss:mobility:LocalPoseSensor"
     VERSION: ClassVar[str] = "1.1"
     IS_COMMAND: ClassVar[bool] = False
+
+    TimeStamp = core_v1_0_types.TimeStamp
 
     x: float | None = None
     y: float | None = None

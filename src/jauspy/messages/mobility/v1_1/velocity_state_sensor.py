@@ -107,6 +107,8 @@ class ReportVelocityState(rt.Message):
     VERSION: ClassVar[str] = "1.1"
     IS_COMMAND: ClassVar[bool] = False
 
+    TimeStamp = core_v1_0_types.TimeStamp
+
     velocity_x: float | None = None
     velocity_y: float | None = None
     velocity_z: float | None = None
@@ -306,6 +308,11 @@ class ReportVelocityStateExt(rt.Message):
     SERVICE: ClassVar[str] = "urn:jaus:jss:mobility:VelocityStateSensor"
     VERSION: ClassVar[str] = "1.1"
     IS_COMMAND: ClassVar[bool] = False
+
+    VelocityVehicleXYZRec = mobility_v1_0_types.VelocityVehicleXYZRec
+    VelocityLocalXYZRec = mobility_v1_0_types.VelocityLocalXYZRec
+    VelocityNEDRec = mobility_v1_0_types.VelocityNEDRec
+    ReportVelocityStateExtRec = mobility_v1_0_types.ReportVelocityStateExtRec
 
     velocity_var: mobility_v1_0_types.VelocityVehicleXYZRec | mobility_v1_0_types.VelocityLocalXYZRec | mobility_v1_0_types.VelocityNEDRec
     report_velocity_state_ext_rec: mobility_v1_0_types.ReportVelocityStateExtRec
