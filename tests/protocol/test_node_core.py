@@ -54,6 +54,15 @@ def test_a_sender_without_a_socket_name_is_answered_at_its_usual_path() -> None:
     assert after(core, junior.connect(A), LocalPort("")) == [(port(A), junior.accept(A))]
 
 
+def test_a_second_socket_with_the_same_id_is_not_heard_until_it_connects(node: NodeCore) -> None:
+    other = LocalPort("/root/other")
+    assert after(node, message(B, A), other) == []
+    assert node.counters["dropped.duplicate_id"] == 1
+    assert after(node, message(A, B), port(A)) == [(port(B), message(A, B))]
+    after(node, junior.connect(B), other)
+    assert after(node, message(A, B), port(A)) == [(other, message(A, B))]
+
+
 def test_unicast_to_oneself_comes_back(node: NodeCore) -> None:
     assert after(node, message(A, A), port(A)) == [(port(A), message(A, A))]
 

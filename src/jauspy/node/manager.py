@@ -3,28 +3,24 @@
 from __future__ import annotations
 
 import asyncio
-import errno
 import logging
 import socket
 from collections.abc import Mapping
 from pathlib import Path
 from types import TracebackType
-from typing import Final, Self
+from typing import Self
 
 from jauspy.ids import JausID
 from jauspy.node.config import NodeConfig
-from jauspy.node.outbox import Outbox
 from jauspy.node.sockets import UdpSockets, open_udp
 from jauspy.protocol import junior
 from jauspy.protocol.node import NodeCore
 from jauspy.protocol.ports import LocalPort, Port, UdpPort
 from jauspy.transport import draining, local_socket
+from jauspy.transport.local_sender import LocalSender
 from jauspy.transport.multicast import ANY
 
 _LOGGER = logging.getLogger(__name__)
-
-RETRY_INTERVAL: Final = 0.002
-"""Seconds until a component whose queue was full is tried again; there is no event to wait for."""
 
 
 class NodeManager:
@@ -38,8 +34,7 @@ class NodeManager:
         self._core = NodeCore(str(self.config.local_root))
         self._udp: UdpSockets | None = None
         self._local: socket.socket | None = None
-        self._outboxes: dict[str, Outbox] = {}
-        self._retry: asyncio.TimerHandle | None = None
+        self._sender: LocalSender | None = None
         self._timer: asyncio.TimerHandle | None = None
         self._closed = asyncio.Event()
 
@@ -82,6 +77,7 @@ class NodeManager:
             self.path.unlink(missing_ok=True)
             self._local = None
             raise
+        self._sender = LocalSender(self._local, self._core.counters, self._core.unreachable)
         self._closed.clear()
         if not self._udp.joined:
             self._core.counters["multicast.not_joined"] += 1
@@ -96,10 +92,12 @@ class NodeManager:
         self._udp = self._local = None
         if udp is None or local is None:
             return
-        for handle in (self._retry, self._timer):
-            if handle is not None:
-                handle.cancel()
-        self._retry = self._timer = None
+        if self._timer is not None:
+            self._timer.cancel()
+            self._timer = None
+        if self._sender is not None:
+            self._sender.close()
+            self._sender = None
         loop = asyncio.get_running_loop()
         for sock in (local, *udp.all()):
             draining.detach(loop, sock)
@@ -130,47 +128,13 @@ class NodeManager:
     def _flush(self) -> None:
         for port, datagram in self._core.poll_output():
             if isinstance(port, LocalPort):
-                self._send_local(port.path, datagram)
+                if self._sender is not None:
+                    self._sender.send(port.path, datagram)
             elif isinstance(port, UdpPort):
                 self._send_udp(datagram, port)
             else:
                 self._send_multicast(datagram)
         self._arm()
-
-    def _send_local(self, path: str, datagram: bytes) -> None:
-        outbox = self._outboxes.get(path)
-        if outbox is None and self._try_local(path, datagram):
-            return
-        if outbox is None:
-            outbox = self._outboxes[path] = Outbox()
-        if not outbox.push(datagram):
-            self._core.counters.drop("queue_full", path)
-        if self._retry is None:
-            self._retry = asyncio.get_running_loop().call_later(RETRY_INTERVAL, self._retry_local)
-
-    def _try_local(self, path: str, datagram: bytes) -> bool:
-        """Send to a component; False when its queue is full. A component that is gone is forgotten."""
-        if self._local is None:
-            return True
-        try:
-            self._local.sendto(datagram, path)
-        except BlockingIOError:
-            return False
-        except OSError as error:
-            self._core.counters.drop("component_gone", error)
-            if error.errno in (errno.ECONNREFUSED, errno.ENOENT):
-                self._core.unreachable(path)
-        return True
-
-    def _retry_local(self) -> None:
-        self._retry = None
-        for path, outbox in list(self._outboxes.items()):
-            while len(outbox) and self._try_local(path, outbox.peek()):
-                outbox.pop()
-            if not len(outbox):
-                del self._outboxes[path]
-        if self._outboxes:
-            self._retry = asyncio.get_running_loop().call_later(RETRY_INTERVAL, self._retry_local)
 
     def _send_udp(self, datagram: bytes, address: tuple[str, int]) -> None:
         if self._udp is None:

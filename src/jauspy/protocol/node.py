@@ -87,20 +87,24 @@ class NodeCore:
             return
         for raw in judp.headers(data):
             path = port.path or f"{self._root}/{raw.source}"
-            if not self.components.register(raw.source, path):
-                self.counters.drop("component_refused", JausID.from_int(raw.source))
-                continue
-            self._route_from_component(raw, _single(data, raw), now)
+            if self.components.path(raw.source) not in (None, path):
+                self.counters.drop("duplicate_id", f"{JausID.from_int(raw.source)} also speaks on {path}")
+            elif self._register(raw.source, path):
+                self._route_from_component(raw, _single(data, raw), now)
+
+    def _register(self, id: int, path: str) -> bool:
+        if self.components.register(id, path):
+            return True
+        self.counters.drop("component_refused", JausID.from_int(id))
+        return False
 
     def _control(self, control: junior.Control, port: LocalPort) -> None:
         id = int(control.id)
         path = port.path or f"{self._root}/{id}"
         if control.kind is junior.ControlKind.CONNECT:
-            if self.components.register(id, path):
+            if self._register(id, path):
                 self._send(LocalPort(path), junior.accept(control.id))
                 self.counters["connects"] += 1
-            else:
-                self.counters.drop("component_refused", control.id)
         elif control.kind is junior.ControlKind.CANCEL and self.components.path(id) == path:
             self.components.remove(id)
             self.counters["cancels"] += 1

@@ -15,6 +15,7 @@ from jauspy.protocol import junior
 from jauspy.protocol.counters import Counters
 from jauspy.transport import draining, local_socket
 from jauspy.transport.base import Receiver, ignore
+from jauspy.transport.local_sender import LocalSender
 
 _LOGGER = logging.getLogger(__name__)
 
@@ -38,9 +39,11 @@ class LocalTransport:
         self.id = id
         self.received: Receiver = ignore
         self._root = Path(root)
+        self._node = str(self._root / junior.SOCKET_NAME)
         self._patience = patience
         self._counters = Counters(_LOGGER)
         self._socket: socket.socket | None = None
+        self._sender: LocalSender | None = None
         self._keeper: asyncio.Task[None] | None = None
         self._accepted = asyncio.Event()
         self._unanswered = 0
@@ -63,49 +66,46 @@ class LocalTransport:
     async def open(self) -> None:
         """Bind the component's socket and connect; raises `TransportError` when no node manager answers."""
         self._socket = local_socket.bind(self.path, owner=f"another component {self.id}")
+        self._sender = LocalSender(self._socket, self._counters, self._lost)
         loop = asyncio.get_running_loop()
         draining.attach(loop, self._socket, self._take, self._failed)
         self._keeper = loop.create_task(self._keep_connected(), name=f"keep {self.id} connected")
-        if self._patience is None:
-            return
-        try:
-            await asyncio.wait_for(self._accepted.wait(), self._patience)
-        except TimeoutError:
-            await self.close()
-            raise TransportError(
-                f"no node manager answers on {self._root / junior.SOCKET_NAME}; "
-                "start one with 'jauspy node-manager', or name its folder with --local-root"
-            ) from None
+        if self._patience is not None:
+            try:
+                await asyncio.wait_for(self._accepted.wait(), self._patience)
+            except BaseException as error:
+                await self.close()
+                if not isinstance(error, TimeoutError):
+                    raise
+                raise TransportError(
+                    f"no node manager answers on {self._node}; "
+                    "start one with 'jauspy node-manager', or name its folder with --local-root"
+                ) from None
 
     async def close(self) -> None:
         """Say goodbye, and remove the component's socket."""
-        sock, self._socket = self._socket, None
-        if sock is None:
+        sock, sender, keeper = self._socket, self._sender, self._keeper
+        self._socket = self._sender = self._keeper = None
+        if sock is None or sender is None or keeper is None:
             return
-        if self._keeper is not None:
-            self._keeper.cancel()
-            await asyncio.gather(self._keeper, return_exceptions=True)
-        self._send_on(sock, junior.cancel(self.id))
+        keeper.cancel()
+        await asyncio.gather(keeper, return_exceptions=True)
+        sender.send(self._node, junior.cancel(self.id))
+        sender.close()
         draining.detach(asyncio.get_running_loop(), sock)
         self._accepted.clear()
         self.path.unlink(missing_ok=True)
 
     def send(self, datagram: bytes) -> None:
-        """Hand a datagram to the node manager; dropped and counted when it is not there or does not keep up."""
-        if self._socket is not None and self._send_on(self._socket, datagram):
-            self._counters["sent"] += 1
+        """Hand a datagram to the node manager; what it cannot take yet waits, in bounds."""
+        if self._sender is None:
+            self._counters.drop("closed")
+            return
+        self._counters["sent"] += 1
+        self._sender.send(self._node, datagram)
 
-    def _send_on(self, sock: socket.socket, datagram: bytes) -> bool:
-        try:
-            sock.sendto(datagram, str(self._root / junior.SOCKET_NAME))
-        except BlockingIOError:
-            self._counters.drop("node_manager_busy")
-            return False
-        except OSError as error:
-            self._counters.drop("no_node_manager", error)
-            self._accepted.clear()
-            return False
-        return True
+    def _lost(self, _path: str) -> None:
+        self._accepted.clear()
 
     def _take(self, datagram: bytes, _sender: object) -> None:
         control = junior.parse(datagram)
@@ -123,13 +123,13 @@ class LocalTransport:
 
     async def _keep_connected(self) -> None:
         interval = CONNECT_INTERVAL
-        while self._socket is not None:
+        while self._sender is not None:
             if self.connected and self._unanswered >= MISSED:
                 self._accepted.clear()
             if self.connected:
                 interval = CONNECT_INTERVAL
             self._unanswered += 1
-            self._send_on(self._socket, junior.connect(self.id))
+            self._sender.send(self._node, junior.connect(self.id))
             await asyncio.sleep(KEEP_ALIVE if self.connected else interval)
             if not self.connected:
                 interval = min(interval * 1.3, RETRY_INTERVAL)

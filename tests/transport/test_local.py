@@ -1,0 +1,108 @@
+"""The Junior local protocol from a component's side, against a node manager that comes and goes."""
+
+import asyncio
+import socket
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from jauspy.errors import TransportError
+from jauspy.ids import JausID
+from jauspy.node import NodeConfig, NodeManager
+from jauspy.protocol import judp, junior
+from jauspy.protocol.header import Packet
+from jauspy.transport import LocalTransport
+
+A, B = JausID.parse("101.1.1"), JausID.parse("101.1.2")
+
+
+async def until(condition: Callable[[], bool]) -> None:
+    async with asyncio.timeout(10):
+        while not condition():
+            await asyncio.sleep(0.01)
+
+
+def manager(root: Path) -> NodeManager:
+    return NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root))
+
+
+async def test_without_a_node_manager_it_says_what_to_do(root: Path) -> None:
+    transport = LocalTransport(A, root, patience=0.1)
+    with pytest.raises(TransportError, match="jauspy node-manager"):
+        await transport.open()
+    assert list(root.iterdir()) == []
+
+
+async def test_waits_for_a_node_manager_that_is_late(root: Path) -> None:
+    transport = LocalTransport(A, root, patience=None)
+    await transport.open()
+    assert not transport.connected
+    async with manager(root):
+        await until(lambda: transport.connected)
+        await transport.close()
+
+
+async def test_connects_again_when_the_node_manager_is_back(root: Path) -> None:
+    a, b = LocalTransport(A, root), LocalTransport(B, root)
+    arrived: list[bytes] = []
+    b.received = arrived.append
+    async with manager(root):
+        await a.open()
+        await b.open()
+    await until(lambda: not a.connected and not b.connected)
+    async with manager(root) as again:
+        await until(lambda: a.connected and b.connected)
+        assert again.components == (A, B)
+        a.send(judp.pack(Packet(A, B, b"\x02\x20")))
+        await until(lambda: bool(arrived))
+        await a.close()
+        await b.close()
+
+
+async def test_cancels_and_leaves_no_socket(root: Path) -> None:
+    async with manager(root) as node:
+        transport = LocalTransport(A, root)
+        await transport.open()
+        assert transport.path.is_socket()
+        await transport.close()
+        assert not transport.path.exists()
+        await until(lambda: node.components == ())
+
+
+async def test_takes_over_the_socket_of_a_dead_component(root: Path) -> None:
+    with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as dead:
+        dead.bind(str(root / str(int(A))))
+    async with manager(root):
+        transport = LocalTransport(A, root)
+        await transport.open()
+        await transport.close()
+
+
+async def test_leaves_a_file_alone_that_is_no_socket(root: Path) -> None:
+    (root / str(int(A))).write_text("mine")
+    with pytest.raises(TransportError, match="is no socket"):
+        await LocalTransport(A, root).open()
+    assert (root / str(int(A))).read_text() == "mine"
+
+
+async def test_a_path_that_is_too_long_is_one_sentence(root: Path) -> None:
+    with pytest.raises(TransportError, match="longer than 107 bytes"):
+        await LocalTransport(A, root / ("x" * 120)).open()
+
+
+async def test_speaks_as_a_junior_component_does(root: Path) -> None:
+    """A node manager that only this test knows: it sees a Connect, answers it, and sees the Cancel."""
+    loop = asyncio.get_running_loop()
+    with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as node:
+        node.bind(str(root / junior.SOCKET_NAME))
+        node.setblocking(False)
+        transport = LocalTransport(A, root)
+        opening = asyncio.create_task(transport.open())
+        data, sender = await loop.sock_recvfrom(node, 100)
+        assert (data, sender) == (junior.connect(A), str(root / str(int(A))))
+        node.sendto(junior.accept(A), sender)
+        await opening
+        await transport.close()
+        while data != junior.cancel(A):
+            data, _ = await loop.sock_recvfrom(node, 100)

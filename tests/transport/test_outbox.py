@@ -1,0 +1,40 @@
+"""The bounded queue of one destination."""
+
+from jauspy.ids import JausID
+from jauspy.protocol import judp, junior
+from jauspy.protocol.header import Packet, Priority
+from jauspy.transport.outbox import Outbox
+
+A = JausID.parse("101.1.1")
+
+
+def datagram(priority: Priority, sequence: int) -> bytes:
+    return judp.pack(Packet(A, A, b"\x02\x20", sequence, priority))
+
+
+def drained(outbox: Outbox) -> list[bytes]:
+    out = []
+    while len(outbox):
+        out.append(outbox.peek())
+        outbox.pop()
+    return out
+
+
+def test_most_urgent_first_and_in_order() -> None:
+    outbox = Outbox()
+    sent = [datagram(p, n) for n in range(2) for p in Priority]
+    for data in (*sent, junior.accept(A)):
+        assert outbox.push(data)
+    assert drained(outbox) == [sent[3], sent[7], junior.accept(A), sent[2], sent[6], sent[1], sent[5], sent[0], sent[4]]
+
+
+def test_the_oldest_of_the_lowest_priority_goes_first() -> None:
+    outbox = Outbox(limit=3)
+    low, high = [datagram(Priority.LOW, n) for n in range(3)], datagram(Priority.HIGH, 9)
+    assert all(outbox.push(data) for data in low)
+    assert not outbox.push(high)
+    assert drained(outbox) == [high, low[1], low[2]]
+    for data in [high] * 3:
+        outbox.push(data)
+    assert not outbox.push(low[0])
+    assert drained(outbox) == [high] * 3
