@@ -1,9 +1,12 @@
 """The base classes of generated messages, and the two roads through the codec.
 
-Generated `_unpack` and `_pack` are straight-line code for valid input; whatever they cannot do ends in one of `FAST_ERRORS`.
-Then the careful codec (`jauspy.codec.layout`) goes over the same input field by field: it finds what is wrong and where,
-clamps, or keeps what a tolerant reader can keep. It costs about ten times as much and is linear in the input, too.
+Generated `_unpack` and `_pack` are straight-line code for valid input; whatever they cannot do ends in one of
+`FAST_ERRORS`. Then the careful codec (`jauspy.codec.careful`) goes over the same input field by field: it finds what is
+wrong and where, clamps, or keeps what a tolerant reader can keep. It costs about ten times as much and is linear in the
+input, too.
 """
+
+# ruff: noqa: ARG002, ARG003 - generated classes override what does nothing here
 
 from __future__ import annotations
 

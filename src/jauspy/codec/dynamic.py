@@ -50,13 +50,17 @@ def _files(sources: Iterable[str | Path]) -> list[Path]:
     found: list[Path] = []
     for source in sources:
         path = Path(source)
-        matches = sorted(path.rglob("*.xml")) if path.is_dir() else [Path(name) for name in sorted(glob(str(source)))]
+        matches = sorted(path.rglob("*.xml")) if path.is_dir() else _matching(str(source))
         if not matches:
             raise ConfigError(f"no JSIDL file matches {str(source)!r}")
         found += [match for match in matches if match not in found]
     if not found:
         raise ConfigError("name at least one JSIDL file, folder or pattern")
     return found
+
+
+def _matching(pattern: str) -> list[Path]:
+    return [Path(name) for name in sorted(glob(pattern, recursive=True))]  # noqa: PTH207 - patterns may be absolute
 
 
 def _key(path: Path) -> tuple[str, str, str]:
@@ -76,7 +80,10 @@ class _Finder(MetaPathFinder, InspectLoader):
         self._sources = sources
 
     def find_spec(
-        self, fullname: str, path: Sequence[str] | None = None, target: ModuleType | None = None
+        self,
+        fullname: str,
+        path: Sequence[str] | None = None,  # noqa: ARG002 - importlib passes it
+        target: ModuleType | None = None,  # noqa: ARG002 - importlib passes it
     ) -> ModuleSpec | None:
         if fullname not in self._sources:
             return None

@@ -40,4 +40,4 @@ def plain_bytes(value: object) -> bytes:
 
 def message_bytes(value: object) -> bytes:
     """The bytes of a message, or bytes as they are."""
-    return value._pack() if isinstance(value, Message) else plain_bytes(value)
+    return value._pack() if isinstance(value, Message) else plain_bytes(value)  # noqa: SLF001 - the fast road

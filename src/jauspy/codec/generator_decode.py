@@ -75,7 +75,7 @@ class _Decoder:
             ]
         if self.plan.presence and self._is_one_run():
             return self._masked_message(code)
-        body = self._body(2)
+        body = self._body()
         check = _if(f"data[0] != 0x{code & 255:02X} or data[1] != 0x{code >> 8:02X}")
         return [*check, "at = 2", *self._sized(body), *_if("at != len(data)"), self._return(self._arguments())]
 
@@ -84,7 +84,7 @@ class _Decoder:
             return self._choice()
         if self.plan.kind == "format":
             return self._format()
-        return [*self._sized(self._body(0)), self._return(self._arguments(), "at")]
+        return [*self._sized(self._body()), self._return(self._arguments(), "at")]
 
     @staticmethod
     def _sized(body: list[str]) -> list[str]:
@@ -138,7 +138,7 @@ class _Decoder:
             return (f"{scale.lower!r} + {step}" if scale.lower else step) if scale.top_is_exact else None
         return None if number.allowed.enum else raw
 
-    def _body(self, offset: int) -> list[str]:
+    def _body(self) -> list[str]:
         lines: list[str] = []
         if self.plan.presence:
             presence = self.plan.presence

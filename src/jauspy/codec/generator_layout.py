@@ -103,6 +103,7 @@ def item(plan: ItemPlan) -> str:
         case RepeatPlan():
             return f"rt.Repeat({count(plan.count)}, {item(plan.item)})"
         case UnionPlan():
-            return f"rt.Union.of({', '.join([quote(plan.code), *(f'{n}={arm.path}' for n, arm in zip(plan.names, plan.arms, strict=True))])})"
+            arms = [f"{name}={arm.path}" for name, arm in zip(plan.names, plan.arms, strict=True)]
+            return f"rt.Union.of({', '.join([quote(plan.code), *arms])})"
         case GridPlan():
             return f"rt.Grid({item(plan.item)}, {tuple_of(map(str, plan.sizes))})"

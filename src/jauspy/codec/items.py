@@ -1,5 +1,7 @@
 """Layouts of numbers, bit fields, strings and bytes. See `jauspy.codec.layout` for what contains them."""
 
+# ruff: noqa: D102 - what the methods do is written once, at `Item`
+
 from __future__ import annotations
 
 import math
@@ -56,7 +58,7 @@ class Item(ABC):
         """The value as JSON carries it."""
         return value
 
-    def from_json(self, data: Any, path: str) -> Any:
+    def from_json(self, data: Any, path: str) -> Any:  # noqa: ARG002 - others need the path
         """The inverse of `to_json`; numbers and strings are checked when they are encoded."""
         return data
 

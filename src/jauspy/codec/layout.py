@@ -1,5 +1,7 @@
 """Layouts of what contains other values: records and sequences, lists, variants, arrays."""
 
+# ruff: noqa: D102 - what the methods do is written once, at `Item`
+
 from __future__ import annotations
 
 from dataclasses import dataclass

@@ -42,7 +42,7 @@ class Registry:
     def __init__(self, entries: Iterable[Entry], base: Registry | None = None) -> None:
         self._base = base
         newest_first = sorted(entries, key=lambda entry: entry.order, reverse=True)
-        self._entries: tuple[Entry, ...] = (*newest_first, *(base._entries if base else ()))
+        self._entries: tuple[Entry, ...] = (*newest_first, *(base.entries if base else ()))
         self._codes: dict[int, tuple[Entry, ...]] = {}
         self._names: dict[str, tuple[Entry, ...]] = {}
         for entry in self._entries:
@@ -116,8 +116,8 @@ class Registry:
         if depth >= MAX_NESTING or len(data) < 2 or (data[0] | data[1] << 8) not in self._codes:
             return data
         try:
-            message = self._class_for(data, None, None)._unpack(data, depth + 1)
-            return message if message._pack() == data else data
+            message = self._class_for(data, None, None)._unpack(data, depth + 1)  # noqa: SLF001 - the fast road
+            return message if message._pack() == data else data  # noqa: SLF001
         except FAST_ERRORS:
             return data
 
