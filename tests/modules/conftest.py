@@ -1,0 +1,71 @@
+"""A platform without physics whose commands are remembered."""
+
+from __future__ import annotations
+
+import threading
+
+import pytest
+
+from jauspy.platform.contract import Pose, Twist
+
+
+class FakeDrive:
+    def __init__(self) -> None:
+        self.efforts: list[tuple[float, float]] = []
+
+    @property
+    def effort(self) -> tuple[float, float]:
+        return self.efforts[-1] if self.efforts else (0.0, 0.0)
+
+    def set_effort(self, linear_x: float, rotational_z: float) -> None:
+        self.efforts.append((linear_x, rotational_z))
+
+    def stop(self) -> None:
+        self.efforts.append((0.0, 0.0))
+
+    def pose(self) -> Pose:
+        return Pose()
+
+    def twist(self) -> Twist:
+        return Twist()
+
+
+class FakeRobot:
+    """Counts the time it was given, and notices who touches it."""
+
+    def __init__(self, breaks_after: int | None = None) -> None:
+        self.drive = FakeDrive()
+        self.time = 0.0
+        self.closed = 0
+        self.threads: set[int] = set()
+        self.steps = 0
+        self.stepped = threading.Condition()
+        self._breaks_after = breaks_after
+
+    def advance(self, dt: float) -> None:
+        self.threads.add(threading.get_ident())
+        with self.stepped:
+            self.time += dt
+            self.steps += 1
+            self.stepped.notify_all()
+        if self.steps == self._breaks_after:
+            raise RuntimeError("a track came off")
+
+    def close(self) -> None:
+        self.closed += 1
+
+    def wait_for_steps(self, more: int) -> None:
+        """Wait until it was advanced that many times more."""
+        with self.stepped:
+            goal = self.steps + more
+            assert self.stepped.wait_for(lambda: self.steps >= goal, timeout=30.0)
+
+
+@pytest.fixture
+def fake_robot() -> FakeRobot:
+    return FakeRobot()
+
+
+@pytest.fixture
+def fragile_robot() -> FakeRobot:
+    return FakeRobot(breaks_after=3)

@@ -1,0 +1,159 @@
+"""CM-MOB on a virtual clock: what it offers, what it drives, and above all when it stops."""
+
+from __future__ import annotations
+
+from datetime import UTC, datetime
+
+import pytest
+
+from jauspy.codec.base import Message
+from jauspy.ids import JausID
+from jauspy.messages import registry
+from jauspy.messages.core import (
+    QueriedComponentRec,
+    QueriedNodeRec,
+    QueryIdentification,
+    QueryServices,
+    ReportIdentification,
+    ReportServices,
+    RequestControl,
+    Resume,
+    SetEmergency,
+    Standby,
+)
+from jauspy.messages.mobility import SetWrenchEffort
+from jauspy.modules.config import ModuleConfig
+from jauspy.modules.mobility import cm_mob
+from jauspy.modules.watchdog import PERIOD, may_move
+from jauspy.services.core import Identity
+
+ME, CLIENT = JausID(101, 1, 102), JausID(42, 1, 1)
+FORWARD = SetWrenchEffort(propulsive_linear_effort_x=40.0)
+
+
+class Module:
+    """A CM-MOB, its clock and its drive."""
+
+    def __init__(self, drive, **config) -> None:
+        self.drive = drive
+        self.now = 10.0
+        self.host = cm_mob(
+            ME,
+            drive,
+            ModuleConfig(type="CM-MOB", component=102, **config),
+            identities={4: Identity("CM-MOB", 60001)},
+            utc_now=lambda: datetime(2026, 1, 1, tzinfo=UTC),
+            now=self.now,
+        )
+
+    def tell(self, *messages: Message) -> list[Message]:
+        for message in messages:
+            self.host.receive(message.encode(), CLIENT, self.now)
+        return [registry.decode(each.payload) for each in self.host.poll_output(self.now)]
+
+    def run(self, seconds: float) -> None:
+        end = self.now + seconds
+        while (due := self.host.next_timeout()) is not None and due <= end:
+            self.now = max(self.now, due)
+            self.host.handle_timeout(self.now)
+        self.now = end
+
+    def services(self) -> set[str]:
+        everything = QueryServices([QueryServices.NodeSeq(QueriedNodeRec(255), [QueriedComponentRec(255)])])
+        (report,) = self.tell(everything)
+        assert isinstance(report, ReportServices)
+        (component,) = report.node_list[0].component_list
+        return {service.uri.rpartition(":")[2] for service in component.service_list}
+
+
+@pytest.fixture
+def module(fake_robot) -> Module:
+    return Module(fake_robot.drive)
+
+
+@pytest.fixture
+def driving(module) -> Module:
+    module.tell(RequestControl(authority_code=100), Resume(), FORWARD)
+    assert module.drive.effort == (pytest.approx(0.4, abs=1e-3), pytest.approx(0.0, abs=1e-3))
+    return module
+
+
+ALL = {"Transport", "Events", "AccessControl", "Management", "Time", "Liveness", "Discovery"} | {
+    "PrimitiveDriver",
+    "VelocityStateSensor",
+    "LocalPoseSensor",
+}
+
+
+def test_offers_everything_by_default(module):
+    assert module.services() == ALL
+
+
+def test_offers_only_what_is_chosen(fake_robot):
+    module = Module(fake_robot.drive, services=("Discovery", "LocalPoseSensor"))
+    assert module.services() == {"Transport", "Events", "AccessControl", "Management", "Discovery", "LocalPoseSensor"}
+
+
+def test_says_who_it_is(module):
+    (report,) = module.tell(QueryIdentification(query_type=4))
+    assert isinstance(report, ReportIdentification)
+    assert report.identification == "CM-MOB"
+
+
+def test_access_control_is_as_configured(fake_robot):
+    module = Module(fake_robot.drive, access_control={"timeout": 2, "default_authority": 50})
+    module.tell(RequestControl(authority_code=49))
+    assert module.host.controller is None
+    module.tell(RequestControl(authority_code=50))
+    assert module.host.controller == CLIENT
+    module.run(1.9)
+    assert module.host.controller == CLIENT
+    module.run(0.2)
+    assert module.host.controller is None
+
+
+def test_goes_on_driving_while_the_client_is_in_control(driving):
+    driving.run(4.5)
+    assert driving.drive.effort != (0.0, 0.0)
+    assert may_move(driving.host)
+
+
+@pytest.mark.parametrize("message", [Standby(), SetEmergency(1)])
+def test_stops_at_once_when_told_to(driving, message):
+    driving.tell(message)
+    assert driving.drive.effort == (0.0, 0.0)
+    assert not may_move(driving.host)
+
+
+def test_stops_when_the_client_is_silent(driving):
+    driving.run(5.1)
+    assert driving.drive.effort == (0.0, 0.0)
+    assert driving.host.controller is None
+
+
+def test_watchdog_stops_what_may_not_move(module):
+    module.drive.set_effort(0.4, 0.0)  # as if a service had a mistake
+    module.run(PERIOD)
+    assert module.drive.effort == (0.0, 0.0)
+    module.drive.set_effort(0.4, 0.0)
+    module.run(PERIOD)
+    assert module.drive.effort == (0.0, 0.0)
+
+
+def test_watchdog_stops_what_went_on_after_standby(driving):
+    driving.tell(Standby())
+    driving.drive.set_effort(0.4, 0.0)
+    driving.run(PERIOD)
+    assert driving.drive.effort == (0.0, 0.0)
+
+
+def test_watchdog_looks_on_after_a_drive_that_failed(module, monkeypatch):
+    def fail() -> None:
+        raise OSError("no answer from the bus")
+
+    with monkeypatch.context() as broken:
+        broken.setattr(module.drive, "stop", fail)
+        module.run(PERIOD)
+    module.drive.set_effort(0.4, 0.0)
+    module.run(PERIOD)
+    assert module.drive.effort == (0.0, 0.0)

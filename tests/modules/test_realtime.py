@@ -1,0 +1,116 @@
+"""A robot in its thread, and those who talk to it from another."""
+
+import threading
+
+import pytest
+
+from jauspy.modules.realtime import RealTime
+from jauspy.platform.kinematic import KinematicBackend
+
+
+@pytest.fixture
+def inc1():
+    robot = KinematicBackend().open("inc1", "empty")
+    yield robot
+    robot.close()
+
+
+def test_nothing_moves_before_it_is_opened(fake_robot):
+    runner = RealTime(fake_robot)
+    assert runner.snapshot.time == 0.0
+    runner.close()
+    assert fake_robot.steps == 0
+
+
+def test_advances_the_robot_in_one_other_thread(fake_robot):
+    with RealTime(fake_robot, step=0.002) as runner:
+        fake_robot.wait_for_steps(5)
+    assert len(fake_robot.threads) == 1
+    assert threading.get_ident() not in fake_robot.threads
+    assert runner.counters["steps"] == fake_robot.steps
+    assert runner.snapshot.time == pytest.approx(fake_robot.steps * 0.002)
+
+
+def test_latest_command_acts_with_the_next_step(fake_robot):
+    with RealTime(fake_robot, step=0.002) as runner:
+        runner.drive.set_effort(0.1, 0.0)
+        runner.drive.set_effort(0.4, -0.2)
+        fake_robot.wait_for_steps(2)
+        assert fake_robot.drive.effort == (0.4, -0.2)
+        runner.drive.stop()
+        fake_robot.wait_for_steps(2)
+        assert fake_robot.drive.effort == (0.0, 0.0)
+
+
+def test_state_is_the_snapshot_after_the_last_step(inc1):
+    runner = RealTime(inc1, step=0.002)
+    before = runner.snapshot
+    with runner:
+        runner.drive.set_effort(1.0, 0.0)
+        while runner.drive.pose().x <= 0.0:
+            runner.drive.twist()
+    after = runner.snapshot
+    assert before.pose.x == 0.0
+    assert (after.pose, after.time) == (inc1.drive.pose(), pytest.approx(inc1.time))
+    assert after.twist.vx > 0.0
+
+
+def test_stops_the_drive_when_closed(fake_robot):
+    with RealTime(fake_robot, step=0.002) as runner:
+        runner.drive.set_effort(1.0, 0.0)
+        fake_robot.wait_for_steps(2)
+    assert fake_robot.drive.effort == (0.0, 0.0)
+    assert runner.ended.done()
+    steps = fake_robot.steps
+    runner.close()
+    assert fake_robot.steps == steps
+
+
+def test_a_command_just_before_closing_does_not_drive(fake_robot):
+    runner = RealTime(fake_robot, step=0.002)
+    runner.open()
+    runner.drive.set_effort(1.0, 0.0)
+    runner.close()
+    runner.drive.set_effort(1.0, 0.0)
+    assert fake_robot.drive.effort == (0.0, 0.0)
+
+
+def test_opening_twice_is_fine(fake_robot):
+    with RealTime(fake_robot, step=0.002) as runner:
+        runner.open()
+        fake_robot.wait_for_steps(2)
+    assert len(fake_robot.threads) == 1
+
+
+def test_a_robot_that_breaks_is_stopped_and_told_of(fragile_robot):
+    with RealTime(fragile_robot, step=0.002) as runner:
+        runner.drive.set_effort(1.0, 0.0)
+        error = runner.ended.exception(timeout=30.0)
+        assert isinstance(error, RuntimeError)
+    assert fragile_robot.steps == 3
+    assert fragile_robot.drive.effort == (0.0, 0.0)
+
+
+class Clock:
+    def __init__(self) -> None:
+        self.now = 50.0
+
+    def __call__(self) -> float:
+        self.now += 0.001
+        return self.now
+
+
+def test_stops_by_itself_when_nobody_is_alive(fake_robot):
+    clock = Clock()
+    with RealTime(fake_robot, step=0.002, lapse=1.0, clock=clock) as runner:
+        runner.drive.set_effort(1.0, 0.0)
+        fake_robot.wait_for_steps(3)
+        assert (1.0, 0.0) in fake_robot.drive.efforts
+        clock.now += 2.0
+        fake_robot.wait_for_steps(3)
+        assert fake_robot.drive.effort == (0.0, 0.0)
+        assert runner.counters["abandoned"] > 0
+        runner.alive()
+        runner.drive.set_effort(0.5, 0.0)
+        fake_robot.wait_for_steps(3)
+        assert (0.5, 0.0) in fake_robot.drive.efforts

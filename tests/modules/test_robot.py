@@ -1,0 +1,164 @@
+"""A whole robot in memory: kinematic backend in real time, one component, a client that drives it."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import AsyncIterator
+
+import pytest
+
+from jauspy.codec.base import Message
+from jauspy.errors import ConfigError, TransportError
+from jauspy.ids import JausID
+from jauspy.messages import registry
+from jauspy.messages.core import QueryIdentification, RequestControl, Resume
+from jauspy.messages.mobility import QueryLocalPose, ReportLocalPose, SetWrenchEffort
+from jauspy.modules.robot import RobotRunner
+from jauspy.modules.robots import load
+from jauspy.platform import backends
+from jauspy.protocol.endpoint import Endpoint
+from jauspy.transport import LoopbackHub, LoopbackTransport
+
+ROBOT, CLIENT = JausID(101, 1, 102), JausID(42, 1, 1)
+FORWARD = SetWrenchEffort(propulsive_linear_effort_x=80.0)
+
+
+class Client:
+    """Sends messages to the robot and waits for what comes back."""
+
+    def __init__(self, hub: LoopbackHub) -> None:
+        self.transport = LoopbackTransport(CLIENT, hub)
+        self.transport.received = self._received
+        self._endpoint = Endpoint(CLIENT, first_sequence=0)
+        self._answers: asyncio.Queue[Message] = asyncio.Queue()
+
+    def tell(self, *messages: Message) -> None:
+        for message in messages:
+            self._endpoint.send(ROBOT, message.encode())
+        for datagram in self._endpoint.poll_output():
+            self.transport.send(datagram)
+
+    async def answer(self) -> Message:
+        async with asyncio.timeout(30.0):
+            return await self._answers.get()
+
+    async def drive_past(self, x: float) -> ReportLocalPose:
+        """Ask for the pose until it is past x."""
+        while True:
+            self.tell(QueryLocalPose(presence_vector=0xFFFF))
+            report = await self.answer()
+            if isinstance(report, ReportLocalPose) and report.x > x:
+                return report
+
+    def _received(self, datagram: bytes) -> None:
+        self._endpoint.receive(datagram)
+        while (packet := self._endpoint.next_event()) is not None:
+            self._answers.put_nowait(registry.decode(packet.payload))
+
+
+@pytest.fixture
+def hub() -> LoopbackHub:
+    return LoopbackHub()
+
+
+@pytest.fixture
+async def client(hub) -> AsyncIterator[Client]:
+    client = Client(hub)
+    await client.transport.open()
+    yield client
+    await client.transport.close()
+
+
+@pytest.fixture
+def runner(hub) -> RobotRunner:
+    return RobotRunner(load("inc1"), lambda me: LoopbackTransport(me, hub), backend="kinematic")
+
+
+async def test_drives_and_says_where_it_is(runner, client):
+    async with runner:
+        client.tell(RequestControl(authority_code=100), Resume(), FORWARD)
+        await client.drive_past(0.1)
+        assert runner.snapshot.pose.x > 0.1
+        assert runner.counters["101.1.102.host.received"] >= 4
+        assert runner.counters["realtime.steps"] > 10
+
+
+async def test_stands_still_when_closed_while_driving(runner, client):
+    async with runner:
+        client.tell(RequestControl(authority_code=100), Resume(), FORWARD)
+        await client.drive_past(0.05)
+        robot = runner._realtime._robot
+    assert robot.drive._efforts == (0.0, 0.0)
+    assert runner.components == ()
+
+
+async def test_does_not_move_without_control(runner, client):
+    async with runner:
+        client.tell(FORWARD, Resume(), FORWARD, QueryIdentification(query_type=4))
+        await client.answer()
+        time = runner.snapshot.time
+        while runner.snapshot.time < time + 0.1:
+            await asyncio.sleep(0.01)
+        assert runner.snapshot.pose.x == 0.0
+
+
+async def test_closing_twice_and_before_opening_is_fine(runner):
+    await runner.close()
+    async with runner:
+        await runner.open()
+    await runner.close()
+
+
+async def test_can_be_opened_again(runner, client):
+    for _ in range(2):
+        async with runner:
+            client.tell(QueryIdentification(query_type=2))
+            assert (await client.answer()).identification == "inc1"
+
+
+async def test_stops_everything_when_a_transport_cannot_be_opened(runner, hub, monkeypatch):
+    taken = LoopbackTransport(ROBOT, hub)
+    await taken.open()
+    before = asyncio.all_tasks()
+    with pytest.raises(TransportError):
+        await runner.open()
+    assert asyncio.all_tasks() == before
+    assert runner.components == ()
+    await taken.close()
+    async with runner:
+        assert len(runner.components) == 1
+
+
+async def test_runs_until_cancelled(runner, client):
+    task = asyncio.create_task(runner.run())
+    await asyncio.sleep(0)
+    client.tell(QueryIdentification(query_type=4))
+    await client.answer()
+    task.cancel()
+    with pytest.raises(asyncio.CancelledError):
+        await task
+    assert runner.components == ()
+
+
+async def test_ends_when_the_robot_breaks_down(runner, fragile_robot, monkeypatch):
+    class Workshop:
+        name = "workshop"
+
+        def open(self, robot: str, world: str):
+            return fragile_robot
+
+    monkeypatch.setattr(backends, "find", lambda name: Workshop())
+    with pytest.raises(RuntimeError, match="a track came off"):
+        async with asyncio.timeout(30.0):
+            await runner.run()
+    assert fragile_robot.closed == 1
+
+
+@pytest.mark.parametrize(
+    ("options", "said"), [({"backend": "gazebo"}, "'gazebo'.*kinematic"), ({"backend": "sim", "world": "mars"}, "mars")]
+)
+async def test_unknown_names_are_configuration_errors(hub, options, said):
+    if options["backend"] == "sim":
+        pytest.importorskip("mujoco", reason="MuJoCo is not installed")
+    with pytest.raises(ConfigError, match=said):
+        await RobotRunner(load("inc1"), lambda me: LoopbackTransport(me, hub), **options).open()

@@ -1,0 +1,119 @@
+"""Robots as TOML files, and what is said about mistakes in them."""
+
+import pytest
+
+from jauspy.errors import ConfigError
+from jauspy.modules.robots import known, load
+
+GOOD = """
+name = "mine"
+model = "inc1"
+subsystem = 7
+node = 2
+
+[[modules]]
+type = "CM-MOB"
+component = 33
+"""
+
+
+@pytest.fixture
+def write(tmp_path):
+    def write(text: str):
+        path = tmp_path / "robot.toml"
+        path.write_text(text, encoding="utf-8")
+        return path
+
+    return write
+
+
+def test_inc1_comes_with_jauspy():
+    config = load("inc1")
+    assert "inc1" in known()
+    assert [str(config.id_of(module)) for module in config.modules] == ["101.1.102"]
+    assert (config.backend, config.world) == ("sim", "demo")
+
+
+@pytest.mark.parametrize("name", known())
+def test_every_robot_that_comes_with_jauspy_is_right(name):
+    assert load(name).name == name
+
+
+def test_own_file_by_path_and_by_text(write):
+    path = write(GOOD)
+    config = load(path)
+    assert load(str(path)) == config
+    assert str(config.id_of(config.modules[0])) == "7.2.33"
+    assert (config.backend, config.world) == ("kinematic", "empty")
+    assert config.modules[0].access_control.timeout == 5
+
+
+def test_unknown_robot_lists_the_known_ones():
+    with pytest.raises(ConfigError, match=r"'inc9'.*inc1.*\.toml"):
+        load("inc9")
+
+
+def test_missing_file_is_named(tmp_path):
+    with pytest.raises(ConfigError, match=r"nowhere\.toml: cannot be read: No such file"):
+        load(tmp_path / "nowhere.toml")
+
+
+@pytest.mark.parametrize("text", ["name = ", "name = 'a'\nname = 'b'", "[[modules]"])
+def test_not_toml(write, text):
+    with pytest.raises(ConfigError, match=r"robot\.toml: is not TOML: .*(line|document)"):
+        load(write(text))
+
+
+def test_not_even_text(write, tmp_path):
+    path = tmp_path / "robot.toml"
+    path.write_bytes(b"\xff\xfe\x00")
+    with pytest.raises(ConfigError, match="is not TOML"):
+        load(path)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("subsystem = 7", "subsystem = 65535", r"subsystem: 65535: .*65534"),
+        ("subsystem = 7", "", r"subsystem: is missing"),
+        ("subsystem = 7", "subsytem = 7", r"subsytem: there is no such key; known here are: .*subsystem"),
+        ("node = 2", "node = 'two'", r"node: 'two': .*integer"),
+        ("component = 33", "component = 255", r"modules\[0\]\.component: 255: .*254"),
+        ("CM-MOB", "CM-BOM", r"modules\[0\]\.type: 'CM-BOM': .*'CM-MOB'"),
+        ("component = 33", "component = 33\nspeed = 3", r"modules\[0\]\.speed: .*known here are: access_control"),
+        (
+            "component = 33",
+            "component = 33\nservices = ['Tim']",
+            r"modules\[0\]\.services\[0\]: 'Tim': .*'Time', 'Liveness'.*'LocalPoseSensor'",
+        ),
+        (
+            "component = 33",
+            "component = 33\naccess_control = { timeout = 256 }",
+            r"modules\[0\]\.access_control\.timeout: 256: .*255",
+        ),
+        (
+            "component = 33",
+            "component = 33\naccess_control = { timout = 2 }",
+            r"access_control\.timout: .*known here are: default_authority, timeout",
+        ),
+        (
+            "component = 33",
+            "component = 33\n[[modules]]\ntype = 'CM-MOB'\ncomponent = 33",
+            r"modules: 2 have the component id 33",
+        ),
+    ],
+)
+def test_mistakes_name_the_key_and_what_is_allowed(write, old, new, said):
+    with pytest.raises(ConfigError, match=said):
+        load(write(GOOD.replace(old, new)))
+
+
+def test_a_robot_without_modules(write):
+    with pytest.raises(ConfigError, match=r"modules: there is none"):
+        load(write(GOOD.partition("[[modules]]")[0] + "modules = []"))
+
+
+def test_all_mistakes_are_told_at_once(write):
+    with pytest.raises(ConfigError) as caught:
+        load(write("name = ''"))
+    assert str(caught.value).count("\n") >= 4
