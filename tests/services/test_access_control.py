@@ -105,6 +105,13 @@ def test_time_out_runs_for_the_client_that_took_over(rig) -> None:
     assert rig.run(10.0) == [(8.0, B, RELEASED)]
 
 
+def test_nothing_is_waited_for_when_nobody_is_in_control(rig) -> None:
+    rig.ask(A, RequestControl(100))
+    assert rig.host.next_timeout() == 5.0
+    rig.ask(A, ReleaseControl())
+    assert rig.host.next_timeout() is None
+
+
 def test_zero_never_times_out(make) -> None:
     rig = make(AccessControl(timeout=0))
     rig.ask(A, RequestControl(100))

@@ -238,6 +238,13 @@ def test_events_expire_unless_they_are_renewed(make) -> None:
     assert rig.host.next_timeout() is None
 
 
+def test_a_cancelled_event_does_not_expire_any_more(make) -> None:
+    rig = make(Management(), Events(timeout=1))
+    id = rig.ask(A, create()).event_id
+    rig.ask(A, CancelEvent(9, id))
+    assert rig.host.next_timeout() is None
+
+
 def test_the_default_time_out_is_a_minute(make) -> None:
     assert make(Events()).ask(A, QueryEventTimeout()) == ReportEventTimeout(1)
 

@@ -231,10 +231,17 @@ def test_a_service_without_definition_or_given_twice_is_refused(make) -> None:
             make(*services)
 
 
-def test_a_component_has_the_bound_classes_as_inputs(robot) -> None:
-    assert robot.host.accepts(QueryStatus())
-    assert not robot.host.accepts(ReportStatus(status=ReportStatus.Status.READY, reserved=0))
-    assert not robot.host.accepts(registry.by_name("QueryElementList")())
+def test_read_takes_inputs_of_the_component_only(robot) -> None:
+    assert robot.host.read(QueryStatus()) == QueryStatus()
+    assert robot.host.read(QueryStatus().encode()) == QueryStatus()
+    for other in (
+        ReportStatus(status=ReportStatus.Status.READY, reserved=0),
+        registry.by_name("QueryElementList")(),
+        b"",
+        b"\x02",
+        b"\x02\x20\x00",
+    ):
+        assert robot.host.read(other) is None
 
 
 def test_without_management_there_is_no_status(make) -> None:

@@ -63,14 +63,13 @@ class Host:
         self._captured: list[Outgoing] | None = None
         self._timers = Timers()
         self._events: deque[Trigger] = deque()
-        self._busy = False
+        self._busy = True
         self._logged: set[str] = set()
         self._built: Built = build(services, schema, registry, self._reply, self._contain)
         for service in self.services:
             service.host = self
         for service in self.services:
             service.attached()
-        self._busy = True
         for machine in self._built.machines.values():
             machine.start()
         self._settle()
@@ -206,9 +205,17 @@ class Host:
             with self._contain(f"{type(service).__name__}.control_lost", Trigger("control_lost")):
                 service.control_lost()
 
-    def accepts(self, message: Message) -> bool:
-        """True when this very message class is an input of the component."""
-        return self._built.inputs.get(message.CODE) is type(message)
+    def read(self, content: Message | bytes) -> Message | None:
+        """A message inside another one as an input of this component; None when it is not one."""
+        if isinstance(content, Message):
+            if self._built.inputs.get(content.CODE) is type(content):
+                return content
+            content = content.encode(strict=False)
+        kind = self._built.inputs.get(int.from_bytes(content[:2], "little"))
+        try:
+            return kind.decode(content) if kind and len(content) >= 2 else None
+        except DecodeError:
+            return None
 
     def count(self, reason: str, detail: str) -> None:
         """Count something dropped; logged at DEBUG the first time."""

@@ -101,22 +101,28 @@ class Events(Service, urn="urn:jaus:jss:core:Events", private=True):
 
     def _refusal(self, msg: CreateEvent | UpdateEvent, source: JausID) -> int | None:
         """Why the event cannot be set up as asked for: a response code, None when it can."""
-        query = msg.query_message
-        if not isinstance(query, Message) or not 0x2000 <= query.CODE < 0x4000 or not self.host.accepts(query):
+        query = self.host.read(msg.query_message)
+        if query is None or not 0x2000 <= query.CODE < 0x4000:
             return NOT_SUPPORTED
         if msg.event_type == PERIODIC and msg.requested_periodic_rate <= 0:
             return INVALID_SETUP
         is_new = isinstance(msg, CreateEvent) and self._find(msg, source) is None
-        if len(_bytes(query)) > MAX_QUERY or (is_new and self.subscriptions.full_for(source)):
+        if len(_bytes(msg.query_message)) > MAX_QUERY or (is_new and self.subscriptions.full_for(source)):
             return REFUSED
         return None
+
+    def _query(self, msg: CreateEvent | UpdateEvent) -> Message:
+        """The query of a request that `is_supported` has let through."""
+        query = self.host.read(msg.query_message)
+        assert query is not None
+        return query
 
     # --- actions
 
     def create_event(self, msg: CreateEvent, source: JausID) -> None:
         """A new subscription; the first report comes at once."""
         subscription = Subscription(
-            self.subscriptions.free_id(), source, msg.request_id, msg.event_type, _query(msg), due=self.host.now
+            self.subscriptions.free_id(), source, msg.request_id, msg.event_type, self._query(msg), due=self.host.now
         )
         self._set_rate(subscription, msg.requested_periodic_rate)
         self.subscriptions.add(subscription)
@@ -129,7 +135,7 @@ class Events(Service, urn="urn:jaus:jss:core:Events", private=True):
         if subscription is None:
             return
         subscription.request_id, subscription.kind = msg.request_id, msg.event_type
-        subscription.query, subscription.last = _query(msg), None
+        subscription.query, subscription.last = self._query(msg), None
         self._set_rate(subscription, msg.requested_periodic_rate)
         subscription.due = self.host.now + subscription.period
         self._current = subscription
@@ -217,11 +223,6 @@ class Events(Service, urn="urn:jaus:jss:core:Events", private=True):
     def report_event_timeout(self) -> ReportEventTimeout:
         """Minutes, 0 when events do not time out."""
         return ReportEventTimeout(timeout=self.timeout)
-
-
-def _query(msg: CreateEvent | UpdateEvent) -> Message:
-    assert isinstance(msg.query_message, Message)
-    return msg.query_message
 
 
 def _bytes(message: Message | bytes) -> bytes:
