@@ -9,13 +9,79 @@ if TYPE_CHECKING:
     from jauspy.codec.base import Message as Message
     from jauspy.codec.dynamic import load as load
     from jauspy.codec.registry import Registry as Registry
+    from jauspy.errors import (
+        CodecError as CodecError,
+    )
+    from jauspy.errors import (
+        ConfigError as ConfigError,
+    )
+    from jauspy.errors import (
+        ControlRejected as ControlRejected,
+    )
+    from jauspy.errors import (
+        DecodeError as DecodeError,
+    )
+    from jauspy.errors import (
+        EncodeError as EncodeError,
+    )
+    from jauspy.errors import (
+        EventRejected as EventRejected,
+    )
+    from jauspy.errors import (
+        JausError as JausError,
+    )
+    from jauspy.errors import (
+        ProtocolError as ProtocolError,
+    )
+    from jauspy.errors import (
+        RequestError as RequestError,
+    )
+    from jauspy.errors import (
+        ResponseTimeout as ResponseTimeout,
+    )
+    from jauspy.errors import (
+        SchemaError as SchemaError,
+    )
+    from jauspy.errors import (
+        TransportError as TransportError,
+    )
+    from jauspy.ids import JausID as JausID
+    from jauspy.ocu import (
+        OCU as OCU,
+    )
+    from jauspy.ocu import (
+        Robot as Robot,
+    )
+    from jauspy.ocu import (
+        ServiceClient as ServiceClient,
+    )
+    from jauspy.ocu import (
+        Subscription as Subscription,
+    )
 
 __version__ = "0.1.0"
 
 _EXPORTS = {
-    "Message": "jauspy.codec.base",
-    "Registry": "jauspy.codec.registry",
+    "CodecError": "jauspy.errors",
+    "ConfigError": "jauspy.errors",
+    "ControlRejected": "jauspy.errors",
+    "DecodeError": "jauspy.errors",
+    "EncodeError": "jauspy.errors",
+    "EventRejected": "jauspy.errors",
+    "JausError": "jauspy.errors",
+    "JausID": "jauspy.ids",
     "load": "jauspy.codec.dynamic",
+    "Message": "jauspy.codec.base",
+    "OCU": "jauspy.ocu",
+    "ProtocolError": "jauspy.errors",
+    "Registry": "jauspy.codec.registry",
+    "RequestError": "jauspy.errors",
+    "ResponseTimeout": "jauspy.errors",
+    "Robot": "jauspy.ocu",
+    "SchemaError": "jauspy.errors",
+    "ServiceClient": "jauspy.ocu",
+    "Subscription": "jauspy.ocu",
+    "TransportError": "jauspy.errors",
 }
 """Public names and where they live; imported on first use, so that `import jauspy` stays light."""
 

@@ -1,0 +1,189 @@
+"""One component on one transport: datagrams in, the services' answers out, and one timer for all of their timers."""
+
+from __future__ import annotations
+
+import asyncio
+import random
+import time
+from collections import Counter
+from collections.abc import Callable
+from types import TracebackType
+from typing import Final, Self
+
+from jauspy.codec.base import Message
+from jauspy.component.guard import Guard
+from jauspy.errors import ProtocolError
+from jauspy.ids import JausID
+from jauspy.protocol.endpoint import Endpoint
+from jauspy.protocol.header import Ack, Broadcast, Packet, Priority
+from jauspy.services.host import Host
+from jauspy.transport.base import Transport
+
+MAX_PER_WAKEUP: Final = 256
+"""Packets handled before the event loop gets its turn; endpoints hold a bounded number anyway."""
+
+Intercept = Callable[[Packet], bool]
+"""Sees every received packet first; what it returns true for does not reach the services."""
+
+
+class Component:
+    """Runs `host` on `transport`: `async with Component(host, transport): ...`, or `await component.run()`.
+
+    `clock` is monotonic, in seconds. While the transport has no connection, what is sent is dropped and counted there,
+    and everything goes on when it is back. The network, and bugs of services, raise nothing here.
+    """
+
+    def __init__(
+        self,
+        host: Host,
+        transport: Transport,
+        *,
+        clock: Callable[[], float] = time.monotonic,
+        intercept: Intercept | None = None,
+        first_sequence: int | None = None,
+    ) -> None:
+        self.host = host
+        self.transport = transport
+        self._clock = clock
+        self._intercept = intercept
+        start = random.randrange(0x10000) if first_sequence is None else first_sequence  # noqa: S311 - not a secret
+        self._endpoint = Endpoint(host.id, first_sequence=start)
+        self._errors: Counter[str] = Counter()
+        self._guard = Guard(f"component {host.id}", self._errors)
+        self._timer: asyncio.TimerHandle | None = None
+        self._loop: asyncio.AbstractEventLoop | None = None
+        self._closed = asyncio.Event()
+
+    @property
+    def id(self) -> JausID:
+        """The component's id."""
+        return self.host.id
+
+    @property
+    def is_open(self) -> bool:
+        """True between `open` and `close`."""
+        return self._loop is not None
+
+    @property
+    def counters(self) -> dict[str, int]:
+        """Everything counted, by floor: `host.…`, `endpoint.…`, `transport.…` and `component.…`."""
+        floors = {
+            "component": self._errors,
+            "host": self.host.counters,
+            "endpoint": self._endpoint.counters,
+            "transport": self.transport.counters,
+        }
+        return {f"{floor}.{name}": value for floor, counts in floors.items() for name, value in counts.items()}
+
+    async def open(self) -> None:
+        """Open the transport and start; raises `TransportError` when it cannot be opened. Twice is fine."""
+        if self.is_open:
+            return
+        self.transport.received = self._received
+        self._loop = asyncio.get_running_loop()
+        self._closed.clear()
+        try:
+            await self.transport.open()
+        except BaseException:
+            self._stop()
+            await self.transport.close()
+            raise
+        self._flush()
+
+    async def close(self) -> None:
+        """Stop what moves, send what waits and close the transport. Twice is fine."""
+        if self.is_open:
+            with self._guard:
+                self.host.close(self._clock())
+            self._flush()
+            self._stop()
+        await self.transport.close()
+        self._closed.set()
+
+    async def run(self) -> None:
+        """Open, serve until cancelled or closed, close."""
+        async with self:
+            await self._closed.wait()
+
+    async def __aenter__(self) -> Self:
+        await self.open()
+        return self
+
+    async def __aexit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        await self.close()
+
+    def send(
+        self,
+        destination: JausID,
+        message: Message,
+        *,
+        priority: Priority = Priority.STANDARD,
+        broadcast: Broadcast = Broadcast.NONE,
+        ack: Ack = Ack.NONE,
+    ) -> None:
+        """Send a message as this component, now; raises `EncodeError` or, when it is too long, `ProtocolError`."""
+        self._endpoint.send(destination, message.encode(), priority=priority, broadcast=broadcast, ack=ack)
+        self._transmit()
+
+    def wake(self) -> None:
+        """Call this after acting on the host from outside: sends what it wants to send, sets its timers."""
+        self._flush()
+
+    # --- inside ---------------------------------------------------------------------------------------------------
+
+    def _received(self, datagram: bytes) -> None:
+        if self._loop is None:
+            return
+        with self._guard:
+            self._endpoint.receive(datagram)
+            for _ in range(MAX_PER_WAKEUP):
+                packet = self._endpoint.next_event()
+                if packet is None:
+                    break
+                self._deliver(packet)
+        self._flush()
+
+    def _deliver(self, packet: Packet) -> None:
+        if self._intercept is None or not self._intercept(packet):
+            self.host.receive(packet.payload, packet.source, self._clock())
+
+    def _flush(self) -> None:
+        """Send everything that waits to be sent, and set the timer anew."""
+        if self._loop is None:
+            return
+        with self._guard:
+            for each in self.host.poll_output(self._clock()):
+                self._pack(each.destination, each.payload, each.priority, each.broadcast)
+            self._transmit()
+        self._schedule(self._loop)
+
+    def _pack(self, destination: JausID, payload: bytes, priority: Priority, broadcast: Broadcast) -> None:
+        try:
+            self._endpoint.send(destination, payload, priority=priority, broadcast=broadcast)
+        except ProtocolError as error:
+            self._errors[f"unsendable.{error.reason}"] += 1
+
+    def _transmit(self) -> None:
+        for datagram in self._endpoint.poll_output():
+            self.transport.send(datagram)
+
+    def _schedule(self, loop: asyncio.AbstractEventLoop) -> None:
+        if self._timer is not None:
+            self._timer.cancel()
+            self._timer = None
+        at = self.host.next_timeout()
+        if at is not None:
+            self._timer = loop.call_later(max(0.0, at - self._clock()), self._timeout)
+
+    def _timeout(self) -> None:
+        with self._guard:
+            self.host.handle_timeout(self._clock())
+        self._flush()
+
+    def _stop(self) -> None:
+        self._loop = None
+        if self._timer is not None:
+            self._timer.cancel()
+            self._timer = None

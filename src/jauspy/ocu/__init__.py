@@ -1,0 +1,23 @@
+"""The client API: find robots, ask them, control them, listen to them."""
+
+from jauspy.ocu.client import OCU
+from jauspy.ocu.control import Control
+from jauspy.ocu.model import Component, Node, ServiceInfo, Subsystem
+from jauspy.ocu.robot import ComponentClient, Robot
+from jauspy.ocu.service import ServiceClient
+from jauspy.ocu.stats import Stats
+from jauspy.ocu.subscription import Subscription
+
+__all__ = [
+    "OCU",
+    "Component",
+    "ComponentClient",
+    "Control",
+    "Node",
+    "Robot",
+    "ServiceClient",
+    "ServiceInfo",
+    "Stats",
+    "Subscription",
+    "Subsystem",
+]

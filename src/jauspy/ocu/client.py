@@ -1,0 +1,173 @@
+"""The operator control unit: a component of its own, and a client of all others."""
+
+# ruff: noqa: ASYNC109 - a timeout ends in an error that says what was asked, and of whom
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from datetime import UTC, datetime
+from types import TracebackType
+from typing import Any, Self, TypeVar, overload
+
+from jauspy.codec.base import Message
+from jauspy.codec.registry import Registry
+from jauspy.component.shell import Component
+from jauspy.errors import ConfigError
+from jauspy.ids import JausID
+from jauspy.ocu import discovery
+from jauspy.ocu.connect import transport_for
+from jauspy.ocu.link import Link, Patience
+from jauspy.ocu.robot import Robot
+from jauspy.ocu.stats import Stats
+from jauspy.services.core import Discovery, Identity, Liveness
+from jauspy.services.core.discovery import COMPONENT, NODE, SUBSYSTEM, SYSTEM
+from jauspy.services.host import Host
+from jauspy.transport import Transport
+
+R = TypeVar("R", bound=Message)
+
+_OCU_TYPE = 20001
+_COMPONENT_TYPE = 60001
+_NODE_TYPE = 40001
+
+
+class OCU:
+    """`async with jauspy.OCU("42.1.1") as ocu: robot = await ocu.discover(subsystem=101)`.
+
+    `connect`: None (the node manager of this machine, else multicast), `"udp://HOST[:PORT]"` or `"local:DIRECTORY"`.
+    `timeout` (seconds) and `retries` are what queries use unless told otherwise; `registry` has the known messages.
+    Others see the OCU as a subsystem with one component that answers discovery and heartbeat.
+    """
+
+    def __init__(
+        self,
+        id: str | JausID = "42.1.1",
+        connect: str | None = None,
+        *,
+        name: str = "jauspy OCU",
+        timeout: float = 1.0,
+        retries: int = 2,
+        registry: Registry | None = None,
+        transport: Transport | None = None,
+    ) -> None:
+        self.id = JausID.parse(id) if isinstance(id, str) else id
+        if self.id.is_wildcard or 0 in (self.id.subsystem, self.id.node, self.id.component):
+            raise ConfigError(f"{self.id} cannot be an OCU's id; use 1..65534, 1..254 and 1..254, as in 42.1.1")
+        self._connect = connect
+        self._transport = transport
+        self._name = name
+        self._link = Link(registry or _builtin(), Patience(timeout, retries))
+        self._component: Component | None = None
+
+    @property
+    def stats(self) -> Stats:
+        """Messages and round-trip times so far."""
+        return self._link.recorder.snapshot()
+
+    @property
+    def counters(self) -> Mapping[str, int]:
+        """What the floors below counted; empty while the OCU is closed."""
+        return self._component.counters if self._component else {}
+
+    @property
+    def is_open(self) -> bool:
+        """True between `open` and `close`."""
+        return self._component is not None
+
+    async def open(self) -> None:
+        """Connect; raises `TransportError` that says what to do, `ConfigError` for a wrong `connect`. Twice is fine."""
+        if self._component is not None:
+            return
+        transport = self._transport or await transport_for(self.id, self._connect)
+        host = Host(self.id, _services(self._name), utc_now=lambda: datetime.now(UTC))
+        component = Component(host, transport, intercept=self._link.receive)
+        await component.open()
+        self._component = component
+        self._link.attach(component)
+
+    async def close(self) -> None:
+        """Disconnect; whatever still waits for an answer ends with `TransportError`. Twice is fine."""
+        component, self._component = self._component, None
+        self._link.attach(None)
+        if component is not None:
+            await component.close()
+
+    async def __aenter__(self) -> Self:
+        await self.open()
+        return self
+
+    async def __aexit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        await self.close()
+
+    # --- finding --------------------------------------------------------------------------------------------------
+
+    async def discover(self, subsystem: int, *, timeout: float = 5.0) -> Robot:
+        """The subsystem of this number; raises `ResponseTimeout` when it does not answer for `timeout` seconds."""
+        return Robot(self._link, await discovery.discover(self._link, subsystem, timeout))
+
+    async def discover_all(self, *, timeout: float = 2.0) -> tuple[Robot, ...]:
+        """Everybody who answers within `timeout` seconds, other OCUs too, in the order of their numbers."""
+        return tuple(Robot(self._link, each) for each in await discovery.discover_all(self._link, timeout))
+
+    # --- talking without discovery --------------------------------------------------------------------------------
+
+    @overload
+    async def query(
+        self,
+        destination: str | JausID,
+        message: Message,
+        *,
+        expects: type[R],
+        timeout: float | None = ...,
+        retries: int | None = ...,
+    ) -> R: ...
+
+    @overload
+    async def query(
+        self,
+        destination: str | JausID,
+        message: Message,
+        *,
+        expects: None = ...,
+        timeout: float | None = ...,
+        retries: int | None = ...,
+    ) -> Any: ...
+
+    async def query(
+        self,
+        destination: str | JausID,
+        message: Message,
+        *,
+        expects: type[Message] | None = None,
+        timeout: float | None = None,
+        retries: int | None = None,
+    ) -> Any:
+        """Ask any component; of several that a wildcard id reaches, the first answer counts."""
+        patience = self._link.patience.changed(timeout, retries)
+        return await self._link.query(_id(destination), message, patience=patience, expects=expects)
+
+    async def send(self, destination: str | JausID, message: Message) -> None:
+        """Send to any component, or to all that a wildcard id reaches."""
+        self._link.send(_id(destination), message)
+
+
+def _id(destination: str | JausID) -> JausID:
+    return JausID.parse(destination) if isinstance(destination, str) else destination
+
+
+def _services(name: str) -> list[Discovery | Liveness]:
+    identities = {
+        SYSTEM: Identity(name, _OCU_TYPE),
+        SUBSYSTEM: Identity(name, _OCU_TYPE),
+        NODE: Identity(f"{name} node", _NODE_TYPE),
+        COMPONENT: Identity(name, _COMPONENT_TYPE),
+    }
+    return [Discovery(identities), Liveness()]
+
+
+def _builtin() -> Registry:
+    from jauspy.messages import registry  # noqa: PLC0415 - only when no other registry is given
+
+    return registry

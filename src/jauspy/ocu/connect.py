@@ -1,0 +1,63 @@
+"""How an OCU reaches the network: what `connect=` may say."""
+
+from __future__ import annotations
+
+import asyncio
+import socket
+from pathlib import Path
+from typing import Final
+from urllib.parse import urlsplit
+
+from jauspy.errors import ConfigError, TransportError
+from jauspy.ids import JausID
+from jauspy.protocol import judp, junior
+from jauspy.transport import LocalTransport, Transport, UdpTransport, local_socket
+
+DEFAULT_ROOT: Final = Path("/tmp")  # noqa: S108 - where every JAUS node manager has its sockets
+FORMS: Final = (
+    "'udp://HOST[:PORT]' (a node manager elsewhere), 'local:DIRECTORY' (the node manager of this machine with its "
+    "sockets there, as in local:/tmp), or None (the one in /tmp if it runs, else multicast)"
+)
+
+
+async def transport_for(id: JausID, connect: str | None) -> Transport:
+    """The transport that `connect` asks for.
+
+    Raises `ConfigError` that shows the forms, and `TransportError` for an unknown host.
+    """
+    if connect is None:
+        if local_socket.is_alive(DEFAULT_ROOT / junior.SOCKET_NAME):
+            return LocalTransport(id, DEFAULT_ROOT)
+        return UdpTransport(id, group=(judp.MULTICAST_GROUP, judp.PORT))
+    if connect.startswith("local:"):
+        return LocalTransport(id, _directory(connect))
+    if connect.startswith("udp://"):
+        return UdpTransport(id, peer=await _resolved(*_address(connect)))
+    raise ConfigError(f"connect={connect!r} is not understood; use {FORMS}")
+
+
+def _directory(connect: str) -> Path:
+    name = connect.removeprefix("local:")
+    if not name:
+        raise ConfigError(f"connect={connect!r} names no directory; use {FORMS}")
+    return Path(name)
+
+
+def _address(connect: str) -> tuple[str, int]:
+    try:
+        parts = urlsplit(connect)
+        host, port = parts.hostname, parts.port or judp.PORT
+    except ValueError:
+        host, port = None, 0
+    if not host or parts.path or parts.query or parts.username is not None:
+        raise ConfigError(f"connect={connect!r} is no UDP address; use {FORMS}")
+    return host, port
+
+
+async def _resolved(host: str, port: int) -> tuple[str, int]:
+    try:
+        found = await asyncio.get_running_loop().getaddrinfo(host, port, family=socket.AF_INET, type=socket.SOCK_DGRAM)
+    except OSError as error:
+        raise TransportError(f"the host {host!r} of the node manager is not known: {error.strerror}") from error
+    address = found[0][4]
+    return str(address[0]), port

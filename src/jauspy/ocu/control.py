@@ -1,0 +1,177 @@
+"""Access control of one component as an `async with` block."""
+
+from __future__ import annotations
+
+import asyncio
+from contextlib import ExitStack
+from types import TracebackType
+from typing import Final, Self
+
+from jauspy.codec.base import Message
+from jauspy.errors import ConfigError, ControlRejected, ResponseTimeout, TransportError
+from jauspy.ids import JausID
+from jauspy.messages.core import (
+    ConfirmControl,
+    QueryAuthority,
+    QueryControl,
+    QueryStatus,
+    QueryTimeout,
+    RejectControl,
+    ReleaseControl,
+    ReportAuthority,
+    ReportControl,
+    ReportStatus,
+    ReportTimeout,
+    RequestControl,
+    Standby,
+)
+from jauspy.ocu.link import Link, Patience
+
+LEAVE: Final = Patience(timeout=0.3, retries=2)
+"""How long leaving the block waits for the component to say that control is released."""
+ASSUMED_TIMEOUT: Final = 3.0
+"""Seconds, of a component that does not say after how long it takes control back."""
+_NOBODY: Final = JausID(0, 0, 0)
+
+
+class Control:
+    """Holds control from `async with` on, keeps it alive, and on the way out leaves Standby and releases it.
+
+    Entering raises `ControlRejected`, naming who holds it. When control is lost meanwhile, `lost` says why and
+    commands to the component raise `ControlRejected`; the block itself is not interrupted.
+    """
+
+    def __init__(self, link: Link, id: JausID, authority: int, patience: Patience) -> None:
+        if not 0 <= authority <= 255:
+            raise ConfigError(f"authority {authority} is outside 0..255")
+        self.id = id
+        self.authority = authority
+        self.timeout = 0.0
+        """Seconds after which the component takes control back from a silent client; 0 when it never does."""
+        self.lost = ""
+        """Why control was lost; empty while it is held."""
+        self._taken = False
+        self._link = link
+        self._patience = patience
+        self._confirmed_at = 0.0
+        self._stack = ExitStack()
+        self._keeper: asyncio.Task[None] | None = None
+
+    @property
+    def held(self) -> bool:
+        """True while the component has not taken control back."""
+        return self._keeper is not None and not self.lost
+
+    def check(self) -> None:
+        """Raise `ControlRejected` when control was lost."""
+        if self.lost:
+            raise ControlRejected(f"control of {self.id} was lost: {self.lost}")
+
+    async def __aenter__(self) -> Self:
+        self._link.take_control(self.id, self)
+        try:
+            await self._acquire()
+        except BaseException as error:
+            self._link.drop_control(self.id, self)
+            if not isinstance(error, ControlRejected):
+                self._quietly(ReleaseControl())  # it may have been granted, and nobody is there to use it
+            raise
+        self._stack.enter_context(self._link.replies.tapped(self.id, self._heard, ConfirmControl, RejectControl))
+        self._confirmed_at = asyncio.get_running_loop().time()
+        self._keeper = asyncio.create_task(self._keep(), name=f"control of {self.id}")
+        return self
+
+    async def __aexit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        keeper, self._keeper = self._keeper, None
+        self._stack.close()
+        try:
+            if not self._taken:
+                # Both are sent before anything is awaited, so that not even a second cancellation prevents it.
+                self._quietly(Standby())
+                await self._release()
+        finally:
+            self._link.drop_control(self.id, self)
+            if keeper is not None:
+                keeper.cancel()
+                await asyncio.wait({keeper})
+
+    # --- taking ---------------------------------------------------------------------------------------------------
+
+    async def _acquire(self) -> None:
+        request = RequestControl(authority_code=self.authority)
+        answer = await self._link.request(self.id, request, ConfirmControl, patience=self._patience)
+        assert isinstance(answer, ConfirmControl)
+        if answer.response_code != ConfirmControl.ResponseCode.CONTROL_ACCEPTED:
+            raise ControlRejected(await self._explain(answer.response_code))
+        report = await self._ask(QueryTimeout())
+        self.timeout = float(report.timeout) if isinstance(report, ReportTimeout) else ASSUMED_TIMEOUT
+
+    async def _explain(self, code: int) -> str:
+        asked = f"you asked with {self.authority}"
+        if code == ConfirmControl.ResponseCode.NOT_AVAILABLE:
+            status = await self._ask(QueryStatus())
+            now = f" (its status is {_status(status)})" if isinstance(status, ReportStatus) else ""
+            return f"{self.id} is not available for control{now}; clear an emergency, or wait until it is ready"
+        control = await self._ask(QueryControl())
+        if isinstance(control, ReportControl):
+            holder = JausID(control.subsystem_id, control.node_id, control.component_id)
+            if holder != _NOBODY:
+                return f"{self.id} is held by {holder} with authority {control.authority_code}; {asked}"
+        least = await self._ask(QueryAuthority())
+        if isinstance(least, ReportAuthority):
+            return f"{self.id} gives control to authority {least.authority_code} and above; {asked}"
+        return f"{self.id} refused control (code {code}); {asked}"
+
+    async def _ask(self, query: Message) -> Message | None:
+        try:
+            return await self._link.query(self.id, query, patience=self._patience)
+        except ResponseTimeout:
+            return None
+
+    # --- keeping --------------------------------------------------------------------------------------------------
+
+    async def _keep(self) -> None:
+        """Ask again at a third of the timeout, so that two lost requests do no harm."""
+        clock = asyncio.get_running_loop().time
+        while self.timeout and not self.lost:
+            await asyncio.sleep(self.timeout / 3)
+            silence = clock() - self._confirmed_at
+            if silence > self.timeout:
+                self.lost = f"{self.id} has not answered for {silence:.1f} s, and its timeout is {self.timeout:g} s"
+                return
+            self._quietly(RequestControl(authority_code=self.authority))
+
+    def _heard(self, message: Message, source: JausID) -> None:
+        """A confirmation keeps it; anything else says that it is gone."""
+        if isinstance(message, RejectControl):
+            if message.response_code == RejectControl.ResponseCode.CONTROL_RELEASED:
+                self._take_from(f"{source} took it back: another client outranked you, or yours was silent too long")
+        elif isinstance(message, ConfirmControl):
+            if message.response_code == ConfirmControl.ResponseCode.CONTROL_ACCEPTED:
+                self._confirmed_at = asyncio.get_running_loop().time()
+            elif message.response_code == ConfirmControl.ResponseCode.INSUFFICIENT_AUTHORITY:
+                self._take_from(f"{source} gave it to another client; your authority of {self.authority} is too low")
+
+    def _take_from(self, why: str) -> None:
+        self.lost = self.lost or why
+        self._taken = True
+
+    # --- giving back ----------------------------------------------------------------------------------------------
+
+    async def _release(self) -> None:
+        try:
+            await self._link.request(self.id, ReleaseControl(), RejectControl, patience=LEAVE)
+        except (ResponseTimeout, TransportError):
+            return  # the component takes control back by itself when its timeout is over
+
+    def _quietly(self, message: Message) -> None:
+        try:
+            self._link.send(self.id, message)
+        except TransportError:
+            self.lost = self.lost or "the OCU was closed"
+
+
+def _status(report: ReportStatus) -> str:
+    return getattr(report.status, "name", str(report.status))

@@ -1,0 +1,53 @@
+"""Queries whose answers look alike: equal ones may be outstanding at once, different ones take turns."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import AsyncIterator, Hashable
+from contextlib import asynccontextmanager
+from dataclasses import dataclass, field
+
+
+@dataclass(slots=True)
+class _Lane:
+    content: bytes = b""
+    active: int = 0
+    waiting: int = 0
+    turn: asyncio.Event = field(default_factory=asyncio.Event)
+
+
+class Lanes:
+    """By key; a lane exists only while somebody is in it."""
+
+    def __init__(self) -> None:
+        self._lanes: dict[Hashable, _Lane] = {}
+
+    def __len__(self) -> int:
+        return len(self._lanes)
+
+    @asynccontextmanager
+    async def enter(self, key: Hashable, content: bytes) -> AsyncIterator[None]:
+        """Share the lane with equal content, wait until other content has left it."""
+        lane = self._lanes.setdefault(key, _Lane())
+        try:
+            await self._wait(lane, content)
+            lane.content = content
+            lane.active += 1
+            try:
+                yield
+            finally:
+                lane.active -= 1
+                if not lane.active:
+                    lane.turn.set()
+        finally:
+            if not lane.active and not lane.waiting:
+                self._lanes.pop(key, None)
+
+    async def _wait(self, lane: _Lane, content: bytes) -> None:
+        lane.waiting += 1
+        try:
+            while lane.active and lane.content != content:
+                lane.turn.clear()
+                await lane.turn.wait()
+        finally:
+            lane.waiting -= 1

@@ -1,0 +1,236 @@
+"""One client on the network: sends messages, and finds the answer to each query."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+from collections import Counter
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Final, Protocol
+
+from jauspy.codec.base import Message
+from jauspy.codec.registry import Registry
+from jauspy.component.shell import Component
+from jauspy.errors import ConfigError, ControlRejected, ResponseTimeout, TransportError
+from jauspy.ids import JausID
+from jauspy.ocu.lanes import Lanes
+from jauspy.ocu.replies import Replies
+from jauspy.ocu.stats import Recorder
+from jauspy.protocol.header import Ack, Broadcast, Packet, Priority
+
+_LOG: Final = logging.getLogger("jauspy.ocu")
+
+REPORT_OFFSET: Final = 0x2000
+"""From the code of a query (2000h to 3FFFh) to that of its report (4000h to 5FFFh; AS5710)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Patience:
+    """How long to wait for one answer (seconds), and how often to ask again."""
+
+    timeout: float = 1.0
+    retries: int = 2
+
+    def __post_init__(self) -> None:
+        if not self.timeout > 0 or self.retries < 0:
+            raise ConfigError(f"timeout {self.timeout} s must be above 0, retries {self.retries} must be 0 or more")
+
+    @property
+    def total(self) -> float:
+        """Seconds until it is given up."""
+        return self.timeout * (self.retries + 1)
+
+    def changed(self, timeout: float | None, retries: int | None) -> Patience:
+        """With what is given."""
+        return Patience(self.timeout if timeout is None else timeout, self.retries if retries is None else retries)
+
+
+class Held(Protocol):
+    """Control of a component, as others see it."""
+
+    def check(self) -> None:
+        """Raise `ControlRejected` when it was lost."""
+
+
+class Link:
+    """What all parts of the OCU share. `registry` has the known messages."""
+
+    def __init__(self, registry: Registry, patience: Patience) -> None:
+        self.registry = registry
+        self.patience = patience
+        self.recorder = Recorder()
+        self.replies = Replies(self.malformed)
+        self.requests: Counter[JausID] = Counter()
+        self._component: Component | None = None
+        self._lanes = Lanes()
+        self._controls: dict[JausID, Held] = {}
+        self._events: dict[tuple[JausID, int], set[object]] = {}
+
+    def attach(self, component: Component | None) -> None:
+        """Use this component for sending; None when the OCU is closed."""
+        self._component = component
+        if component is None:
+            self.replies.fail(TransportError("the OCU was closed while this waited for an answer"))
+
+    @property
+    def id(self) -> JausID:
+        """The client's id."""
+        return self._open().id
+
+    def receive(self, packet: Packet) -> bool:
+        """Take a received packet; false for commands and queries, which the OCU's own services answer."""
+        self.recorder.received += 1
+        if len(packet.payload) < 2:
+            self.malformed(f"{packet.payload.hex()!r} from {packet.source} is too short for a message")
+            return True
+        known = self.registry.by_code(int.from_bytes(packet.payload[:2], "little"))
+        if any(each.IS_COMMAND or is_query(each) for each in known):
+            return False
+        self.replies.deliver(packet.payload, packet.source)
+        return True
+
+    def send(
+        self,
+        destination: JausID,
+        message: Message,
+        *,
+        priority: Priority = Priority.STANDARD,
+        broadcast: Broadcast = Broadcast.NONE,
+        ack: Ack = Ack.NONE,
+    ) -> None:
+        """Send a message; raises `EncodeError` when a value does not fit."""
+        self._open().send(destination, message, priority=priority, broadcast=broadcast, ack=ack)
+        self.recorder.sent += 1
+
+    async def query(
+        self,
+        destination: JausID,
+        message: Message,
+        *,
+        patience: Patience | None = None,
+        expects: type[Message] | None = None,
+    ) -> Message:
+        """The answer to a query; raises `ResponseTimeout` when none comes.
+
+        Equal queries may be outstanding at once. Different ones whose reports have the same class take turns, since a
+        report does not say which query it answers.
+        """
+        patience = patience or self.patience
+        kind = expects or self.report_of(message)
+        try:
+            async with asyncio.timeout(patience.total) as deadline:
+                async with self._lanes.enter((destination, kind.CODE), message.encode()):
+                    deadline.reschedule(None)  # it was for the turn; what follows keeps time itself
+                    return await self._exchange(destination, message, patience, (kind,))
+        except TimeoutError:
+            if not deadline.expired():
+                raise
+            raise self._silence(destination, message, patience) from None
+
+    async def request(
+        self,
+        destination: JausID,
+        message: Message,
+        *answers: type[Message],
+        accept: Callable[[Message], bool] = lambda _: True,
+        patience: Patience | None = None,
+    ) -> Message:
+        """Send a command that is answered by one of `answers`, again and again until it is."""
+        return await self._exchange(destination, message, patience or self.patience, answers, accept)
+
+    async def _exchange(
+        self,
+        destination: JausID,
+        message: Message,
+        patience: Patience,
+        answers: tuple[type[Message], ...],
+        accept: Callable[[Message], bool] = lambda _: True,
+    ) -> Message:
+        clock = asyncio.get_running_loop().time
+        with self.replies.waiting(destination, *answers, accept=accept) as waiter:
+            for attempt in range(patience.retries + 1):
+                sent_at = clock()
+                self.send(destination, message)
+                await asyncio.wait({waiter.arrival}, timeout=patience.timeout)
+                if waiter.arrival.done():
+                    answer, _ = waiter.arrival.result()
+                    # After a repetition nobody knows which one was answered, so it says nothing about time.
+                    self.recorder.answered(clock() - sent_at if attempt == 0 else None)
+                    return answer
+            raise self._silence(destination, message, patience, waiter.problem)
+
+    def _silence(self, destination: JausID, message: Message, patience: Patience, problem: str = "") -> ResponseTimeout:
+        self.recorder.timeouts += 1
+        return ResponseTimeout(_no_answer(destination, message, patience, problem))
+
+    def report_of(self, query: Message) -> type[Message]:
+        """The class of the report that answers a query, of the same service and version."""
+        if not is_query(type(query)):
+            raise ConfigError(f"{query.NAME} is no query; say with `expects` which message answers it, or send it")
+        found = self.registry.by_code(query.CODE + REPORT_OFFSET)
+        for each in found:
+            if (each.SERVICE, each.VERSION) == (query.SERVICE, query.VERSION):
+                return each
+        if not found:
+            raise ConfigError(f"no message with id {query.CODE + REPORT_OFFSET:04X} is known to answer {query.NAME}")
+        return found[0]
+
+    def take_control(self, id: JausID, control: Held) -> None:
+        """Remember who controls a component; `ControlRejected` when something else here does."""
+        if id in self._controls:
+            raise ControlRejected(f"this OCU already controls {id}; one `async with` block serves all of its services")
+        self._controls[id] = control
+
+    def drop_control(self, id: JausID, control: Held) -> None:
+        """Forget it; fine when another one is there."""
+        if self._controls.get(id) is control:
+            del self._controls[id]
+
+    def check_control(self, id: JausID) -> None:
+        """Raise `ControlRejected` when control of the component was taken and is lost."""
+        if id in self._controls:
+            self._controls[id].check()
+
+    def join_event(self, id: JausID, event: int, user: object) -> None:
+        """`user` listens to this event; a component has one event for equal subscriptions of one client."""
+        self._events.setdefault((id, event), set()).add(user)
+
+    def leave_event(self, id: JausID, event: int | None, user: object) -> bool:
+        """`user` does not any more; true when it was the last, so that the event can be cancelled."""
+        users = self._events.get((id, event)) if event is not None else None
+        if event is None or users is None:
+            return False
+        users.discard(user)
+        if not users:
+            del self._events[id, event]
+        return not users
+
+    def next_request_id(self, destination: JausID) -> int:
+        """A number for the next event request, 0..255 and round again."""
+        self.requests[destination] += 1
+        return self.requests[destination] & 0xFF
+
+    def malformed(self, problem: str) -> None:
+        """Count a message that could not be read."""
+        self.recorder.malformed += 1
+        _LOG.debug("malformed: %s", problem)
+
+    def _open(self) -> Component:
+        if self._component is None:
+            raise TransportError("the OCU is not open; use it inside `async with jauspy.OCU(...) as ocu:`")
+        return self._component
+
+
+def is_query(kind: type[Message]) -> bool:
+    """True for messages that ask (2000h to 3FFFh)."""
+    return 0x2000 <= kind.CODE < 0x4000
+
+
+def _no_answer(destination: JausID, message: Message, patience: Patience, problem: str) -> str:
+    times = f"{patience.retries + 1} times" if patience.retries else "once"
+    what = f"an answer came but could not be read ({problem})" if problem else "no answer came"
+    return (
+        f"{destination} was sent {message.NAME} {times} in {patience.total:g} s and {what}; check that the component "
+        "runs and offers this, and that the node manager is reachable (`jauspy ls` shows who answers)"
+    )

@@ -1,0 +1,141 @@
+"""One service of one component, as a client sees it."""
+
+# ruff: noqa: ASYNC109 - a timeout ends in an error that says what was asked, and of whom
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Mapping
+from typing import Any, Final, TypeVar, overload
+
+from jauspy.codec.base import Message
+from jauspy.errors import RequestError, ResponseTimeout
+from jauspy.ids import JausID
+from jauspy.messages.core import ClearEmergency, QueryStatus, ReportStatus, Resume, SetEmergency, Standby
+from jauspy.ocu.control import Control
+from jauspy.ocu.link import Link, Patience
+from jauspy.ocu.model import ServiceInfo
+from jauspy.ocu.subscription import Request, Subscription
+
+R = TypeVar("R", bound=Message)
+
+DEFAULT_AUTHORITY: Final = 127
+"""The middle of 0..255: leaves room above for those who must be able to take over."""
+_POLL: Final = 0.05
+_FREE_FOR_ALL: Final = (SetEmergency.CODE, ClearEmergency.CODE)
+_HINTS: Final[Mapping[int, str]] = {
+    ReportStatus.Status.EMERGENCY: "whoever set the emergency must clear it",
+    ReportStatus.Status.FAILURE: "see why it failed; Reset may help",
+    ReportStatus.Status.SHUTDOWN: "start the component again",
+}
+
+
+class ServiceClient:
+    """Sends to one component. Times are in seconds; `timeout` is for one attempt, `retries` attempts follow."""
+
+    def __init__(self, link: Link, id: JausID, info: ServiceInfo) -> None:
+        self.id = id
+        self.info = info
+        self._link = link
+
+    def __repr__(self) -> str:
+        return f"<{self.info} at {self.id}>"
+
+    @overload
+    async def query(
+        self, message: Message, *, expects: type[R], timeout: float | None = ..., retries: int | None = ...
+    ) -> R: ...
+
+    @overload
+    async def query(
+        self, message: Message, *, expects: None = ..., timeout: float | None = ..., retries: int | None = ...
+    ) -> Any: ...
+
+    async def query(
+        self,
+        message: Message,
+        *,
+        expects: type[Message] | None = None,
+        timeout: float | None = None,
+        retries: int | None = None,
+    ) -> Any:
+        """The report that answers a query, as in `ReportStatus` for `QueryStatus`; `expects` names another class.
+
+        Raises `ResponseTimeout` when it stays out.
+        """
+        patience = self._link.patience.changed(timeout, retries)
+        return await self._link.query(self.id, message, patience=patience, expects=expects)
+
+    async def send(self, message: Message) -> None:
+        """Send a command; raises `ControlRejected` when control was taken and is lost meanwhile."""
+        if message.IS_COMMAND and message.CODE not in _FREE_FOR_ALL:
+            self._link.check_control(self.id)
+        self._link.send(self.id, message)
+        await asyncio.sleep(0)
+
+    def control(
+        self, authority: int = DEFAULT_AUTHORITY, *, timeout: float | None = None, retries: int | None = None
+    ) -> Control:
+        """Control of the component for an `async with` block, with this authority (0..255)."""
+        return Control(self._link, self.id, authority, self._link.patience.changed(timeout, retries))
+
+    def subscribe(
+        self,
+        query: Message,
+        *,
+        rate: float | None = None,
+        expects: type[R] | None = None,
+        buffer: int = 64,
+        silence: float | None = None,
+    ) -> Subscription[Any]:
+        """Reports on `query` at `rate` Hz, or on every change.
+
+        `silence` is how long reports may stay out; by default ten periods, at least 2 s, and any time on change.
+        """
+        if silence is None and rate:
+            silence = max(2.0, 10.0 / rate)
+        request = Request(self.id, query, rate, silence, buffer)
+        return Subscription(self._link, request, expects or self._link.report_of(query), self._link.patience)
+
+    async def status(self) -> ReportStatus.Status | int:
+        """What Management reports."""
+        return (await self.query(QueryStatus(), expects=ReportStatus)).status
+
+    async def resume(self, timeout: float = 3.0) -> None:
+        """To Ready: commands take effect. Needs control; raises `RequestError` when it does not happen in time."""
+        await self._change(Resume(), ReportStatus.Status.READY, timeout)
+
+    async def standby(self, timeout: float = 3.0) -> None:
+        """To Standby: what moves stops. Needs control; raises `RequestError` when it does not happen in time."""
+        await self._change(Standby(), ReportStatus.Status.STANDBY, timeout)
+
+    async def _change(self, command: Message, wanted: ReportStatus.Status, timeout: float) -> None:
+        status: ReportStatus.Status | int | None = None
+        once = Patience(min(self._link.patience.timeout, max(timeout, 0.01)), 0)
+        try:
+            async with asyncio.timeout(timeout) as limit:
+                while True:
+                    await self.send(command)
+                    try:
+                        report = await self._link.query(self.id, QueryStatus(), patience=once, expects=ReportStatus)
+                    except ResponseTimeout:
+                        continue
+                    assert isinstance(report, ReportStatus)
+                    status = report.status
+                    if status == wanted:
+                        return
+                    await asyncio.sleep(_POLL)
+        except TimeoutError:
+            if not limit.expired():
+                raise
+            raise self._unchanged(command, status, timeout) from None
+
+    def _unchanged(self, command: Message, status: ReportStatus.Status | int | None, timeout: float) -> RequestError:
+        if status is None:
+            return ResponseTimeout(
+                f"{self.id} was sent {command.NAME} and did not report its status within {timeout:g} s; check that it "
+                "runs and that the node manager is reachable"
+            )
+        hint = _HINTS.get(status, "it obeys only the client in control: use `control()` first")
+        name = getattr(status, "name", status)
+        return RequestError(f"{self.id} still reports {name} {timeout:g} s after {command.NAME}; {hint}")

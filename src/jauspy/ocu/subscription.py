@@ -1,0 +1,274 @@
+"""Events as an async iterator: a component reports at a rate, or whenever something changes."""
+
+from __future__ import annotations
+
+import asyncio
+from collections import deque
+from collections.abc import AsyncIterator, Mapping
+from contextlib import ExitStack
+from dataclasses import dataclass
+from types import TracebackType
+from typing import Final, Generic, Self, TypeVar
+
+from jauspy.codec.base import Message
+from jauspy.errors import ConfigError, DecodeError, EventRejected, ResponseTimeout, TransportError
+from jauspy.ids import JausID
+from jauspy.messages.core import (
+    CancelEvent,
+    ConfirmEventRequest,
+    CreateEvent,
+    Event,
+    QueryEventTimeout,
+    RejectEventRequest,
+    ReportEventTimeout,
+    UpdateEvent,
+)
+from jauspy.ocu.link import Link, Patience
+
+R = TypeVar("R", bound=Message)
+
+MAX_RATE: Final = 1092.0
+"""Hz; what fits the message."""
+CHECK_INTERVAL: Final = 5.0
+"""Seconds between looking whether the component of an every-change event is still there."""
+_MEANINGS: Final[Mapping[int, str]] = {
+    RejectEventRequest.ResponseCode.PERIODIC_NOT_SUPPORTED: "it has no periodic events; subscribe with rate=None",
+    RejectEventRequest.ResponseCode.EVERY_CHANGE_NOT_SUPPORTED: "it has no every-change events; subscribe with a rate",
+    RejectEventRequest.ResponseCode.CONNECTION_REFUSED: "it refused; it may have as many events as it can hold",
+    RejectEventRequest.ResponseCode.INVALID_EVENT_SETUP: "it cannot set the event up like this; try another rate",
+    RejectEventRequest.ResponseCode.MESSAGE_NOT_SUPPORTED: "it does not answer this query",
+    RejectEventRequest.ResponseCode.INVALID_EVENT_ID: "it does not know the event any more",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Request:
+    """What is subscribed to: `rate` in Hz, None for every change; `silence` in seconds, None for any time."""
+
+    id: JausID
+    query: Message
+    rate: float | None
+    silence: float | None
+    buffer: int
+
+    def __post_init__(self) -> None:
+        if self.rate is not None and not 0 < self.rate <= MAX_RATE:
+            raise ConfigError(f"rate {self.rate} is outside 0..{MAX_RATE:g} Hz; leave it out to hear of every change")
+        if self.buffer < 1:
+            raise ConfigError(f"a buffer of {self.buffer} reports holds nothing; use 1 or more")
+
+
+class Subscription(Generic[R]):
+    """`async for report in subscription`, or `async with subscription` and `await subscription.get()`.
+
+    The event is created on entering, renewed in time and cancelled on exit; entering raises `EventRejected` with the
+    reason, or `ResponseTimeout`. When reports stay out, `get` raises `ResponseTimeout`. At most `buffer` reports wait
+    to be read; the oldest is dropped for a new one.
+    """
+
+    def __init__(self, link: Link, request: Request, kind: type[R], patience: Patience) -> None:
+        self.request = request
+        self.confirmed_rate = 0.0
+        """Hz, as the component confirmed it; 0 when it tells of every change."""
+        self.received = 0
+        """Reports that arrived."""
+        self.lost = 0
+        """Reports that were sent and did not arrive, by their sequence numbers."""
+        self.dropped = 0
+        """Reports that arrived and were not read in time."""
+        self.event_id: int | None = None
+        self._link = link
+        self._kind = kind
+        self._patience = patience
+        self._number = 0
+        self._next: int | None = None
+        self._buffer: deque[R] = deque(maxlen=request.buffer)
+        self._news = asyncio.Event()
+        self._error: Exception | None = None
+        self._stack = ExitStack()
+        self._keeper: asyncio.Task[None] | None = None
+
+    async def __aenter__(self) -> Self:
+        if self._keeper is not None:
+            raise ConfigError("this subscription is already open; subscribe once more for a second one")
+        tap = self._link.replies.tapped(self.request.id, self._heard, ConfirmEventRequest, Event)
+        self._stack.enter_context(tap)
+        try:
+            await self._create()
+            lifetime = await self._lifetime()
+        except BaseException:
+            self._leave()
+            raise
+        self._keeper = asyncio.create_task(self._keep(lifetime), name=f"event at {self.request.id}")
+        return self
+
+    async def __aexit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        keeper, self._keeper = self._keeper, None
+        self._leave()
+        if keeper is not None:
+            keeper.cancel()
+            await asyncio.wait({keeper})
+
+    async def __aiter__(self) -> AsyncIterator[R]:
+        if self._keeper is not None:
+            while True:
+                yield await self.get()
+        async with self:
+            while True:
+                yield await self.get()
+
+    async def get(self) -> R:
+        """The next report, oldest first; raises `ResponseTimeout` when the component has gone silent."""
+        while not self._buffer:
+            if self._error is not None:
+                raise self._error
+            self._news.clear()
+            try:
+                async with asyncio.timeout(self.request.silence) as limit:
+                    await self._news.wait()
+            except TimeoutError:
+                if not limit.expired():
+                    raise
+                raise ResponseTimeout(self._silence()) from None
+        return self._buffer.popleft()
+
+    # --- what arrives ---------------------------------------------------------------------------------------------
+
+    def _heard(self, message: Message, source: JausID) -> None:  # noqa: ARG002 - the tap hears one source
+        if isinstance(message, ConfirmEventRequest):
+            if message.request_id == self._number:
+                self._confirmed(message)
+        elif isinstance(message, Event) and message.event_id == self.event_id:
+            self._arrived(message)
+
+    def _confirmed(self, message: ConfirmEventRequest) -> None:
+        """Here and not in `_create`: the first report may come in the same wake-up as the confirmation."""
+        if message.event_id != self.event_id:
+            self._link.leave_event(self.request.id, self.event_id, self)
+            self.event_id, self._next = message.event_id, None
+            self._link.join_event(self.request.id, self.event_id, self)
+        self.confirmed_rate = message.confirmed_periodic_rate
+
+    def _arrived(self, message: Event) -> None:
+        try:
+            report = self._read(message.report_message)
+        except DecodeError as error:
+            self._link.malformed(f"event {self.event_id} of {self.request.id}: {error}")
+            return
+        gap = 0 if self._next is None else message.sequence_number - self._next & 0xFF
+        if gap >= 0x80:
+            return  # older than what came before: late or double
+        self.lost += gap
+        self._next = message.sequence_number + 1 & 0xFF
+        self.received += 1
+        self.dropped += len(self._buffer) == self._buffer.maxlen
+        self._buffer.append(report)
+        self._news.set()
+
+    def _read(self, content: Message | bytes) -> R:
+        if isinstance(content, self._kind):
+            return content
+        data = content.encode(strict=False) if isinstance(content, Message) else content
+        return self._kind.decode(data)
+
+    # --- the event's life -----------------------------------------------------------------------------------------
+
+    async def _create(self) -> None:
+        request = self.request
+        self._number = self._link.next_request_id(request.id)
+        await self._ask(
+            CreateEvent(
+                request_id=self._number,
+                event_type=_event_type(request),
+                requested_periodic_rate=request.rate or 0.0,
+                query_message=request.query,
+            )
+        )
+
+    async def _renew(self) -> None:
+        """Give it its full time again; an event that is gone, as after a restart, is made anew."""
+        request = self.request
+        assert self.event_id is not None
+        self._number = self._link.next_request_id(request.id)
+        update = UpdateEvent(
+            request_id=self._number,
+            event_type=_event_type(request),
+            requested_periodic_rate=request.rate or 0.0,
+            event_id=self.event_id,
+            query_message=request.query,
+        )
+        try:
+            await self._ask(update)
+        except EventRejected:
+            self._next = None
+            await self._create()
+
+    async def _ask(self, message: CreateEvent | UpdateEvent) -> None:
+        number = message.request_id
+        answer = await self._link.request(
+            self.request.id,
+            message,
+            ConfirmEventRequest,
+            RejectEventRequest,
+            accept=lambda each: getattr(each, "request_id", None) == number,
+            patience=self._patience,
+        )
+        if isinstance(answer, RejectEventRequest):
+            raise EventRejected(self._refusal(answer))
+
+    async def _lifetime(self) -> float:
+        """Seconds after which the component forgets the event; 0 when it never does."""
+        try:
+            report = await self._link.query(self.request.id, QueryEventTimeout(), patience=self._patience)
+        except ResponseTimeout:
+            return 60.0  # the shortest that can be
+        return report.timeout * 60.0 if isinstance(report, ReportEventTimeout) else 60.0
+
+    async def _keep(self, lifetime: float) -> None:
+        """Renew at a third of the lifetime, and see that the component of an every-change event is still there."""
+        clock = asyncio.get_running_loop().time
+        renewed = clock()
+        while True:
+            await asyncio.sleep(min(CHECK_INTERVAL, lifetime / 3 or CHECK_INTERVAL))
+            try:
+                if lifetime and clock() - renewed >= lifetime / 3:
+                    await self._renew()
+                    renewed = clock()
+                elif self.request.rate is None:
+                    await self._link.query(self.request.id, QueryEventTimeout(), patience=self._patience)
+            except (ResponseTimeout, EventRejected, TransportError) as error:
+                self._error = error
+                self._news.set()
+                return
+
+    def _leave(self) -> None:
+        self._stack.close()
+        if self.event_id is None or not self._link.leave_event(self.request.id, self.event_id, self):
+            return
+        number = self._link.next_request_id(self.request.id)
+        try:
+            self._link.send(self.request.id, CancelEvent(request_id=number, event_id=self.event_id))
+        except TransportError:
+            return  # the OCU is closed; the event ends by its timeout
+        finally:
+            self.event_id = None
+
+    # --- words ----------------------------------------------------------------------------------------------------
+
+    def _refusal(self, answer: RejectEventRequest) -> str:
+        code = answer.response_code
+        why = _MEANINGS.get(code, f"code {code}") if code is not None else "no reason given"
+        more = f" ({answer.error_message})" if answer.error_message else ""
+        return f"{self.request.id} rejected the event for {self.request.query.NAME}: {why}{more}"
+
+    def _silence(self) -> str:
+        return (
+            f"no event with a report on {self.request.query.NAME} came from {self.request.id} for "
+            f"{self.request.silence:g} s; check that it still runs, or subscribe with a longer `silence`"
+        )
+
+
+def _event_type(request: Request) -> CreateEvent.EventType:
+    return CreateEvent.EventType.PERIODIC if request.rate is not None else CreateEvent.EventType.EVERY_CHANGE

@@ -1,0 +1,209 @@
+from __future__ import annotations
+
+import asyncio
+import time
+from datetime import UTC, datetime
+
+import pytest
+
+from jauspy.codec.base import Message
+from jauspy.component import Component
+from jauspy.errors import EncodeError, TransportError
+from jauspy.ids import JausID
+from jauspy.messages.core import QueryHeartbeatPulse, ReportHeartbeatPulse, ReportTimeout, RequestControl
+from jauspy.protocol.header import Ack, Packet
+from jauspy.protocol.judp import pack, unpack
+from jauspy.services.core import AccessControl, Liveness
+from jauspy.services.host import Host
+from jauspy.transport import LoopbackHub, LoopbackTransport
+
+ME, PEER = JausID(1, 1, 1), JausID(2, 1, 1)
+
+
+def component(hub: LoopbackHub, id: JausID = ME, **options) -> Component:
+    host = Host(id, [Liveness(), AccessControl(timeout=1)], utc_now=lambda: datetime.now(UTC), now=time.monotonic())
+    return Component(host, LoopbackTransport(id, hub), **options)
+
+
+class Peer:
+    def __init__(self, hub: LoopbackHub) -> None:
+        self.transport = LoopbackTransport(PEER, hub)
+        self.transport.received = self._take
+        self.packets: asyncio.Queue[Packet] = asyncio.Queue()
+
+    def _take(self, datagram: bytes) -> None:
+        for packet in unpack(datagram):
+            self.packets.put_nowait(packet)
+
+    def send(self, message: Message | bytes, ack: Ack = Ack.NONE) -> None:
+        payload = message if isinstance(message, bytes) else message.encode()
+        self.transport.send(pack(Packet(PEER, ME, payload, 7, ack=ack)))
+
+    async def next(self) -> Packet:
+        async with asyncio.timeout(3):
+            return await self.packets.get()
+
+    async def __aenter__(self) -> Peer:
+        await self.transport.open()
+        return self
+
+    async def __aexit__(self, *_: object) -> None:
+        await self.transport.close()
+
+
+async def test_a_query_is_answered():
+    hub = LoopbackHub()
+    async with component(hub) as me, Peer(hub) as peer:
+        peer.send(QueryHeartbeatPulse())
+        answer = await peer.next()
+        assert (answer.source, answer.payload) == (ME, ReportHeartbeatPulse().encode())
+        assert me.counters["host.received"] == 1
+        assert me.counters["endpoint.sent"] == 1
+        assert me.counters["transport.sent"] == 1
+
+
+async def test_what_asks_for_an_ack_gets_one():
+    hub = LoopbackHub()
+    async with component(hub), Peer(hub) as peer:
+        peer.send(QueryHeartbeatPulse(), Ack.REQUIRED)
+        packets = [await peer.next(), await peer.next()]
+        assert {(each.ack, each.sequence) for each in packets} >= {(Ack.ACK, 7)}
+
+
+async def test_timers_of_services_run():
+    hub = LoopbackHub()
+    async with component(hub) as me, Peer(hub) as peer:
+        peer.send(RequestControl(authority_code=100))
+        await peer.next()
+        assert me.host.controller == PEER
+        rejected = await peer.next()  # after the timeout of a second
+        assert rejected.payload[:2] == b"\x10\x00"
+        assert me.host.controller is None
+
+
+async def test_garbage_is_counted_and_good_traffic_goes_on():
+    hub = LoopbackHub()
+    async with component(hub) as me, Peer(hub) as peer:
+        for garbage in (b"", b"\x02", b"\xff" * 65507, pack(Packet(PEER, ME, b"\x0d\x00"))[:-3]):
+            me.transport.received(garbage)
+        peer.send(b"\x0d")
+        peer.send(b"\x0d\x00\x01\x02\x03")
+        peer.send(QueryHeartbeatPulse())
+        await peer.next()
+        assert me.counters["host.malformed_RequestControl"] == 1
+        assert me.counters["host.too_short"] == 1
+        assert sum(value for name, value in me.counters.items() if name.startswith("endpoint.dropped.")) >= 3
+
+
+async def test_a_bug_does_not_reach_the_event_loop(caplog):
+    hub = LoopbackHub()
+
+    def buggy(packet: Packet) -> bool:
+        raise RuntimeError("a bug")
+
+    async with component(hub, intercept=buggy) as me, Peer(hub) as peer:
+        peer.send(QueryHeartbeatPulse())
+        async with asyncio.timeout(1):
+            while not me.counters.get("component.internal_error"):
+                await asyncio.sleep(0)
+    assert "a bug" in caplog.text
+
+
+async def test_an_intercepted_packet_does_not_reach_the_services():
+    hub = LoopbackHub()
+    seen = []
+
+    def mine(packet: Packet) -> bool:
+        seen.append(packet.source)
+        return packet.payload == ReportTimeout(timeout=3).encode()
+
+    async with component(hub, intercept=mine) as me, Peer(hub) as peer:
+        peer.send(ReportTimeout(timeout=3))
+        peer.send(QueryHeartbeatPulse())
+        await peer.next()
+        assert seen == [PEER, PEER]
+        assert "host.unknown_message" not in me.counters
+
+
+async def test_open_and_close_twice_and_again():
+    hub = LoopbackHub()
+    me = component(hub)
+    for _ in range(2):
+        await me.open()
+        await me.open()
+        assert me.is_open
+        await me.close()
+        await me.close()
+        assert not me.is_open
+    async with Peer(hub) as peer:
+        peer.send(QueryHeartbeatPulse())
+        await asyncio.sleep(0.01)
+        assert peer.packets.empty()
+
+
+async def test_a_transport_that_cannot_open_says_so_and_leaves_nothing():
+    hub = LoopbackHub()
+    async with component(hub):
+        second = component(hub)
+        with pytest.raises(TransportError, match="another component"):
+            await second.open()
+        assert not second.is_open
+
+
+async def test_run_serves_until_closed_or_cancelled():
+    hub = LoopbackHub()
+    me = component(hub)
+    async with Peer(hub) as peer:
+        running = asyncio.create_task(me.run())
+        await asyncio.sleep(0)
+        peer.send(QueryHeartbeatPulse())
+        await peer.next()
+        await me.close()
+        await running
+
+        running = asyncio.create_task(me.run())
+        await asyncio.sleep(0)
+        running.cancel()
+        with pytest.raises(asyncio.CancelledError):
+            await running
+    assert not me.is_open
+
+
+async def test_an_outage_of_the_transport_is_survived():
+    hub = LoopbackHub()
+    async with component(hub) as me, Peer(hub) as peer:
+        await me.transport.close()
+        me.send(PEER, ReportHeartbeatPulse())
+        await me.transport.open()
+        peer.send(QueryHeartbeatPulse())
+        await peer.next()
+        assert me.counters["transport.dropped.closed"] == 1
+
+
+async def test_sequence_numbers_start_anywhere_and_go_on():
+    hub = LoopbackHub()
+    async with Peer(hub) as peer:
+        async with component(hub, first_sequence=0xFFFF) as me:
+            for _ in range(2):
+                me.send(PEER, ReportHeartbeatPulse())
+            assert [(await peer.next()).sequence for _ in range(2)] == [0xFFFF, 0]
+        starts = set()
+        for _ in range(4):
+            async with component(hub) as me:
+                me.send(PEER, ReportHeartbeatPulse())
+                starts.add((await peer.next()).sequence)
+        assert len(starts) > 1
+
+
+async def test_what_cannot_be_encoded_is_the_senders_error():
+    async with component(LoopbackHub()) as me:
+        with pytest.raises(EncodeError):
+            me.send(PEER, RequestControl(authority_code=300))
+
+
+async def test_services_that_are_used_from_outside_are_woken():
+    hub = LoopbackHub()
+    async with component(hub) as me, Peer(hub) as peer:
+        me.host.send(PEER, ReportHeartbeatPulse())
+        me.wake()
+        assert (await peer.next()).payload == ReportHeartbeatPulse().encode()

@@ -1,0 +1,289 @@
+from __future__ import annotations
+
+import asyncio
+import random
+
+import pytest
+
+from jauspy.errors import ConfigError, ControlRejected, RequestError, ResponseTimeout
+from jauspy.ids import JausID
+from jauspy.messages.core import (
+    ClearEmergency,
+    ConfirmControl,
+    QueryControl,
+    RejectControl,
+    ReleaseControl,
+    ReportStatus,
+    RequestControl,
+    Resume,
+    SetEmergency,
+    Standby,
+)
+from jauspy.messages.mobility import SetWrenchEffort
+
+Status = ReportStatus.Status
+HOLDER = JausID(42, 1, 1)
+FULL = SetWrenchEffort(propulsive_linear_effort_x=40.0)
+
+
+async def until(condition, seconds: float = 3.0) -> None:
+    async with asyncio.timeout(seconds):
+        while not condition():
+            await asyncio.sleep(0.005)
+
+
+async def driver_of(ocu):
+    return (await ocu.discover(subsystem=101)).service("mobility:PrimitiveDriver")
+
+
+async def test_the_whole_story(world):
+    robot = await world.robot()
+    ocu = await world.ocu()
+    driver = await driver_of(ocu)
+
+    async with driver.control(authority=200) as control:
+        assert control.held
+        assert control.timeout == 5
+        assert robot.host.controller == HOLDER
+        await driver.resume()
+        assert robot.host.status == Status.READY
+        await driver.send(FULL)
+        await until(lambda: world.drives[0].effort[0] == pytest.approx(0.4, abs=1e-3))
+        await driver.standby()
+        assert robot.host.status == Status.STANDBY
+
+    assert robot.host.controller is None
+    assert not control.held
+    assert world.drives[0].effort == (0.0, 0.0)
+
+
+async def test_leaving_puts_the_robot_in_standby_first(world):
+    robot = await world.robot()
+    driver = await driver_of(await world.ocu())
+
+    async with driver.control():
+        await driver.resume()
+        await driver.send(FULL)
+
+    assert (robot.host.controller, robot.host.status) == (None, Status.STANDBY)
+    kinds = [each.payload[:2] for each in world.network.log if each.source == HOLDER]
+    assert kinds.index(Standby.CODE.to_bytes(2, "little")) < kinds.index(ReleaseControl.CODE.to_bytes(2, "little"))
+
+
+async def test_refusal_names_holder_and_authorities(world):
+    await world.robot()
+    first, second = await driver_of(await world.ocu()), await driver_of(await world.ocu("43.1.1"))
+
+    async with first.control(authority=220):
+        with pytest.raises(ControlRejected) as refusal:
+            async with second.control(authority=200):
+                pytest.fail("two clients in control")
+
+    assert str(refusal.value) == "101.1.1 is held by 42.1.1 with authority 220; you asked with 200"
+
+
+async def test_too_little_authority_names_the_least(world):
+    await world.robot()
+    driver = await driver_of(await world.ocu())
+    with pytest.raises(ControlRejected, match=r"101\.1\.1 gives control to authority 1 and above; you asked with 0"):
+        async with driver.control(authority=0):
+            pytest.fail("controlled without authority")
+
+
+async def test_emergency_gives_no_control(world):
+    await world.robot()
+    ocu = await world.ocu()
+    driver = await driver_of(ocu)
+    await driver.send(SetEmergency(emergency_code=1))
+
+    with pytest.raises(ControlRejected, match=r"not available for control \(its status is EMERGENCY\); clear"):
+        async with driver.control():
+            pytest.fail("controlled in an emergency")
+
+    await driver.send(ClearEmergency(emergency_code=1))
+    async with driver.control():
+        pass
+
+
+async def test_preemption_stops_the_losers_commands_and_not_the_winners(world):
+    robot = await world.robot()
+    weak, strong = await driver_of(await world.ocu()), await driver_of(await world.ocu("43.1.1"))
+
+    async with weak.control(authority=100) as control:
+        await weak.resume()
+        async with strong.control(authority=200):
+            await until(lambda: control.lost)
+            with pytest.raises(ControlRejected, match=r"control of 101\.1\.1 was lost: 101\.1\.1 took it back"):
+                await weak.send(FULL)
+            await weak.send(SetEmergency(emergency_code=1))  # anybody may, at any time
+            await weak.send(ClearEmergency(emergency_code=1))
+            assert robot.host.controller == JausID(43, 1, 1)
+            assert not control.held
+    assert len(world.network.sent(ReleaseControl, HOLDER)) == 0
+
+
+async def test_control_is_kept_alive_beyond_its_timeout(world):
+    robot = await world.robot(timeout=1)
+    driver = await driver_of(await world.ocu())
+
+    async with driver.control() as control:
+        await asyncio.sleep(1.5)
+        assert (control.held, robot.host.controller) == (True, HOLDER)
+    assert len(world.network.sent(RequestControl)) >= 4
+
+
+async def test_control_without_a_timeout_needs_no_keeping(world):
+    await world.robot(timeout=0)
+    driver = await driver_of(await world.ocu())
+    async with driver.control() as control:
+        await asyncio.sleep(0.05)
+        assert control.held
+
+
+async def test_a_silent_component_counts_as_lost(world):
+    await world.robot(timeout=1)
+    driver = await driver_of(await world.ocu())
+
+    async with driver.control() as control:
+        world.network.keeps = lambda packet: packet.source == HOLDER
+        await until(lambda: control.lost, 4)
+        assert "has not answered for" in control.lost
+        with pytest.raises(ControlRejected):
+            await driver.send(FULL)
+
+
+async def test_lost_packets_do_not_matter(world):
+    robot = await world.robot()
+    driver = await driver_of(await world.ocu(timeout=0.05, retries=20))
+    chance = random.Random(7)
+    world.network.keeps = lambda _: chance.random() > 0.3
+    async with driver.control():
+        await driver.resume()
+        assert robot.host.status == Status.READY
+    world.network.keeps = lambda _: True
+    await until(lambda: robot.host.controller is None, 6)
+
+
+@pytest.mark.parametrize("error", [ValueError("a bug"), asyncio.CancelledError()])
+async def test_an_error_in_the_block_stops_and_releases(world, error):
+    robot = await world.robot()
+    driver = await driver_of(await world.ocu())
+
+    async def drive() -> None:
+        async with driver.control():
+            await driver.resume()
+            await driver.send(FULL)
+            raise error
+
+    with pytest.raises(type(error)):
+        await asyncio.create_task(drive())
+    assert (robot.host.controller, robot.host.status) == (None, Status.STANDBY)
+    assert world.drives[0].effort == (0.0, 0.0)
+
+
+async def test_cancellation_stops_and_releases_even_when_it_comes_twice(world):
+    robot = await world.robot()
+    driver = await driver_of(await world.ocu())
+    inside = asyncio.Event()
+
+    async def drive() -> None:
+        async with driver.control():
+            await driver.resume()
+            await driver.send(FULL)
+            inside.set()
+            await asyncio.sleep(60)
+
+    task = asyncio.create_task(drive())
+    await inside.wait()
+    task.cancel()
+    asyncio.get_running_loop().call_soon(task.cancel)
+
+    with pytest.raises(asyncio.CancelledError):
+        await task
+    await until(lambda: robot.host.controller is None, 1)
+    assert world.drives[0].effort == (0.0, 0.0)
+
+
+async def test_leaving_is_bounded_when_the_robot_is_gone(world):
+    robot = await world.robot()
+    driver = await driver_of(await world.ocu())
+    started = asyncio.get_running_loop().time()
+
+    async with driver.control():
+        await robot.close()
+        started = asyncio.get_running_loop().time()
+
+    assert asyncio.get_running_loop().time() - started < 2
+
+
+async def test_a_killed_ocu_stops_the_robot_within_the_timeout(world):
+    robot = await world.robot(timeout=1)
+    ocu = await world.ocu()
+    driver = await driver_of(ocu)
+
+    async with driver.control():
+        await driver.resume()
+        await driver.send(FULL)
+        await until(lambda: world.drives[0].effort[0] > 0)
+        world.network.keeps = lambda packet: packet.source != HOLDER  # as if its process were dead
+        await until(lambda: world.drives[0].effort == (0.0, 0.0), 2)
+
+    assert (robot.host.controller, robot.host.status) == (None, Status.STANDBY)
+
+
+async def test_a_closed_ocu_does_not_hang(world):
+    await world.robot()
+    ocu = await world.ocu()
+    driver = await driver_of(ocu)
+    async with driver.control():
+        await ocu.close()
+
+
+async def test_no_answer_to_the_request(world):
+    ocu = await world.ocu(timeout=0.02, retries=1)
+    await world.robot()
+    driver = await driver_of(ocu)
+    world.network.lose(ConfirmControl)
+    with pytest.raises(ResponseTimeout, match="RequestControl 2 times"):
+        async with driver.control():
+            pytest.fail("controlled without confirmation")
+    assert world.network.sent(ReleaseControl)
+
+
+async def test_control_twice_by_the_same_ocu_is_a_mistake(world):
+    await world.robot()
+    ocu = await world.ocu()
+    robot = await ocu.discover(subsystem=101)
+    async with robot.service("PrimitiveDriver").control():
+        with pytest.raises(ControlRejected, match="already controls"):
+            async with robot.service("LocalPoseSensor").control():
+                pytest.fail("two blocks at once")
+        assert (await ocu.query("101.1.1", QueryControl())).subsystem_id == 42
+    with pytest.raises(ConfigError, match="authority 256"):
+        robot.service("PrimitiveDriver").control(authority=256)
+
+
+async def test_resume_without_control_says_so(world):
+    await world.robot()
+    driver = await driver_of(await world.ocu())
+    with pytest.raises(
+        RequestError, match=r"still reports STANDBY 0\.2 s after Resume; it obeys only the client in control"
+    ):
+        await driver.resume(timeout=0.2)
+
+
+async def test_resume_of_a_silent_component(world):
+    await world.robot()
+    driver = await driver_of(await world.ocu())
+    world.network.lose(ReportStatus)
+    with pytest.raises(ResponseTimeout, match=r"did not report its status within 0\.2 s"):
+        await driver.resume(timeout=0.2)
+    assert world.network.sent(Resume)
+
+
+async def test_release_is_confirmed(world):
+    await world.robot()
+    driver = await driver_of(await world.ocu())
+    async with driver.control():
+        pass
+    assert world.network.sent(RejectControl)

@@ -1,0 +1,269 @@
+from __future__ import annotations
+
+import asyncio
+
+import pytest
+
+from jauspy.errors import ConfigError, EventRejected, ResponseTimeout
+from jauspy.ids import JausID
+from jauspy.messages.core import (
+    CancelEvent,
+    ConfirmEventRequest,
+    CreateEvent,
+    Event,
+    QueryStatus,
+    QueryTime,
+    RejectEventRequest,
+    ReportStatus,
+    UpdateEvent,
+)
+from jauspy.messages.mobility import QueryLocalPose, QueryVelocityState, ReportLocalPose, ReportVelocityState
+from jauspy.ocu import subscription as module
+from jauspy.protocol.header import Packet
+from jauspy.protocol.judp import pack
+from jauspy.services.core import Events
+
+POSE = QueryLocalPose(presence_vector=0x43)
+Status = ReportStatus.Status
+
+
+async def until(condition, seconds: float = 3.0) -> None:
+    async with asyncio.timeout(seconds):
+        while not condition():
+            await asyncio.sleep(0.005)
+
+
+async def drain(subscription) -> None:
+    while True:
+        await subscription.get()
+
+
+async def sensor_of(ocu):
+    return (await ocu.discover(subsystem=101)).service("mobility:LocalPoseSensor")
+
+
+def events_of(component) -> Events:
+    return component.host.service(Events)
+
+
+async def test_typed_reports_at_the_confirmed_rate(world):
+    robot = await world.robot()
+    sensor = await sensor_of(await world.ocu())
+
+    async with sensor.subscribe(POSE, rate=50.0) as poses:
+        assert poses.confirmed_rate == pytest.approx(50, abs=0.02)
+        reports = [await poses.get() for _ in range(5)]
+
+    assert all(isinstance(report, ReportLocalPose) and report.z is None for report in reports)
+    assert (poses.received >= 5, poses.lost, poses.dropped) == (True, 0, 0)
+    assert len(world.network.sent(CancelEvent)) == 1
+    await until(lambda: len(events_of(robot).subscriptions) == 0)
+
+
+async def test_a_rate_that_is_too_high_is_confirmed_lower(world):
+    await world.robot()
+    sensor = await sensor_of(await world.ocu())
+    async with sensor.subscribe(POSE, rate=1000.0) as poses:
+        assert poses.confirmed_rate == pytest.approx(100, abs=0.02)
+
+
+async def test_leaving_the_loop_cancels_the_event(world):
+    robot = await world.robot()
+    sensor = await sensor_of(await world.ocu())
+
+    async for _ in sensor.subscribe(POSE, rate=50.0):
+        assert len(events_of(robot).subscriptions) == 1
+        break
+
+    await until(lambda: len(events_of(robot).subscriptions) == 0)
+
+
+async def test_a_cancelled_loop_cancels_the_event(world):
+    robot = await world.robot()
+    sensor = await sensor_of(await world.ocu())
+
+    async def listen() -> None:
+        async for _ in sensor.subscribe(POSE, rate=50.0):
+            pass
+
+    task = asyncio.create_task(listen())
+    await until(lambda: len(world.network.sent(Event)) > 2)
+    task.cancel()
+    with pytest.raises(asyncio.CancelledError):
+        await task
+    await until(lambda: len(events_of(robot).subscriptions) == 0)
+
+
+async def test_every_change_reports_at_once_and_then_only_changes(world):
+    await world.robot()
+    ocu = await world.ocu()
+    driver = (await ocu.discover(subsystem=101)).service("mobility:PrimitiveDriver")
+
+    async with driver.subscribe(QueryStatus()) as statuses:
+        assert statuses.confirmed_rate == 0
+        seen = [(await statuses.get()).status]
+        async with driver.control():
+            await driver.resume()
+            seen.append((await statuses.get()).status)
+        seen.append((await statuses.get()).status)
+
+    assert seen == [Status.STANDBY, Status.READY, Status.STANDBY]
+    assert statuses.received == 3
+
+
+async def test_two_streams_at_once_are_not_mixed_up(world):
+    await world.robot()
+    ocu = await world.ocu()
+    robot = await ocu.discover(subsystem=101)
+    sensor = robot.service("VelocityStateSensor")
+    async with (
+        sensor.subscribe(POSE, rate=50.0) as poses,
+        sensor.subscribe(QueryVelocityState(presence_vector=0x41), rate=50.0) as speeds,
+    ):
+        for _ in range(3):
+            assert isinstance(await poses.get(), ReportLocalPose)
+            assert isinstance(await speeds.get(), ReportVelocityState)
+
+
+async def test_the_same_event_twice_ends_with_the_last_listener(world):
+    robot = await world.robot()
+    sensor = await sensor_of(await world.ocu())
+    async with sensor.subscribe(POSE, rate=50.0) as first:
+        async with sensor.subscribe(POSE, rate=50.0) as second:
+            assert first.event_id == second.event_id
+            await second.get()
+        received = first.received
+        await until(lambda: first.received > received + 2)
+        assert len(events_of(robot).subscriptions) == 1
+    assert len(world.network.sent(CancelEvent)) == 1
+
+
+async def test_lost_events_are_counted(world):
+    await world.robot()
+    sensor = await sensor_of(await world.ocu())
+    world.network.lose(Event, times=3, after=2)
+    async with sensor.subscribe(POSE, rate=50.0) as poses:
+        for _ in range(5):
+            await poses.get()
+        assert poses.lost == 3
+
+
+async def test_what_is_not_read_is_dropped_oldest_first(world):
+    await world.robot()
+    sensor = await sensor_of(await world.ocu())
+    async with sensor.subscribe(POSE, rate=100.0, buffer=2) as poses:
+        await until(lambda: poses.received >= 6)
+        assert poses.dropped == poses.received - 2
+        await poses.get()
+        await poses.get()
+
+
+async def test_a_lost_confirmation_is_asked_for_again(world):
+    await world.robot()
+    sensor = await sensor_of(await world.ocu(timeout=0.05))
+    world.network.lose(ConfirmEventRequest, times=2)
+    async with sensor.subscribe(POSE, rate=50.0) as poses:
+        await poses.get()
+
+
+async def test_refusal_says_what_the_code_means(world):
+    await world.robot()
+    ocu = await world.ocu()
+    sensor = await sensor_of(ocu)
+    with pytest.raises(
+        EventRejected, match=r"101\.1\.1 rejected the event for QueryTime: it does not answer this query"
+    ):
+        async with sensor.subscribe(QueryTime(presence_vector=1), rate=1.0):
+            pytest.fail("subscribed to what is not there")
+    assert not world.network.sent(CancelEvent)
+
+
+async def test_an_unanswered_subscription_gives_up(world):
+    await world.robot()
+    sensor = await sensor_of(await world.ocu(timeout=0.02, retries=1))
+    world.network.lose(CreateEvent)
+    with pytest.raises(ResponseTimeout, match="CreateEvent 2 times"):
+        async with sensor.subscribe(POSE, rate=10.0):
+            pytest.fail("subscribed to silence")
+
+
+async def test_a_stream_that_dries_up_ends_with_an_error(world):
+    robot = await world.robot()
+    sensor = await sensor_of(await world.ocu())
+    async with sensor.subscribe(POSE, rate=50.0, silence=0.2) as poses:
+        await poses.get()
+        await robot.close()
+        with pytest.raises(
+            ResponseTimeout, match=r"no event with a report on QueryLocalPose came from 101\.1\.1 for 0\.2 s"
+        ):
+            while True:
+                await poses.get()
+
+
+async def test_a_vanished_component_ends_a_subscription_to_changes(world, monkeypatch):
+    monkeypatch.setattr(module, "CHECK_INTERVAL", 0.05)
+    robot = await world.robot()
+    sensor = await sensor_of(await world.ocu(timeout=0.03, retries=1))
+    async with sensor.subscribe(QueryStatus()) as statuses:
+        await statuses.get()
+        await asyncio.sleep(0.2)
+        await robot.close()
+        with pytest.raises(ResponseTimeout, match="QueryEventTimeout"):
+            await statuses.get()
+
+
+async def test_events_are_renewed_and_made_anew_after_a_restart(world, monkeypatch):
+    monkeypatch.setattr(module.Subscription, "_lifetime", lambda _: asyncio.sleep(0, 0.3))
+    robot = await world.robot()
+    sensor = await sensor_of(await world.ocu())
+    async with sensor.subscribe(POSE, rate=20.0, silence=5.0) as poses:
+        await until(lambda: len(world.network.sent(UpdateEvent)) >= 2)
+        assert len(world.network.sent(CreateEvent)) == 1
+        await robot.close()
+        again = await world.robot()
+        await until(lambda: len(events_of(again).subscriptions) == 1)
+        received = poses.received
+        await until(lambda: poses.received > received + 2)
+    assert world.network.sent(RejectEventRequest)
+
+
+async def test_garbage_in_an_event_is_counted_and_skipped(world):
+    robot = await world.robot()
+    ocu = await world.ocu()
+    sensor = await sensor_of(ocu)
+    async with sensor.subscribe(POSE, rate=20.0) as poses:
+        await poses.get()
+        for content in (b"\x03\x44", b"\x02\x40\x01\0\0\0\0", b"\xff\xff"):
+            event = Event(event_id=poses.event_id, sequence_number=9, report_message=content)
+            robot.transport.send(pack(Packet(robot.id, ocu.id, event.encode())))
+        malformed = ocu.stats.malformed
+        await poses.get()
+        await until(lambda: ocu.stats.malformed >= malformed + 3)
+        assert isinstance(await poses.get(), ReportLocalPose)
+
+
+async def test_anothers_events_do_not_count(world):
+    await world.robot()
+    ocu = await world.ocu()
+    stranger = world.transport(JausID(9, 1, 1))
+    await stranger.open()
+    sensor = await sensor_of(ocu)
+    async with sensor.subscribe(QueryStatus()) as statuses:
+        await statuses.get()
+        event = Event(statuses.event_id, 1, ReportStatus(status=5, reserved=0))
+        stranger.send(pack(Packet(stranger.id, ocu.id, event.encode())))
+        await asyncio.sleep(0.05)
+        assert statuses.received == 1
+    await stranger.close()
+
+
+async def test_wrong_arguments(world):
+    await world.robot()
+    sensor = await sensor_of(await world.ocu())
+    with pytest.raises(ConfigError, match="rate -1"):
+        sensor.subscribe(POSE, rate=-1)
+    with pytest.raises(ConfigError, match="buffer of 0"):
+        sensor.subscribe(POSE, rate=1, buffer=0)
+    async with sensor.subscribe(POSE, rate=1) as poses:
+        with pytest.raises(ConfigError, match="already open"):
+            await poses.__aenter__()

@@ -1,0 +1,60 @@
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import pytest
+
+import jauspy
+
+PUBLIC = {
+    "OCU",
+    "CodecError",
+    "ConfigError",
+    "ControlRejected",
+    "DecodeError",
+    "EncodeError",
+    "EventRejected",
+    "JausError",
+    "JausID",
+    "Message",
+    "ProtocolError",
+    "Registry",
+    "RequestError",
+    "ResponseTimeout",
+    "Robot",
+    "SchemaError",
+    "ServiceClient",
+    "Subscription",
+    "TransportError",
+    "load",
+}
+
+
+def test_the_public_names_are_these():
+    assert set(jauspy._EXPORTS) == PUBLIC
+    assert set(dir(jauspy)) >= PUBLIC
+
+
+@pytest.mark.parametrize("name", sorted(PUBLIC))
+def test_each_can_be_had(name):
+    assert getattr(jauspy, name) is getattr(sys.modules[jauspy._EXPORTS[name]], name)
+
+
+def test_others_are_an_attribute_error():
+    with pytest.raises(AttributeError, match="no attribute 'Ocu'"):
+        jauspy.Ocu  # noqa: B018
+
+
+@pytest.mark.parametrize(
+    ("statement", "unwanted"),
+    [
+        ("import jauspy", "asyncio lxml pydantic rich typer construct yaml psutil"),
+        ("import jauspy; jauspy.JausID.parse('1.2.3'); jauspy.ControlRejected", "asyncio lxml pydantic rich typer"),
+        ("import jauspy; jauspy.OCU", "pydantic rich typer construct mujoco psutil"),
+    ],
+)
+def test_what_is_not_used_is_not_loaded(statement, unwanted):
+    code = f"import sys; {statement}; print(*sys.modules)"
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert not set(unwanted.split()) & set(run.stdout.split())
