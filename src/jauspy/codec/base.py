@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Final, Self
 from jauspy.errors import DecodeError
 
 if TYPE_CHECKING:
-    from jauspy.codec.items import Item
+    from jauspy.codec.item import Item
 
 MAX_NESTING: Final = 8
 """Levels of messages inside messages that are decoded; deeper ones stay bytes."""
@@ -42,11 +42,15 @@ FAST_ERRORS: Final = (
 
 @dataclass(frozen=True, slots=True)
 class Deviation:
-    """Something a tolerant decoder put up with; `offset` counts from the first byte of the message id."""
+    """Something a tolerant decoder put up with; `offset` counts from the first byte of the message id.
+
+    `lost` says that bytes were left out or missing: then the message does not encode to the same bytes again.
+    """
 
     offset: int
     path: str
     reason: str
+    lost: bool = False
 
     def __str__(self) -> str:
         return f"byte {self.offset}: {self.path + ': ' if self.path else ''}{self.reason}"

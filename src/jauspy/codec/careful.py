@@ -35,7 +35,7 @@ def _read(cls: type[M], reader: Reader) -> M:
     message = cls.layout().read(reader, "")
     left = len(reader.data) - reader.at
     if left and not reader.stopped:
-        reader.report(f"{left} bytes left over after the message", "")
+        reader.report(f"{left} bytes left over after the message", "", lost=True)
     if not isinstance(message, cls):
         raise DecodeError(f"layout of {cls.NAME} makes {type(message).__name__}")
     return message

@@ -9,7 +9,8 @@ from difflib import get_close_matches
 from typing import Any
 
 from jauspy.codec.base import Struct
-from jauspy.codec.items import Count, Item, check_class, integer_of, join
+from jauspy.codec.item import Item, check_class, integer_of, join
+from jauspy.codec.items_bytes import Count
 from jauspy.codec.streams import Reader, Writer
 from jauspy.codec.wire import SIZES, limits
 from jauspy.errors import EncodeError

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
-from jauspy.codec.items import Intervals
+from jauspy.codec.items_numbers import Intervals
 from jauspy.codec.scaling import Scaling
 from jauspy.schema.model import Count, Message
 

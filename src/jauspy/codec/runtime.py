@@ -6,8 +6,25 @@ from struct import Struct as Packer
 
 from jauspy.codec.base import Message, Reject, Struct
 from jauspy.codec.fast import Masks, message_bytes, plain_bytes
-from jauspy.codec.items import ANY, Bit, Bits, Blob, Choice, Count, Formatted, Item, Number, Real, Text, Values
-from jauspy.codec.layout import Composite, Grid, Repeat, Slot, Union
+from jauspy.codec.items import (
+    ANY,
+    Bit,
+    Bits,
+    Blob,
+    Choice,
+    Composite,
+    Count,
+    Formatted,
+    Grid,
+    Item,
+    Number,
+    Real,
+    Repeat,
+    Slot,
+    Text,
+    Union,
+    Values,
+)
 from jauspy.codec.scaling import Scaling, exact_raw
 
 __all__ = [

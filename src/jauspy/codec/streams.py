@@ -36,16 +36,16 @@ class Reader:
         """Bytes not read yet."""
         return len(self.data) - self.at
 
-    def report(self, reason: str, path: str, offset: int | None = None) -> None:
+    def report(self, reason: str, path: str, offset: int | None = None, *, lost: bool = False) -> None:
         """Raise when strict, else remember."""
         where = self.at if offset is None else offset
         if self.strict:
             raise DecodeError(reason, offset=where, path=path)
-        self.deviations.append(Deviation(where, path, reason))
+        self.deviations.append(Deviation(where, path, reason, lost))
 
     def stop(self, reason: str, path: str, offset: int | None = None) -> None:
         """Report, and give up on the rest."""
-        self.report(reason, path, offset)
+        self.report(reason, path, offset, lost=True)
         self.stopped = True
 
     def number(self, code: str, path: str) -> int | float | None:
