@@ -6,6 +6,7 @@ from hypothesis import strategies as st
 
 from jauspy.ids import EVERYONE, JausID
 from jauspy.protocol import directory, judp, junior, waiting
+from jauspy.protocol.echoes import Echoes
 from jauspy.protocol.header import Ack, Broadcast, Packet
 from jauspy.protocol.node import NodeCore
 from jauspy.protocol.ports import GROUP, LocalPort, Port, UdpPort
@@ -115,7 +116,7 @@ def test_unknown_destination_is_asked_for_once_and_others_wait(node: NodeCore) -
     assert after(node, message(A, FAR), port(A), 0.0) == [(GROUP, probe)]
     assert after(node, message(A, FAR, 2), port(A), 0.1) == []
     assert after(node, message(A, FAR, 3), port(A), 0.2) == []
-    waited = [message(A, FAR, n, ack=Ack.REQUIRED) for n in (2, 3)]
+    waited = [message(A, FAR, n) for n in (2, 3)]
     answer = judp.pack(Packet(FAR, A, b"", 1, ack=Ack.ACK))
     assert after(node, answer, FAR_PORT, 0.3) == [(FAR_PORT, waited[0]), (FAR_PORT, waited[1]), (port(A), answer)]
     assert after(node, message(A, FAR, 4), port(A), 0.4) == [(FAR_PORT, message(A, FAR, 4))]
@@ -223,3 +224,27 @@ def test_no_input_raises(datagrams: list[tuple[bytes, bool]]) -> None:
     for data, local in datagrams:
         core.receive(b"\x02\x00" + data if len(data) % 2 else data, port(A) if local else FAR_PORT, 0.0)
     core.handle_timeout(10.0)
+
+
+def test_what_waits_for_a_component_that_starts_late_is_delivered(node: NodeCore) -> None:
+    late = JausID.parse("100.1.9")
+    after(node, message(A, late, 1), port(A))
+    after(node, message(A, late, 2), port(A))
+    assert after(node, junior.connect(late), port(late)) == [
+        (port(late), junior.accept(late)),
+        (port(late), message(A, late, 2)),
+    ]
+
+
+def test_the_bytes_that_wait_are_bounded(node: NodeCore) -> None:
+    big = judp.pack(Packet(A, FAR, bytes(60000), 1))
+    for number in range(40):
+        after(node, judp.pack(Packet(A, JausID(200, 1, 1 + number // 4), bytes(60000), number)), port(A))
+    assert node.counters["dropped.unknown_destination"] == 30 - waiting.MAX_BYTES // len(big)
+
+
+def test_only_the_newest_own_multicasts_are_remembered() -> None:
+    echoes = Echoes(limit=2)
+    for data in (b"a", b"b", b"a", b"c"):
+        echoes.add(data)
+    assert [data in echoes for data in (b"a", b"b", b"c", b"d")] == [True, False, True, False]

@@ -12,12 +12,12 @@ from typing import Self
 
 from jauspy.ids import JausID
 from jauspy.node.config import NodeConfig
+from jauspy.node.mailbox import Mailbox
 from jauspy.node.sockets import UdpSockets, open_udp
 from jauspy.protocol import junior
 from jauspy.protocol.node import NodeCore
-from jauspy.protocol.ports import LocalPort, Port, UdpPort
+from jauspy.protocol.ports import LocalPort, UdpPort
 from jauspy.transport import draining, local_socket
-from jauspy.transport.local_sender import LocalSender
 from jauspy.transport.multicast import ANY
 
 _LOGGER = logging.getLogger(__name__)
@@ -29,12 +29,14 @@ class NodeManager:
     Use it as a context manager, or `open` and `close` it. `TransportError` when another one is running.
     """
 
+    _loop: asyncio.AbstractEventLoop
+
     def __init__(self, config: NodeConfig | None = None) -> None:
         self.config = config or NodeConfig()
         self._core = NodeCore(str(self.config.local_root))
         self._udp: UdpSockets | None = None
         self._local: socket.socket | None = None
-        self._sender: LocalSender | None = None
+        self._mailboxes: dict[str, Mailbox] = {}
         self._timer: asyncio.TimerHandle | None = None
         self._closed = asyncio.Event()
 
@@ -77,14 +79,13 @@ class NodeManager:
             self.path.unlink(missing_ok=True)
             self._local = None
             raise
-        self._sender = LocalSender(self._local, self._core.counters, self._core.unreachable)
         self._closed.clear()
         if not self._udp.joined:
             self._core.counters["multicast.not_joined"] += 1
-        loop = asyncio.get_running_loop()
-        draining.attach(loop, self._local, self._from_component, self._socket_error)
+        self._loop = asyncio.get_running_loop()
+        draining.attach(self._loop, self._local, self._from_component, self._socket_error, done=self._flush)
         for sock in self._udp.all():
-            draining.attach(loop, sock, self._from_network, self._socket_error)
+            draining.attach(self._loop, sock, self._from_network, self._socket_error, done=self._flush)
 
     async def close(self) -> None:
         """Give everything back; a second call does nothing."""
@@ -95,13 +96,12 @@ class NodeManager:
         if self._timer is not None:
             self._timer.cancel()
             self._timer = None
-        if self._sender is not None:
-            self._sender.close()
-            self._sender = None
-        loop = asyncio.get_running_loop()
+        for mailbox in self._mailboxes.values():
+            mailbox.close()
+        self._mailboxes.clear()
         for sock in (local, *udp.all()):
-            draining.detach(loop, sock)
-        self.path.unlink(missing_ok=True)
+            draining.detach(self._loop, sock)
+        local_socket.clean_up(self.path)
         self._closed.set()
 
     async def run(self) -> None:
@@ -110,15 +110,11 @@ class NodeManager:
 
     # --- in ------------------------------------------------------------------------------------------------------
 
-    def _from_component(self, datagram: bytes, sender: str | None) -> None:
-        self._receive(datagram, LocalPort(sender or ""))
+    def _from_component(self, datagram: bytes, sender: str | bytes | None) -> None:
+        self._core.receive(datagram, LocalPort(_path(sender)), self._loop.time())
 
     def _from_network(self, datagram: bytes, sender: tuple[str, int]) -> None:
-        self._receive(datagram, UdpPort(*sender))
-
-    def _receive(self, datagram: bytes, source: Port) -> None:
-        self._core.receive(datagram, source, asyncio.get_running_loop().time())
-        self._flush()
+        self._core.receive(datagram, UdpPort(*sender), self._loop.time())
 
     def _socket_error(self, error: OSError) -> None:
         self._core.counters.drop("socket_error", error)
@@ -128,13 +124,30 @@ class NodeManager:
     def _flush(self) -> None:
         for port, datagram in self._core.poll_output():
             if isinstance(port, LocalPort):
-                if self._sender is not None:
-                    self._sender.send(port.path, datagram)
+                self._send_local(port.path, datagram)
             elif isinstance(port, UdpPort):
                 self._send_udp(datagram, port)
             else:
                 self._send_multicast(datagram)
         self._arm()
+
+    def _send_local(self, path: str, datagram: bytes) -> None:
+        mailbox = self._mailboxes.get(path)
+        if mailbox is None:
+            self._forget_cancelled()
+            mailbox = self._mailboxes[path] = Mailbox(path, self._core.counters, self._gone)
+        elif datagram[0] == junior.VERSION:
+            mailbox.refresh()
+        mailbox.send(datagram)
+
+    def _gone(self, path: str) -> None:
+        self._mailboxes.pop(path, None)
+        self._core.unreachable(path)
+
+    def _forget_cancelled(self) -> None:
+        alive = {path for _, path in self._core.components}
+        for path in [path for path in self._mailboxes if path not in alive]:
+            self._mailboxes.pop(path).close()
 
     def _send_udp(self, datagram: bytes, address: tuple[str, int]) -> None:
         if self._udp is None:
@@ -157,9 +170,14 @@ class NodeManager:
         if when is None or self._udp is None:
             return
         if self._timer is None:
-            self._timer = asyncio.get_running_loop().call_at(when, self._timeout)
+            self._timer = self._loop.call_at(when, self._timeout)
 
     def _timeout(self) -> None:
         self._timer = None
-        self._core.handle_timeout(asyncio.get_running_loop().time())
+        self._core.handle_timeout(self._loop.time())
         self._flush()
+
+
+def _path(sender: str | bytes | None) -> str:
+    """A component's socket as the kernel names it; empty when it has no name in the file system to answer to."""
+    return sender if isinstance(sender, str) and sender.startswith("/") else ""

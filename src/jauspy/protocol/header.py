@@ -9,7 +9,7 @@ from __future__ import annotations
 import struct
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Final
+from typing import Final, NamedTuple
 
 from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
@@ -85,8 +85,7 @@ def pack(packet: Packet) -> bytes:
     return head + packet.payload + _SEQUENCE.pack(packet.sequence)
 
 
-@dataclass(frozen=True, slots=True)
-class RawPacket:
+class RawPacket(NamedTuple):
     """The header of a packet as numbers, and where it lies in a datagram: all that routing needs."""
 
     start: int
@@ -110,6 +109,11 @@ class RawPacket:
     def priority(self) -> int:
         """The priority field, as in `Priority`."""
         return self.control & 3
+
+
+def control_offset(datagram: bytes) -> int:
+    """Where the control byte of a checked packet is in its datagram, version byte included."""
+    return 6 if datagram[1] & 0xC0 else 4
 
 
 def parse_header(data: bytes | memoryview, start: int = 0) -> RawPacket:

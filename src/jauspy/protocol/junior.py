@@ -16,9 +16,12 @@ from jauspy.ids import JausID
 SOCKET_NAME: Final = "JuniorRTE"
 """The node manager's socket in its root folder (`/tmp` by default); a component's is its id in decimal."""
 
+VERSION: Final = 1
+"""The transport version of control messages, in their first byte."""
+
 # version, header compression, length (big endian), priority, RA version, code, destination, source, size, sequence
 _CONTROL: Final = struct.Struct("<B2s2sBBHIIHH")
-_HEAD: Final = (1, b"\0\0", b"\0\x10", 6, 2)
+_HEAD: Final = (VERSION, b"\0\0", b"\0\x10", 6, 2)
 
 
 class ControlKind(IntEnum):
@@ -54,7 +57,7 @@ def cancel(id: JausID) -> bytes:
 
 def parse(data: bytes | memoryview) -> Control | None:
     """The control message in `data`, or None when it is something else."""
-    if len(data) != _CONTROL.size or data[0] != 1:
+    if len(data) != _CONTROL.size or data[0] != VERSION:
         return None
     _, _, length, _, version, code, destination, source, size, _ = _CONTROL.unpack(data)
     if length != _HEAD[2] or version != _HEAD[4] or size or code not in ControlKind._value2member_map_:

@@ -7,7 +7,6 @@ and packets that shared a datagram are sent one by one.
 from __future__ import annotations
 
 import logging
-from collections import deque
 from collections.abc import Mapping
 from typing import Final
 
@@ -17,17 +16,16 @@ from jauspy.protocol import addressing, header, judp, junior
 from jauspy.protocol.address_book import Address, AddressBook
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.directory import Directory
+from jauspy.protocol.echoes import Echoes
 from jauspy.protocol.header import Ack, Broadcast, RawPacket
 from jauspy.protocol.ports import GROUP, LocalPort, Port, UdpPort
 from jauspy.protocol.waiting import WaitingRoom
 
 _LOGGER = logging.getLogger(__name__)
 
-ECHO_MEMORY: Final = 256
-"""How many of its own multicasts a node manager remembers, to know them when they come back."""
-
 _VERSION_BYTE: Final = bytes([header.VERSION])
 _ACK_REQUIRED: Final = Ack.REQUIRED << 4
+_ACK_MASK: Final = 3 << 4
 
 
 class NodeCore:
@@ -43,7 +41,7 @@ class NodeCore:
         self._root = local_root.rstrip("/")
         self._waiting = WaitingRoom(self.counters)
         self._output: list[tuple[Port, bytes]] = []
-        self._echoes: deque[bytes] = deque(maxlen=ECHO_MEMORY)
+        self._echoes = Echoes()
 
     # --- upward contract -----------------------------------------------------------------------------------------
 
@@ -70,7 +68,7 @@ class NodeCore:
     def handle_timeout(self, now: float) -> None:
         """Ask again for unknown destinations, drop what waited too long."""
         for datagram in self._waiting.handle_timeout(now):
-            self._multicast(datagram)
+            self._multicast(_asking(datagram))
 
     def unreachable(self, path: str) -> None:
         """Nobody listens on this socket any more: its components are gone until they are heard again."""
@@ -92,18 +90,23 @@ class NodeCore:
             elif self._register(raw.source, path):
                 self._route_from_component(raw, _single(data, raw), now)
 
-    def _register(self, id: int, path: str) -> bool:
-        if self.components.register(id, path):
-            return True
-        self.counters.drop("component_refused", JausID.from_int(id))
-        return False
+    def _register(self, id: int, path: str, *greeting: bytes) -> bool:
+        news = id not in self.components
+        if not self.components.register(id, path):
+            self.counters.drop("component_refused", JausID.from_int(id))
+            return False
+        for datagram in greeting:
+            self._send(LocalPort(path), datagram)
+        if news:
+            for datagram in self._waiting.found(id):
+                self._deliver(path, datagram)
+        return True
 
     def _control(self, control: junior.Control, port: LocalPort) -> None:
         id = int(control.id)
         path = port.path or f"{self._root}/{id}"
         if control.kind is junior.ControlKind.CONNECT:
-            if self._register(id, path):
-                self._send(LocalPort(path), junior.accept(control.id))
+            if self._register(id, path, junior.accept(control.id)):
                 self.counters["connects"] += 1
         elif control.kind is junior.ControlKind.CANCEL and self.components.path(id) == path:
             self.components.remove(id)
@@ -122,8 +125,8 @@ class NodeCore:
             self.counters["routed.udp"] += 1
         elif destination == 0:
             self.counters.drop("no_destination", JausID.from_int(raw.source))
-        elif (probe := self._waiting.add(destination, _asking(raw, datagram), now)) is not None:
-            self._multicast(probe)
+        elif (probe := self._waiting.add(destination, datagram, now)) is not None:
+            self._multicast(_asking(probe))
 
     # --- from the network ----------------------------------------------------------------------------------------
 
@@ -165,7 +168,7 @@ class NodeCore:
             self._deliver(path, datagram)
 
     def _multicast(self, datagram: bytes) -> None:
-        self._echoes.append(datagram)
+        self._echoes.add(datagram)
         self._send(GROUP, datagram)
         self.counters["routed.multicast"] += 1
 
@@ -180,9 +183,9 @@ def _single(data: bytes, raw: RawPacket) -> bytes:
     return _VERSION_BYTE + data[raw.start : raw.end]
 
 
-def _asking(raw: RawPacket, datagram: bytes) -> bytes:
-    """The same datagram, asking for an ACK; the control byte is the ninth before the payload."""
-    if raw.ack:
+def _asking(datagram: bytes) -> bytes:
+    """The same packet, asking for an ACK, by which its destination makes itself known."""
+    at = header.control_offset(datagram)
+    if datagram[at] & _ACK_MASK:
         return datagram
-    at = raw.payload_start - raw.start + 1 - 9
     return datagram[:at] + bytes([datagram[at] | _ACK_REQUIRED]) + datagram[at + 1 :]

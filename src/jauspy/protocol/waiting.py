@@ -19,6 +19,8 @@ PATIENCE: Final = 3.0
 MAX_DESTINATIONS: Final = 256
 MAX_WAITING: Final = 32
 """Messages that wait for one destination; the oldest is dropped first."""
+MAX_BYTES: Final = 1 << 20
+"""Bytes that wait in all; what does not fit is dropped."""
 
 
 @dataclass(slots=True)
@@ -33,6 +35,7 @@ class WaitingRoom:
     def __init__(self, counters: Counters) -> None:
         self._counters = counters
         self._searches: dict[int, _Search] = {}
+        self._bytes = 0
 
     def __len__(self) -> int:
         return sum(len(search.messages) for search in self._searches.values())
@@ -49,16 +52,20 @@ class WaitingRoom:
         if not search.messages and now >= search.next_probe:
             search.next_probe = now + PROBE_INTERVAL
             return datagram
+        if self._bytes + len(datagram) > MAX_BYTES:
+            self._counters.drop("unknown_destination", "too many bytes wait")
+            return None
         if len(search.messages) >= MAX_WAITING:
-            search.messages.popleft()
+            self._take(search)
             self._counters.drop("unknown_destination", "too many messages wait")
         search.messages.append((now, datagram))
+        self._bytes += len(datagram)
         return None
 
     def found(self, destination: int) -> list[bytes]:
         """All that waits for a destination that has just been heard."""
         search = self._searches.pop(destination, None)
-        return [datagram for _, datagram in search.messages] if search else []
+        return [self._take(search) for _ in range(len(search.messages))] if search else []
 
     def next_timeout(self) -> float | None:
         """When `handle_timeout` wants to be called, or None."""
@@ -71,11 +78,16 @@ class WaitingRoom:
             if now < search.next_probe:
                 continue
             while search.messages and now - search.messages[0][0] >= PATIENCE:
-                search.messages.popleft()
+                self._take(search)
                 self._counters.drop("unknown_destination", "nobody answered")
             if search.messages:
-                probes.append(search.messages.popleft()[1])
+                probes.append(self._take(search))
                 search.next_probe = now + PROBE_INTERVAL
             else:
                 del self._searches[destination]
         return probes
+
+    def _take(self, search: _Search) -> bytes:
+        _, datagram = search.messages.popleft()
+        self._bytes -= len(datagram)
+        return datagram

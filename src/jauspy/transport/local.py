@@ -94,7 +94,7 @@ class LocalTransport:
         sender.close()
         draining.detach(asyncio.get_running_loop(), sock)
         self._accepted.clear()
-        self.path.unlink(missing_ok=True)
+        local_socket.clean_up(self.path)
 
     def send(self, datagram: bytes) -> None:
         """Hand a datagram to the node manager; what it cannot take yet waits, in bounds."""

@@ -20,7 +20,7 @@ def is_alive(path: Path) -> bool:
         try:
             probe.connect(str(path))
         except OSError as error:
-            return error.errno not in (errno.ENOENT, errno.ECONNREFUSED, errno.EPROTOTYPE)
+            return error.errno not in (errno.ENOENT, errno.ECONNREFUSED)
     return True
 
 
@@ -44,3 +44,9 @@ def bind(path: Path, *, owner: str, mode: int | None = None) -> socket.socket:
         sock.close()
         raise TransportError(f"cannot open the socket {path}: {error.strerror}; choose another --local-root") from error
     return sock
+
+
+def clean_up(path: Path) -> None:
+    """Remove a socket that was just closed, unless somebody else has taken its name since."""
+    if not is_alive(path):
+        path.unlink(missing_ok=True)

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections import deque
 from typing import Final
 
+from jauspy.protocol import header
+
 MAX_WAITING: Final = 512
 PRIORITIES: Final = 4
 URGENT: Final = PRIORITIES - 1
@@ -45,4 +47,4 @@ def _priority(datagram: bytes) -> int:
     """The priority of a packet that the core has checked; control messages of the local protocol are urgent."""
     if datagram[0] != 2:
         return URGENT
-    return datagram[6 if datagram[1] & 0xC0 else 4] & 3
+    return datagram[header.control_offset(datagram)] & 3
