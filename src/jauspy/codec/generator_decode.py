@@ -255,7 +255,9 @@ class _Decoder:
             return lines
         if not bit:
             return [f"{name} = None"]
-        return [f"{name}: {annotation(slot.item)} | None = None", f"if mask & {bit}:", *indent(lines)]
+        declared = f"{name}: {annotation(slot.item)} | None = None"
+        lines = [line for line in lines if not line.startswith(f"{name}: ")]
+        return [declared, f"if mask & {bit}:", *indent(lines)]
 
     def _item(self, item: ItemPlan, name: str) -> list[str]:
         codes = fixed_codes(item)

@@ -275,14 +275,15 @@ class _Encoder:
         return [f"for {inner} in {name}:", *indent(self._item(item, inner))]
 
     def _union(self, item: UnionPlan, name: str) -> list[str]:
-        lines = [f"kind = type({name})"]
+        kind = f"{name}kind"
+        lines = [f"{kind} = type({name})"]
         for number, arm in enumerate(item.arms):
             tag = (
                 f"out.append({number})"
                 if item.code == "B"
                 else f"out += {self.constants.packer(item.code)}.pack({number})"
             )
-            lines += [f"{'el' if number else ''}if kind is {arm.path}:", f"    {tag}"]
+            lines += [f"{'el' if number else ''}if {kind} is {arm.path}:", f"    {tag}"]
         return [*lines, "else:", f"    {REJECT}", f"{name}._write(out)"]
 
     def _choice(self) -> list[str]:

@@ -398,14 +398,14 @@ class QueryEvents(rt.Message):
     def _pack(self) -> bytes:
         out = bytearray(b"\xf0\x21")
         query_events_var_ = self.query_events_var
-        kind = type(query_events_var_)
-        if kind is QueryEvents.MessageIDRec:
+        query_events_var_kind = type(query_events_var_)
+        if query_events_var_kind is QueryEvents.MessageIDRec:
             out.append(0)
-        elif kind is core_v1_0_types.EventTypeRec:
+        elif query_events_var_kind is core_v1_0_types.EventTypeRec:
             out.append(1)
-        elif kind is QueryEvents.EventIDRec:
+        elif query_events_var_kind is QueryEvents.EventIDRec:
             out.append(2)
-        elif kind is core_v1_0_types.AllEventsRec:
+        elif query_events_var_kind is core_v1_0_types.AllEventsRec:
             out.append(3)
         else:
             raise rt.Reject

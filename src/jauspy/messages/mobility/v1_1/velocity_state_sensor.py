@@ -351,12 +351,12 @@ class ReportVelocityStateExt(rt.Message):
     def _pack(self) -> bytes:
         out = bytearray(b"\xa4\x44")
         velocity_var_ = self.velocity_var
-        kind = type(velocity_var_)
-        if kind is mobility_v1_0_types.VelocityVehicleXYZRec:
+        velocity_var_kind = type(velocity_var_)
+        if velocity_var_kind is mobility_v1_0_types.VelocityVehicleXYZRec:
             out.append(0)
-        elif kind is mobility_v1_0_types.VelocityLocalXYZRec:
+        elif velocity_var_kind is mobility_v1_0_types.VelocityLocalXYZRec:
             out.append(1)
-        elif kind is mobility_v1_0_types.VelocityNEDRec:
+        elif velocity_var_kind is mobility_v1_0_types.VelocityNEDRec:
             out.append(2)
         else:
             raise rt.Reject
