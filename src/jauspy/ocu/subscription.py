@@ -76,6 +76,8 @@ class Subscription(Generic[R]):
         """Reports that were sent and did not arrive, by their sequence numbers."""
         self.dropped = 0
         """Reports that arrived and were not read in time."""
+        self.latest: R | None = None
+        """The report that arrived last, whether it was read or not."""
         self.event_id: int | None = None
         self._link = link
         self._kind = kind
@@ -165,6 +167,7 @@ class Subscription(Generic[R]):
         self.received += 1
         self.dropped += len(self._buffer) == self._buffer.maxlen
         self._buffer.append(report)
+        self.latest = report
         self._news.set()
 
     def _read(self, content: Message | bytes) -> R:
