@@ -54,6 +54,8 @@ def test_broadcasts_are_not_acknowledged() -> None:
     [
         (judp.pack(Packet(PEER, JausID.parse("102.1.1"), b"\x02\x20")), "dropped.not_for_us"),
         (judp.pack(Packet(PEER, US, b"", ack=Ack.ACK)), "received.ack"),
+        (judp.pack(Packet(PEER, US, b"", ack=Ack.NAK)), "received.nak"),
+        (judp.pack(Packet(PEER, US, b"")), "received.empty"),
         (judp.pack(Packet(PEER, US, b"\x02\x20", data_flag=DataFlag.FIRST)), "dropped.fragment"),
         (b"\x02\x00\x05\x00\x01", "dropped.malformed.truncated"),
         (b"\x07rubbish", "dropped.malformed.version"),
@@ -81,3 +83,9 @@ def test_queues_are_bounded() -> None:
 def test_a_message_that_does_not_fit_one_packet() -> None:
     with pytest.raises(ProtocolError, match="4079"):
         Endpoint(US, first_sequence=1).send(PEER, bytes(4080))
+
+
+def test_without_an_id_of_its_own_it_hears_broadcasts() -> None:
+    endpoint = Endpoint(JausID(0, 0, 101), first_sequence=1)
+    endpoint.receive(judp.pack(Packet(PEER, JausID(100, 255, 255), b"\x02\x20")))
+    assert endpoint.next_event() is not None

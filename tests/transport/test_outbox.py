@@ -3,7 +3,7 @@
 from jauspy.ids import JausID
 from jauspy.protocol import judp, junior
 from jauspy.protocol.header import Packet, Priority
-from jauspy.transport.outbox import Outbox
+from jauspy.transport.outbox import MAX_BYTES, Outbox
 
 A = JausID.parse("101.1.1")
 
@@ -24,17 +24,31 @@ def test_most_urgent_first_and_in_order() -> None:
     outbox = Outbox()
     sent = [datagram(p, n) for n in range(2) for p in Priority]
     for data in (*sent, junior.accept(A)):
-        assert outbox.push(data)
+        assert outbox.push(data) == 0
     assert drained(outbox) == [sent[3], sent[7], junior.accept(A), sent[2], sent[6], sent[1], sent[5], sent[0], sent[4]]
 
 
 def test_the_oldest_of_the_lowest_priority_goes_first() -> None:
     outbox = Outbox(limit=3)
     low, high = [datagram(Priority.LOW, n) for n in range(3)], datagram(Priority.HIGH, 9)
-    assert all(outbox.push(data) for data in low)
-    assert not outbox.push(high)
+    assert [outbox.push(data) for data in (*low, high)] == [0, 0, 0, 1]
     assert drained(outbox) == [high, low[1], low[2]]
     for data in [high] * 3:
         outbox.push(data)
-    assert not outbox.push(low[0])
+    assert outbox.push(low[0]) == 1
     assert drained(outbox) == [high] * 3
+
+
+def test_bytes_are_bounded_too() -> None:
+    outbox = Outbox()
+    large = [judp.pack(Packet(A, A, bytes(60000), n)) for n in range(100)]
+    dropped = sum(outbox.push(data) for data in large)
+    assert dropped == 100 - MAX_BYTES // len(large[0])
+    assert drained(outbox) == large[dropped:]
+
+
+def test_what_is_no_packet_has_a_place_too() -> None:
+    outbox = Outbox()
+    for data in (b"", b"\x02", b"\x02\x40"):
+        outbox.push(data)
+    assert len(drained(outbox)) == 3

@@ -39,7 +39,7 @@ class Mailbox:
             return
         if not self._waiting and self._socket is not None:
             self._loop.add_writer(self._socket, self._drain)
-        if not self._waiting.push(datagram):
+        for _ in range(self._waiting.push(datagram)):
             self._counters.drop("queue_full", self._path)
 
     def refresh(self) -> None:

@@ -14,9 +14,6 @@ from jauspy.transport import multicast
 
 _LOGGER = logging.getLogger(__name__)
 
-RECEIVE_BUFFER = 4 * 1024 * 1024
-"""Bytes asked of the kernel, so that a burst survives until it is read; the kernel may give less."""
-
 
 class UdpSockets(NamedTuple):
     """`unicast` sends everything; `group` only receives multicasts, and is None when `unicast` does that too."""
@@ -36,25 +33,23 @@ def open_udp(config: NodeConfig) -> UdpSockets:
     On a wildcard address one exclusive socket does all. On a specific address, multicasts need a second socket,
     bound to the group and shared, so that node managers on several addresses of one host all get them.
     """
-    unicast = _bind(config.address, config.port, shared=False)
+    unicast = _bind(config.address, config.port)
     multicast.prepare_sender(unicast, multicast.ANY, config.multicast_ttl)
     if config.address == multicast.ANY:
         return UdpSockets(unicast, None, multicast.join(unicast, config.multicast_group, config.interfaces))
     try:
-        group = _bind(config.multicast_group, unicast.getsockname()[1], shared=True)
-    except TransportError as error:
-        _LOGGER.warning("no multicasts will be received: %s", error)
+        group, joined = multicast.receiver((config.multicast_group, unicast.getsockname()[1]), config.interfaces)
+    except OSError as error:
+        _LOGGER.warning("no multicasts will be received: %s", error.strerror)
         return UdpSockets(unicast, None, 0)
-    return UdpSockets(unicast, group, multicast.join(group, config.multicast_group, config.interfaces))
+    return UdpSockets(unicast, group, joined)
 
 
-def _bind(address: str, port: int, *, shared: bool) -> socket.socket:
+def _bind(address: str, port: int) -> socket.socket:
     sock = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
     try:
         sock.setblocking(False)
-        sock.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, RECEIVE_BUFFER)
-        if shared:
-            sock.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        sock.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, multicast.RECEIVE_BUFFER)
         sock.bind((address, port))
     except OSError as error:
         sock.close()

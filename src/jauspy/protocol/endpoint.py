@@ -8,7 +8,7 @@ from typing import Final, TypeVar
 
 from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
-from jauspy.protocol import header, judp, junior
+from jauspy.protocol import addressing, header, judp, junior
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet, Priority
 
@@ -75,16 +75,22 @@ class Endpoint:
         return self._input.popleft() if self._input else None
 
     def _take(self, packet: Packet) -> None:
-        if not packet.destination.matches(self.id):
+        if not addressing.reaches(int(packet.destination), int(self.id)):
             self.counters.drop("not_for_us", packet.destination)
-        elif packet.ack in (Ack.ACK, Ack.NAK) or not packet.payload:
-            self.counters["received.ack" if packet.ack is Ack.ACK else "received.other"] += 1
+        elif packet.ack in (Ack.ACK, Ack.NAK):
+            self.counters["received.ack" if packet.ack is Ack.ACK else "received.nak"] += 1
         elif packet.data_flag is not DataFlag.SINGLE:
             self.counters.drop("fragment", "a piece of a large message")
         else:
             self._acknowledge(packet)
+            self._hand_up(packet)
+
+    def _hand_up(self, packet: Packet) -> None:
+        if packet.payload:
             self._push(self._input, packet, "input_full")
             self.counters["received"] += 1
+        else:
+            self.counters["received.empty"] += 1
 
     def _acknowledge(self, packet: Packet) -> None:
         if packet.ack is Ack.REQUIRED and packet.destination == self.id:

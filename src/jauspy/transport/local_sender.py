@@ -33,7 +33,7 @@ class LocalSender:
             if self._try(path, datagram):
                 return
             outbox = self._outboxes[path] = Outbox()
-        if not outbox.push(datagram):
+        for _ in range(outbox.push(datagram)):
             self._counters.drop("queue_full", path)
         self._retry_later()
 

@@ -8,6 +8,8 @@ from typing import Final
 from jauspy.protocol import header
 
 MAX_WAITING: Final = 512
+MAX_BYTES: Final = 4 << 20
+"""In all; whole messages of 64 kB would be too much memory at `MAX_WAITING`."""
 PRIORITIES: Final = 4
 URGENT: Final = PRIORITIES - 1
 
@@ -19,19 +21,21 @@ class Outbox:
         self._limit = limit
         self._queues: tuple[deque[bytes], ...] = tuple(deque() for _ in range(PRIORITIES))
         self._length = 0
+        self._bytes = 0
 
     def __len__(self) -> int:
         return self._length
 
-    def push(self, datagram: bytes) -> bool:
-        """Append; False when the oldest datagram of the lowest priority had to go for it."""
+    def push(self, datagram: bytes) -> int:
+        """Append; returns how many had to go for it, the oldest of the lowest priority first."""
         self._queues[_priority(datagram)].append(datagram)
         self._length += 1
-        if self._length <= self._limit:
-            return True
-        next(queue for queue in self._queues if queue).popleft()
-        self._length -= 1
-        return False
+        self._bytes += len(datagram)
+        dropped = 0
+        while self._length > self._limit or self._bytes > MAX_BYTES:
+            self._take(next(queue for queue in self._queues if queue))
+            dropped += 1
+        return dropped
 
     def peek(self) -> bytes:
         """The datagram to send next; only when there is one."""
@@ -39,12 +43,15 @@ class Outbox:
 
     def pop(self) -> None:
         """Remove what `peek` showed."""
-        next(queue for queue in reversed(self._queues) if queue).popleft()
+        self._take(next(queue for queue in reversed(self._queues) if queue))
+
+    def _take(self, queue: deque[bytes]) -> None:
+        self._bytes -= len(queue.popleft())
         self._length -= 1
 
 
 def _priority(datagram: bytes) -> int:
-    """The priority of a packet that the core has checked; control messages of the local protocol are urgent."""
-    if datagram[0] != 2:
+    """The priority of a packet; control messages of the local protocol are urgent."""
+    if len(datagram) < header.OVERHEAD or datagram[0] != header.VERSION:
         return URGENT
     return datagram[header.control_offset(datagram)] & 3

@@ -21,8 +21,8 @@ _LOGGER = logging.getLogger(__name__)
 class UdpTransport:
     """Sends what is for an id that was heard before to where it was heard from, and all else to `peer` and `group`.
 
-    `peer` is the UDP address of a node manager. `group` is a multicast address and port; None sends no multicasts.
-    At least one of them is needed. Multicasts leave by `interface`, an IPv4 address of this machine.
+    `peer` is the UDP address of a node manager. `group` is a multicast address and port, which is listened to as well.
+    At least one of them is needed. Multicasts leave and arrive by `interface`, an IPv4 address of this machine.
     """
 
     def __init__(
@@ -36,12 +36,14 @@ class UdpTransport:
     ) -> None:
         self.id = id
         self.received: Receiver = ignore
+        self._group = group
         self._peers = [address for address in (peer, group) if address is not None]
         self._bind = bind
         self._interface = interface
         self._book = AddressBook()
         self._counters = Counters(_LOGGER)
         self._socket: socket.socket | None = None
+        self._group_socket: socket.socket | None = None
 
     @property
     def connected(self) -> bool:
@@ -68,12 +70,16 @@ class UdpTransport:
             raise TransportError(f"cannot use UDP {host}:{port}: {error.strerror}") from error
         self._socket = sock
         draining.attach(asyncio.get_running_loop(), sock, self._take, self._failed)
+        if self._group is not None:
+            self._listen_to(self._group)
 
     async def close(self) -> None:
-        """Close the socket."""
-        sock, self._socket = self._socket, None
-        if sock is not None:
-            draining.detach(asyncio.get_running_loop(), sock)
+        """Close the sockets."""
+        sockets = (self._socket, self._group_socket)
+        self._socket = self._group_socket = None
+        for sock in sockets:
+            if sock is not None:
+                draining.detach(asyncio.get_running_loop(), sock)
 
     def send(self, datagram: bytes) -> None:
         """Send to the learned address of the destination, or ask everywhere."""
@@ -88,6 +94,18 @@ class UdpTransport:
         known = self._book.find(destination)
         for address in [known] if known else self._peers:
             self._send_to(self._socket, datagram, address)
+
+    def _listen_to(self, group: Address) -> None:
+        """Without it answers still arrive; a node manager that has the port for itself would be asked instead."""
+        try:
+            sock, joined = multicast.receiver(group, [self._interface])
+        except OSError as error:
+            self._counters["multicast.not_joined"] += 1
+            _LOGGER.info("no multicasts will be received: %s", error.strerror)
+            return
+        self._counters["multicast.not_joined"] += not joined
+        self._group_socket = sock
+        draining.attach(asyncio.get_running_loop(), sock, self._take, self._failed)
 
     def _send_to(self, sock: socket.socket, datagram: bytes, address: Address) -> None:
         try:

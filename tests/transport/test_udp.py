@@ -1,0 +1,98 @@
+"""A component that speaks JUDP itself: learned addresses and multicasts."""
+
+import asyncio
+import socket
+from collections.abc import Iterator
+
+import pytest
+
+from jauspy.errors import TransportError
+from jauspy.ids import EVERYONE, JausID
+from jauspy.protocol import judp
+from jauspy.protocol.header import Broadcast, Packet
+from jauspy.transport import UdpTransport
+
+US, PEER, OTHER = (JausID.parse(text) for text in ("42.1.1", "101.1.1", "102.1.1"))
+GROUP = "239.255.0.7"
+
+
+def packet(source: JausID, destination: JausID) -> bytes:
+    return judp.pack(Packet(source, destination, b"\x02\x20", 1))
+
+
+async def receive(sock: socket.socket) -> tuple[bytes, tuple[str, int]]:
+    async with asyncio.timeout(5):
+        data, sender = await asyncio.get_running_loop().sock_recvfrom(sock, 5000)
+        return data, sender
+
+
+@pytest.fixture
+def sockets() -> Iterator[list[socket.socket]]:
+    """Two peers on the loopback interface."""
+    made = [socket.socket(socket.AF_INET, socket.SOCK_DGRAM) for _ in range(2)]
+    for sock in made:
+        sock.setblocking(False)
+        sock.bind(("127.0.0.1", 0))
+    yield made
+    for sock in made:
+        sock.close()
+
+
+async def test_answers_go_where_a_peer_was_heard_and_all_else_to_the_node_manager(
+    sockets: list[socket.socket],
+) -> None:
+    near, far = sockets
+    transport = UdpTransport(US, peer=near.getsockname())
+    arrived: asyncio.Queue[bytes] = asyncio.Queue()
+    transport.received = arrived.put_nowait
+    await transport.open()
+    transport.send(packet(US, PEER))
+    data, address = await receive(near)
+    assert data == packet(US, PEER)
+    far.sendto(packet(PEER, US), address)
+    assert await arrived.get() == packet(PEER, US)
+    transport.send(packet(US, PEER))
+    assert (await receive(far))[0] == packet(US, PEER)
+    transport.send(packet(US, OTHER))
+    assert (await receive(near))[0] == packet(US, OTHER)
+    await transport.close()
+
+
+async def test_hears_the_group_and_not_itself(free_port: int) -> None:
+    group = (GROUP, free_port)
+    ours, theirs = (UdpTransport(id, group=group, bind=("127.0.0.1", 0), interface="127.0.0.1") for id in (US, PEER))
+    arrived: asyncio.Queue[bytes] = asyncio.Queue()
+    ours.received = theirs.received = arrived.put_nowait
+    await ours.open()
+    await theirs.open()
+    if ours.counters["multicast.not_joined"]:
+        pytest.skip("this kernel does not multicast on its loopback interface")
+    everybody = judp.pack(Packet(US, EVERYONE, b"\x00\x2b\x04", 1, broadcast=Broadcast.GLOBAL))
+    ours.send(everybody)
+    async with asyncio.timeout(5):
+        assert await arrived.get() == everybody
+    theirs.send(packet(PEER, US))
+    async with asyncio.timeout(5):
+        assert await arrived.get() == packet(PEER, US)
+    assert ours.counters["echoes"] == 1
+    await ours.close()
+    await theirs.close()
+
+
+async def test_goes_on_when_somebody_has_the_group_s_port(free_port: int) -> None:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as greedy:
+        greedy.bind(("", free_port))
+        transport = UdpTransport(US, group=(GROUP, free_port))
+        await transport.open()
+        assert transport.counters["multicast.not_joined"] == 1
+        await transport.close()
+
+
+async def test_needs_somebody_to_send_to() -> None:
+    with pytest.raises(TransportError, match="node manager or a multicast group"):
+        await UdpTransport(US).open()
+
+
+async def test_an_address_that_is_not_ours() -> None:
+    with pytest.raises(TransportError, match=r"cannot use UDP 192\.0\.2\.77:0"):
+        await UdpTransport(US, peer=("127.0.0.1", 3794), bind=("192.0.2.77", 0)).open()
