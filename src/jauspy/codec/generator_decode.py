@@ -251,7 +251,11 @@ class _Decoder:
         return [*self._number(code, name), *checks]
 
     def _chunk(self, count: Count, hint: str) -> tuple[list[str], str]:
-        """Lines that read a count and find the end, and the counted bytes as an expression."""
+        """Lines that read a count and find the end, and the counted bytes as an expression.
+
+        Nothing checks that the end is within the data: a slice makes do with less, every read after it fails, and at
+        the latest the message finds that it does not end where the data does.
+        """
         end = self.locals.name(f"{hint}_end")
         lines = self._count(count, end)
         start = self.position.here()
@@ -260,7 +264,7 @@ class _Decoder:
             lines = [f"{end} = {start} + {lines[0].partition(' = ')[2]}"]
         else:
             lines.append(f"{end} += {start}")
-        return [*lines, *reject_if(f"{end} > size")], f"data[{start}:{end}]"
+        return lines, f"data[{start}:{end}]"
 
     def _repeat(self, item: RepeatPlan, hint: str, target: str) -> list[str]:
         counted = self.locals.name(f"{hint}_count")
@@ -278,7 +282,7 @@ class _Decoder:
         names, lines, argument = self.raw.flat(item, hint)
         targets = f"({names[0]},)" if len(names) == 1 else ", ".join(names)
         rows = f"{self.constants.packer(''.join(codes))}.iter_unpack(data[{start}:{end}])"
-        head = [f"{end} = {start} + {counted} * {size_of(codes)}", *reject_if(f"{end} > size")]
+        head = [f"{end} = {start} + {counted} * {size_of(codes)}"]
         if not lines:
             return [*head, f"{target} = [{argument} for {targets} in {rows}]"]
         made = self.locals.name(hint)

@@ -36,6 +36,12 @@ class Entry:
         return tuple(int(part) for part in self.version.split(".") if part.isdigit())
 
 
+def entries(module: str, service: str, version: str, *messages: tuple[Any, ...]) -> Iterator[Entry]:
+    """The entries of one module: for each message its code and name, and its class where that has another name."""
+    for code, name, *cls in messages:
+        yield Entry(code, name, service, version, module, cls[0] if cls else name)
+
+
 class Registry:
     """The known messages. One layered over another (`base`) finds its own first."""
 

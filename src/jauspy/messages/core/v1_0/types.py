@@ -216,13 +216,11 @@ class ElementRec(rt.Struct):
 
         @classmethod
         def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
-            size = len(data)
             self = rt.new(cls)
             format = data[at]
             self.format = _E_ElementRec_ElementDataFormat[format]
             (data_end_,) = _S_H.unpack_from(data, at + 1)
             data_end_ += at + 3
-            if data_end_ > size: raise rt.Reject
             self.data = _registry.nested(data[at + 3:data_end_], depth) if format in {0} else data[at + 3:data_end_]
             return self, data_end_
 

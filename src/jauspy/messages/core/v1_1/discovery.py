@@ -181,7 +181,6 @@ class QueryServices(rt.Message):
             component_list_count_ = data[at + 1]
             if component_list_count_ < 1: raise rt.Reject
             component_list_end_ = at + 2 + component_list_count_ * 1
-            if component_list_end_ > size: raise rt.Reject
             item_.component_list = [core_v1_0_types.QueriedComponentRec(_E_QueriedComponentRec_ComponentID.get(component_id_, component_id_)) for (component_id_,) in _S_B.iter_unpack(data[at + 2:component_list_end_])]
             at = component_list_end_
             node_list_.append(item_)
@@ -276,7 +275,6 @@ class QueryServiceList(rt.Message):
 
         @classmethod
         def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
-            size = len(data)
             self = rt.new(cls)
             mask = data[at]
             component_id_ = data[at + 1]
@@ -284,7 +282,6 @@ class QueryServiceList(rt.Message):
             at += 2
             if mask & 1:
                 search_filter_end_ = at + 1 + data[at]
-                if search_filter_end_ > size: raise rt.Reject
                 self.search_filter = data[at + 1:search_filter_end_].decode("latin-1")
                 at = search_filter_end_
             else: self.search_filter = None
@@ -457,7 +454,6 @@ class RegisterServices(rt.Message):
         for _ in range(service_list_count_):
             item_ = rt.new(core_v1_0_types.ServiceRec)
             uri_end_ = at + 1 + data[at]
-            if uri_end_ > size: raise rt.Reject
             item_.uri = data[at + 1:uri_end_].decode("latin-1")
             item_.major_version_number = data[uri_end_]
             item_.minor_version_number = data[uri_end_ + 1]
@@ -539,7 +535,6 @@ class ReportIdentification(rt.Message):
         if type_ not in _E_ReportIdentification_Type and not 10002 <= type_ <= 20000 and not 20002 <= type_ <= 30000 and not 30002 <= type_ <= 40000 and not 40002 <= type_ <= 50000 and not 50002 <= type_ <= 60000 and type_ < 60002: raise rt.Reject
         self.type = _E_ReportIdentification_Type.get(type_, type_)
         identification_end_ = 6 + data[5]
-        if identification_end_ > size: raise rt.Reject
         self.identification = data[6:identification_end_].decode("latin-1")
         if identification_end_ != size: raise rt.Reject
         return self
@@ -629,7 +624,6 @@ class ReportConfiguration(rt.Message):
             item_.node_rec = ReportConfiguration.NodeRec(node_id_)
             component_list_count_ = data[at + 1]
             component_list_end_ = at + 2 + component_list_count_ * 2
-            if component_list_end_ > size: raise rt.Reject
             item_.component_list = [core_v1_0_types.ComponentRec(component_id_, instance_id_) for component_id_, instance_id_ in _S_2B.iter_unpack(data[at + 2:component_list_end_])]
             at = component_list_end_
             node_list_.append(item_)
@@ -687,7 +681,6 @@ class ReportSubsystemList(rt.Message):
         self = rt.new(cls)
         subsystem_list_count_ = data[2]
         subsystem_list_end_ = 3 + subsystem_list_count_ * 4
-        if subsystem_list_end_ > size: raise rt.Reject
         self.subsystem_list = [core_v1_0_types.SubsystemRec(subsystem_id_, node_id_, component_id_) for subsystem_id_, node_id_, component_id_ in _S_H2B.iter_unpack(data[3:subsystem_list_end_])]
         if subsystem_list_end_ != size: raise rt.Reject
         return self
@@ -811,7 +804,6 @@ class ReportServices(rt.Message):
                 for _ in range(service_list_count_):
                     item_3_ = rt.new(core_v1_0_types.ServiceRec)
                     uri_end_ = at + 1 + data[at]
-                    if uri_end_ > size: raise rt.Reject
                     item_3_.uri = data[at + 1:uri_end_].decode("latin-1")
                     item_3_.major_version_number = data[uri_end_]
                     item_3_.minor_version_number = data[uri_end_ + 1]
@@ -1006,7 +998,6 @@ class ReportServiceList(rt.Message):
                     for _ in range(service_list_count_):
                         item_4_ = rt.new(core_v1_0_types.ServiceRec)
                         uri_end_ = at + 1 + data[at]
-                        if uri_end_ > size: raise rt.Reject
                         item_4_.uri = data[at + 1:uri_end_].decode("latin-1")
                         item_4_.major_version_number = data[uri_end_]
                         item_4_.minor_version_number = data[uri_end_ + 1]

@@ -59,7 +59,6 @@ class CreateEvent(rt.Message):
         (query_message_end_,) = _S_I.unpack_from(data, 6)
         if query_message_end_ > 2147483647: raise rt.Reject
         query_message_end_ += 10
-        if query_message_end_ > size: raise rt.Reject
         self.query_message = _registry.nested(data[10:query_message_end_], depth)
         if query_message_end_ != size: raise rt.Reject
         return self
@@ -118,7 +117,6 @@ class CreateCommandEvent(rt.Message):
         (command_message_end_,) = _S_I.unpack_from(data, 7)
         if command_message_end_ > 2147483647: raise rt.Reject
         command_message_end_ += 11
-        if command_message_end_ > size: raise rt.Reject
         self.command_message = _registry.nested(data[11:command_message_end_], depth)
         if command_message_end_ != size: raise rt.Reject
         return self
@@ -184,7 +182,6 @@ class UpdateEvent(rt.Message):
         (query_message_end_,) = _S_I.unpack_from(data, 7)
         if query_message_end_ > 2147483647: raise rt.Reject
         query_message_end_ += 11
-        if query_message_end_ > size: raise rt.Reject
         self.query_message = _registry.nested(data[11:query_message_end_], depth)
         if query_message_end_ != size: raise rt.Reject
         return self
@@ -549,7 +546,6 @@ class ReportEvents(rt.Message):
             (query_message_end_,) = _S_I.unpack_from(data, at + 2)
             if query_message_end_ > 2147483647: raise rt.Reject
             query_message_end_ += at + 6
-            if query_message_end_ > size: raise rt.Reject
             item_.query_message = _registry.nested(data[at + 6:query_message_end_], depth)
             at = query_message_end_
             event_list_.append(item_)
@@ -612,7 +608,6 @@ class Event(rt.Message):
         (report_message_end_,) = _S_I.unpack_from(data, 4)
         if report_message_end_ > 2147483647: raise rt.Reject
         report_message_end_ += 8
-        if report_message_end_ > size: raise rt.Reject
         self.report_message = _registry.nested(data[8:report_message_end_], depth)
         if report_message_end_ != size: raise rt.Reject
         return self

@@ -158,7 +158,6 @@ class DeleteElement(rt.Message):
         self.request_id_rec = DeleteElement.RequestIDRec(request_id_)
         delete_element_list_count_ = data[3]
         delete_element_list_end_ = 4 + delete_element_list_count_ * 2
-        if delete_element_list_end_ > size: raise rt.Reject
         self.delete_element_list = [DeleteElement.DeleteElementRec(element_uid_) for (element_uid_,) in _S_H.iter_unpack(data[4:delete_element_list_end_])]
         if delete_element_list_end_ != size: raise rt.Reject
         return self
@@ -378,13 +377,11 @@ class ReportElement(rt.Message):
 
         @classmethod
         def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
-            size = len(data)
             self = rt.new(cls)
             format = data[at]
             self.format = _E_ReportElement_ElementDataFormat[format]
             (data_end_,) = _S_H.unpack_from(data, at + 1)
             data_end_ += at + 3
-            if data_end_ > size: raise rt.Reject
             self.data = _registry.nested(data[at + 3:data_end_], depth) if format in {0} else data[at + 3:data_end_]
             return self, data_end_
 
@@ -476,7 +473,6 @@ class ReportElementList(rt.Message):
         self = rt.new(cls)
         (element_list_count_,) = _S_H.unpack_from(data, 2)
         element_list_end_ = 4 + element_list_count_ * 2
-        if element_list_end_ > size: raise rt.Reject
         self.element_list = [ReportElementList.ElementListRec(element_uid_) for (element_uid_,) in _S_H.iter_unpack(data[4:element_list_end_])]
         if element_list_end_ != size: raise rt.Reject
         return self
