@@ -4,7 +4,6 @@
 
 from __future__ import annotations
 
-import asyncio
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -75,6 +74,8 @@ async def _send_in_control(
     ocu: OCU, to: JausID, command: Message, *, authority: int, hold: float, patience: float
 ) -> None:
     """Control is taken, the component resumed unless the message itself manages its state, and all that undone."""
+    import asyncio
+
     async with ocu:
         robot = await ocu.discover(to.subsystem, timeout=patience)
         client = robot.component(to).service("AccessControl")
