@@ -126,7 +126,8 @@ def test_the_demo(free_port):
 
 
 @pytest.mark.parametrize(("number", "status"), [(signal.SIGINT, 130), (signal.SIGTERM, 1), (signal.SIGKILL, -9)])
-def test_a_stopped_demo_leaves_no_process(free_port, number, status):
+def test_a_stopped_demo_leaves_no_process(free_port, local_root, monkeypatch, number, status):
+    monkeypatch.setenv("TMPDIR", str(local_root))  # nobody can clean up after SIGKILL
     demo = start("demo", "--backend", "kinematic", "--port", str(free_port))
     family = wait_for(demo, "Drive 2 m forward")
     assert len(family) == 2
@@ -134,6 +135,7 @@ def test_a_stopped_demo_leaves_no_process(free_port, number, status):
     _, err = demo.communicate(timeout=20)
     assert (demo.returncode, err) == (status, "")
     assert_gone(family)
+    assert number == signal.SIGKILL or not list(local_root.iterdir())
 
 
 def test_a_taken_port_names_who_has_it(robot, free_port):
