@@ -1,7 +1,5 @@
 """`jauspy node-manager`: route JAUS between local components and the network."""
 
-# ruff: noqa: PLC0415 - verbs import what they need when they run
-
 from __future__ import annotations
 
 import signal

@@ -1,7 +1,5 @@
 """`jauspy send`: send a message without waiting for an answer."""
 
-# ruff: noqa: PLC0415 - verbs import what they need when they run
-
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Annotated
