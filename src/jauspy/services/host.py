@@ -13,8 +13,7 @@ from jauspy.codec.registry import Registry
 from jauspy.errors import DecodeError, EncodeError
 from jauspy.ids import JausID
 from jauspy.protocol.header import Broadcast, Priority
-from jauspy.schema.model import Schema
-from jauspy.schema.model import Service as Definition
+from jauspy.schema.model import Schema, Service as Definition
 from jauspy.services.build import Built, build
 from jauspy.services.core.access_control import AccessControl
 from jauspy.services.core.management import Management
