@@ -225,6 +225,18 @@ async def test_events_are_renewed_and_made_anew_after_a_restart(world, monkeypat
     assert world.network.sent(RejectEventRequest)
 
 
+async def test_reports_go_on_when_a_renewal_is_not_answered(world, monkeypatch):
+    monkeypatch.setattr(module.Subscription, "_lifetime", lambda _: asyncio.sleep(0, 0.3))
+    await world.robot()
+    sensor = await sensor_of(await world.ocu(timeout=0.03, retries=1))
+    async with sensor.subscribe(POSE, rate=50.0) as poses:
+        world.network.lose(UpdateEvent)
+        await until(lambda: len(world.network.sent(UpdateEvent)) >= 5)
+        received = poses.received
+        await until(lambda: poses.received > received + 2)
+        await poses.get()
+
+
 async def test_garbage_in_an_event_is_counted_and_skipped(world):
     robot = await world.robot()
     ocu = await world.ocu()

@@ -1,0 +1,78 @@
+"""Routing of packets as they were seen on real networks, byte for byte, and of what faulty peers send."""
+
+import pytest
+
+from jauspy.ids import JausID
+from jauspy.protocol import junior
+from jauspy.protocol.node import NodeCore
+from jauspy.protocol.ports import GROUP, LocalPort, Port, UdpPort
+
+SENDER, FAR = JausID.parse("100.1.2"), JausID.parse("101.1.1")
+SENDER_PORT, OTHER_PORT = LocalPort("/root/sender"), LocalPort("/root/other")
+PEER = UdpPort("10.77.0.2", 3794)
+
+
+def receive(core: NodeCore, text: str, source: Port) -> list[tuple[Port, str]]:
+    core.receive(bytes.fromhex(text), source, 0.0)
+    return [(port, data.hex()) for port, data in core.poll_output()]
+
+
+@pytest.fixture
+def node() -> NodeCore:
+    core = NodeCore("/root")
+    core.receive(junior.connect(SENDER), SENDER_PORT, 0.0)
+    core.poll_output()
+    return core
+
+
+def test_two_nodes_find_each_other_by_an_acknowledgement(node: NodeCore) -> None:
+    plain = "02001800010101650002016400000102030405060708090100"
+    asking = "02001800110101650002016400000102030405060708090100"
+    ack = "02000e003102016400010165000100"
+    second = "02001800010101650002016400000102030405060708090200"
+    assert receive(node, plain, SENDER_PORT) == [(GROUP, asking)]
+    assert receive(node, ack, PEER) == [(SENDER_PORT, ack)]
+    assert receive(node, second, SENDER_PORT) == [(PEER, second)]
+
+
+def test_the_bit_is_set_behind_the_bytes_of_proposed_compression(node: NodeCore) -> None:
+    assert receive(node, "024012000700010101650002016400aabb0100", SENDER_PORT) == [
+        (GROUP, "024012000700110101650002016400aabb0100")
+    ]
+
+
+def test_packets_of_one_datagram_reach_their_components_one_by_one(node: NodeCore) -> None:
+    packed = "02 00100001020164000101c8000a0b0600 00110001020164000101c8000c0d0e0700"
+    assert receive(node, packed, PEER) == [
+        (SENDER_PORT, "0200100001020164000101c8000a0b0600"),
+        (SENDER_PORT, "0200110001020164000101c8000c0d0e0700"),
+    ]
+
+
+def test_a_control_byte_of_ff_passes_to_every_side(node: NodeCore) -> None:
+    faulty = "02001200ff0101650009016400000102030100"
+    other = JausID.parse("100.1.9")
+    core = NodeCore("/root")
+    core.receive(junior.connect(other), OTHER_PORT, 0.0)
+    core.poll_output()
+    assert receive(core, faulty, OTHER_PORT) == [(GROUP, faulty)]
+    core.receive(junior.connect(FAR), SENDER_PORT, 0.0)
+    core.poll_output()
+    assert receive(core, faulty, OTHER_PORT) == [(SENDER_PORT, faulty)]
+
+
+@pytest.mark.parametrize("kind", range(1, 64))
+def test_reserved_message_types_are_never_misread(node: NodeCore, kind: int) -> None:
+    assert receive(node, f"02{kind:02x}100001020164000101c8000a0b0600", PEER) == []
+    assert node.counters["dropped.malformed.message_type"] == 1
+
+
+@pytest.mark.parametrize("flags", ["80", "c0"])
+def test_compression_that_nobody_agreed_on_is_dropped(node: NodeCore, flags: str) -> None:
+    assert receive(node, f"02{flags}1200070001020164000101c8000a0b0600", PEER) == []
+    assert node.counters["dropped.malformed.compressed"] == 1
+
+
+def test_a_shutdown_message_to_itself_comes_back(node: NodeCore) -> None:
+    wakeup = "0200100001020164000201640000000600"
+    assert receive(node, wakeup, SENDER_PORT) == [(SENDER_PORT, wakeup)]
