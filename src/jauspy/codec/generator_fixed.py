@@ -40,9 +40,7 @@ class Constants:
 
     def members(self, enum: EnumPlan) -> str:
         """A map of values to members."""
-        return self._add(
-            f"_E_{'_'.join(enum.path.split('.')[-2:])}", f"{{member.value: member for member in {enum.path}}}"
-        )
+        return self._add(f"_E_{'_'.join(enum.path.split('.')[-2:])}", f"rt.members({enum.path})")
 
     def arms(self, paths: list[str]) -> str:
         """The classes of a variant in the order of their tags."""

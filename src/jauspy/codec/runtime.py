@@ -6,7 +6,7 @@ from struct import Struct as Packer
 from typing import Final
 
 from jauspy.codec.base import Message, Reject, Struct
-from jauspy.codec.fast import Masks, message_bytes, plain_bytes
+from jauspy.codec.fast import Masks, members, message_bytes, plain_bytes
 from jauspy.codec.items import (
     ANY,
     Bit,
@@ -56,6 +56,7 @@ __all__ = [
     "Values",
     "composite",
     "exact_raw",
+    "members",
     "message_bytes",
     "new",
     "plain_bytes",

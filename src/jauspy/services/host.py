@@ -241,7 +241,7 @@ class Host:
 
     def _forgiven(self, kind: type[Message], payload: bytes, detail: str) -> Message | None:
         """Understand values that are merely outside of their sets: an emergency is one, whatever its code."""
-        message, deviations = kind.decode_tolerant(payload)
+        message, deviations = kind.decode(payload, strict=False)
         if any(deviation.lost for deviation in deviations):
             self.count(f"malformed_{kind.NAME}", detail)
             return None

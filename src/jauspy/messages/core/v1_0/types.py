@@ -306,6 +306,6 @@ class DateStamp(rt.Struct):
         )
 
 
-_E_EventTypeRec_EventType = {member.value: member for member in EventTypeRec.EventType}
-_E_ElementRec_ElementDataFormat = {member.value: member for member in ElementRec.ElementDataFormat}
+_E_EventTypeRec_EventType = rt.members(EventTypeRec.EventType)
+_E_ElementRec_ElementDataFormat = rt.members(ElementRec.ElementDataFormat)
 _S_H = rt.Packer("<H")

@@ -378,6 +378,6 @@ class ReportTimeout(rt.Message):
 _S_HB = rt.Packer("<HB")
 _S_H = rt.Packer("<H")
 _S_2H3B = rt.Packer("<2H3B")
-_E_RejectControl_ResponseCode = {member.value: member for member in RejectControl.ResponseCode}
-_E_ConfirmControl_ResponseCode = {member.value: member for member in ConfirmControl.ResponseCode}
-_E_ReportTimeout_Timeout = {member.value: member for member in ReportTimeout.Timeout}
+_E_RejectControl_ResponseCode = rt.members(RejectControl.ResponseCode)
+_E_ConfirmControl_ResponseCode = rt.members(ConfirmControl.ResponseCode)
+_E_ReportTimeout_Timeout = rt.members(ReportTimeout.Timeout)

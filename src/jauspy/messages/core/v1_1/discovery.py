@@ -1051,17 +1051,17 @@ class ReportServiceList(rt.Message):
         return bytes(out)
 
 
-_E_QueryIdentification_QueryType = {member.value: member for member in QueryIdentification.QueryType}
+_E_QueryIdentification_QueryType = rt.members(QueryIdentification.QueryType)
 _S_HB = rt.Packer("<HB")
-_E_QueryConfiguration_QueryType = {member.value: member for member in QueryConfiguration.QueryType}
+_E_QueryConfiguration_QueryType = rt.members(QueryConfiguration.QueryType)
 _S_H = rt.Packer("<H")
-_E_QueriedNodeRec_NodeID = {member.value: member for member in core_v1_0_types.QueriedNodeRec.NodeID}
-_E_QueriedComponentRec_ComponentID = {member.value: member for member in core_v1_0_types.QueriedComponentRec.ComponentID}
+_E_QueriedNodeRec_NodeID = rt.members(core_v1_0_types.QueriedNodeRec.NodeID)
+_E_QueriedComponentRec_ComponentID = rt.members(core_v1_0_types.QueriedComponentRec.ComponentID)
 _S_B = rt.Packer("<B")
-_E_QueryServiceList_ComponentID = {member.value: member for member in QueryServiceList.ComponentID}
-_E_QueryServiceList_SubsystemID = {member.value: member for member in QueryServiceList.SubsystemID}
+_E_QueryServiceList_ComponentID = rt.members(QueryServiceList.ComponentID)
+_E_QueryServiceList_SubsystemID = rt.members(QueryServiceList.SubsystemID)
 _S_2B = rt.Packer("<2B")
-_E_ReportIdentification_QueryType = {member.value: member for member in ReportIdentification.QueryType}
-_E_ReportIdentification_Type = {member.value: member for member in ReportIdentification.Type}
+_E_ReportIdentification_QueryType = rt.members(ReportIdentification.QueryType)
+_E_ReportIdentification_Type = rt.members(ReportIdentification.Type)
 _S_BH = rt.Packer("<BH")
 _S_H2B = rt.Packer("<H2B")

@@ -706,12 +706,12 @@ class ReportEventTimeout(rt.Message):
         return _S_HB.pack(0x41F2, self.timeout)
 
 
-_E_CreateEvent_EventType = {member.value: member for member in CreateEvent.EventType}
+_E_CreateEvent_EventType = rt.members(CreateEvent.EventType)
 _S_2BH = rt.Packer("<2BH")
 _S_I = rt.Packer("<I")
 _R_3 = rt.Scaling(0.0, 1092.0, 65535)
 _S_BI = rt.Packer("<BI")
-_E_UpdateEvent_EventType = {member.value: member for member in UpdateEvent.EventType}
+_E_UpdateEvent_EventType = rt.members(UpdateEvent.EventType)
 _S_2BHB = rt.Packer("<2BHB")
 _S_H2B = rt.Packer("<H2B")
 _S_H = rt.Packer("<H")
@@ -720,9 +720,9 @@ _T_10: dict[type[rt.Struct], int] = {QueryEvents.MessageIDRec: 0, core_v1_0_type
 _S_H2BH = rt.Packer("<H2BH")
 _S_HB = rt.Packer("<HB")
 _M_RejectEventRequest = rt.Masks("3x", ((0, "B"), (1, "B"), (2, "80s")))
-_E_RejectEventRequest_ResponseCode = {member.value: member for member in RejectEventRequest.ResponseCode}
+_E_RejectEventRequest_ResponseCode = rt.members(RejectEventRequest.ResponseCode)
 _M_RejectEventRequest_pack = rt.Masks("HB", ((0, "B"), (1, "B"), (2, "80s")))
-_E_ReportEvents_EventType = {member.value: member for member in ReportEvents.EventType}
+_E_ReportEvents_EventType = rt.members(ReportEvents.EventType)
 _S_2B = rt.Packer("<2B")
-_E_CommandEvent_CommandResult = {member.value: member for member in CommandEvent.CommandResult}
-_E_ReportEventTimeout_Timeout = {member.value: member for member in ReportEventTimeout.Timeout}
+_E_CommandEvent_CommandResult = rt.members(CommandEvent.CommandResult)
+_E_ReportEventTimeout_Timeout = rt.members(ReportEventTimeout.Timeout)

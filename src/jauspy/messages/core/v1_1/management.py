@@ -266,8 +266,8 @@ class ReportStatus(rt.Message):
 
 
 _S_H = rt.Packer("<H")
-_E_SetEmergency_EmergencyCode = {member.value: member for member in SetEmergency.EmergencyCode}
+_E_SetEmergency_EmergencyCode = rt.members(SetEmergency.EmergencyCode)
 _S_2H = rt.Packer("<2H")
-_E_ClearEmergency_EmergencyCode = {member.value: member for member in ClearEmergency.EmergencyCode}
-_E_ReportStatus_Status = {member.value: member for member in ReportStatus.Status}
+_E_ClearEmergency_EmergencyCode = rt.members(ClearEmergency.EmergencyCode)
+_E_ReportStatus_Status = rt.members(ReportStatus.Status)
 _S_HBI = rt.Packer("<HBI")

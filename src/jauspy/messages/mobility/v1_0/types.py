@@ -492,7 +492,7 @@ class ReportVelocityStateExtRec(rt.Struct):
 
 
 _S_I = rt.Packer("<I")
-_E_ZPosition_Choice = {member.value: member for member in ZPosition.Choice}
+_E_ZPosition_Choice = rt.members(ZPosition.Choice)
 _R_2 = rt.Scaling(-50000.0, 50000.0, 4294967295)
 _S_BI = rt.Packer("<BI")
 _M_mobility_v1_0_types_VelocityVehicleXYZRec_0 = rt.Masks("", ((1, "I"), (2, "I"), (4, "I")))
