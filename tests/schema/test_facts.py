@@ -343,6 +343,15 @@ def rewritten(found):
     return stateless, starts, [(name, outline(states)) for name, states in machines]
 
 
+def test_all_services_of_the_facts_are_shipped():
+    wanted = {
+        (entry["id"].strip(), entry["version"]) for path in FACTS.glob("*.yaml") for entry in document(path)["services"]
+    }
+    shipped = {(service.id, service.version) for service in SERVICES}
+    assert shipped - wanted == {(f"urn:jaus:jss:core:{name}", "1.1") for name in OURS}
+    assert wanted - shipped == set()
+
+
 @pytest.mark.parametrize("name", ["Events", "AccessControl"])
 def test_our_clients_mirror_their_services(name):
     service, client = (load_builtin().service(f"urn:jaus:jss:core:{end}", "1.1") for end in (name, f"{name}Client"))
