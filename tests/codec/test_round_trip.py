@@ -7,16 +7,14 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
-from hypothesis import HealthCheck, given, settings
-from hypothesis import strategies as st
+from hypothesis import HealthCheck, given, settings, strategies as st
 
 from jauspy.codec import careful, reference
 from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
 from jauspy.errors import DecodeError
 from jauspy.messages import registry
-from jauspy.schema import load_builtin
-from jauspy.schema import model as m
+from jauspy.schema import load_builtin, model as m
 
 FEW = settings(max_examples=15, deadline=None, suppress_health_check=list(HealthCheck))
 MORE = settings(max_examples=120, deadline=None, suppress_health_check=list(HealthCheck))

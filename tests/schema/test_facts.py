@@ -14,8 +14,7 @@ from pathlib import Path
 import pytest
 import yaml
 
-from jauspy.schema import load_builtin
-from jauspy.schema import model as m
+from jauspy.schema import load_builtin, model as m
 
 FACTS = Path(__file__).parents[2].parent / "shared" / "facts" / "jsidl"
 LARGEST = {"u8": 2**8 - 1, "u16": 2**16 - 1, "u32": 2**32 - 1, "u64": 2**64 - 1}

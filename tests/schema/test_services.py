@@ -1,7 +1,6 @@
 from __future__ import annotations
 
-from jauspy.schema import load_files
-from jauspy.schema import model as m
+from jauspy.schema import load_files, model as m
 
 
 def test_service(jsidl):

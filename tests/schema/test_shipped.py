@@ -10,8 +10,7 @@ from pathlib import Path
 import pytest
 from lxml import etree
 
-from jauspy.schema import builtin_paths, load_builtin
-from jauspy.schema import model as m
+from jauspy.schema import builtin_paths, load_builtin, model as m
 
 SERVICES = load_builtin().services
 ROOT = Path(__file__).parents[2] / "schemas"

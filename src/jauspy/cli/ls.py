@@ -1,7 +1,5 @@
 """`jauspy ls`: who is there."""
 
-# ruff: noqa: PLC0415 - verbs import what they need when they run
-
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Annotated

@@ -1,7 +1,5 @@
 """`jauspy query`: ask a component, print its answer."""
 
-# ruff: noqa: PLC0415 - verbs import what they need when they run
-
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Annotated

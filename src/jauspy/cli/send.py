@@ -1,10 +1,7 @@
 """`jauspy send`: send a message without waiting for an answer."""
 
-# ruff: noqa: PLC0415 - verbs import what they need when they run
-
 from __future__ import annotations
 
-import asyncio
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -75,6 +72,8 @@ async def _send_in_control(
     ocu: OCU, to: JausID, command: Message, *, authority: int, hold: float, patience: float
 ) -> None:
     """Control is taken, the component resumed unless the message itself manages its state, and all that undone."""
+    import asyncio
+
     async with ocu:
         robot = await ocu.discover(to.subsystem, timeout=patience)
         client = robot.component(to).service("AccessControl")

@@ -1,7 +1,5 @@
 """`jauspy up`: a robot, with a node manager when none runs."""
 
-# ruff: noqa: PLC0415 - verbs import what they need when they run
-
 from __future__ import annotations
 
 from contextlib import AsyncExitStack

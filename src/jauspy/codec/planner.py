@@ -39,6 +39,7 @@ from jauspy.schema.model import (
     Scalar,
     Scale,
     Schema,
+    Sequence as SequenceNode,
     Service,
     TypeChoice,
     ValueSet,
@@ -48,7 +49,6 @@ from jauspy.schema.model import (
     VariableString,
     Variant,
 )
-from jauspy.schema.model import Sequence as SequenceNode
 
 JAUS_MESSAGE = "jaus message"
 _OWN_NAMES = frozenset({"CODE", "NAME", "SERVICE", "VERSION", "IS_COMMAND"})

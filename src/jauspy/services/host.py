@@ -13,8 +13,7 @@ from jauspy.codec.registry import Registry
 from jauspy.errors import DecodeError, EncodeError
 from jauspy.ids import JausID
 from jauspy.protocol.header import Broadcast, Priority
-from jauspy.schema.model import Schema
-from jauspy.schema.model import Service as Definition
+from jauspy.schema.model import Schema, Service as Definition
 from jauspy.services.build import Built, build
 from jauspy.services.core.access_control import AccessControl
 from jauspy.services.core.management import Management
@@ -237,8 +236,17 @@ class Host:
             try:
                 return kind.decode(payload)
             except DecodeError as error:
-                self.count(f"malformed_{kind.NAME}", f"from {source}: {error}")
+                return self._forgiven(kind, payload, f"from {source}: {error}")
         return None
+
+    def _forgiven(self, kind: type[Message], payload: bytes, detail: str) -> Message | None:
+        """Understand values that are merely outside of their sets: an emergency is one, whatever its code."""
+        message, deviations = kind.decode_tolerant(payload)
+        if any(deviation.lost for deviation in deviations):
+            self.count(f"malformed_{kind.NAME}", detail)
+            return None
+        self.count(f"deviating_{kind.NAME}", detail)
+        return message
 
     def _run(self, trigger: Trigger) -> None:
         self._busy = True
