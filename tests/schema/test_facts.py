@@ -23,6 +23,9 @@ CONSTANT = re.compile(r"[A-Z][A-Z0-9_]*")
 OURS = {"EventsClient", "AccessControlClient"}
 """Services that the facts only name as parents."""
 
+ELEMENTS = {"SetGlobalPathSegment": "GlobalPathSegmentDriver", "SetLocalPathSegment": "LocalPathSegmentDriver"}
+"""Messages that no service of the facts has, and those whose lists are made of them."""
+
 REWRITTEN = {"MissionSpooler"}
 """Services whose guards and actions make no sense as they stand; their states and triggers are those of the facts."""
 
@@ -224,6 +227,11 @@ def correct(facts):
     """Make messages, events and behaviour as we write them."""
     for node in dicts((facts["messages"], facts["events"])):
         correct_content(node)
+    for message in facts["messages"]:
+        for entry in facts["services"]:
+            if entry["name"] == ELEMENTS.get(message["name"]):
+                entry["inputs"].insert(0, f"{message['code']} {message['name']}")
+                message["used_by"].append(f"{entry['id']} v{entry['version']}")
     for entry in facts["services"]:
         inputs = {line.split(" ", 1)[1] for line in entry["inputs"]}
         for machine in entry["behavior"]["machines"]:
@@ -349,6 +357,12 @@ def test_all_services_of_the_facts_are_shipped():
     shipped = {(service.id, service.version) for service in SERVICES}
     assert shipped - wanted == {(f"urn:jaus:jss:core:{name}", "1.1") for name in OURS}
     assert wanted - shipped == set()
+
+
+def test_all_messages_of_the_facts_belong_to_a_service():
+    messages = [message for path in FACTS.glob("*.yaml") for message in document(path)["messages"]]
+    assert [message["name"] for message in messages if not message["used_by"]] == []
+    assert len({(message["code"], message["name"]) for message in messages}) > 400
 
 
 @pytest.mark.parametrize("name", ["Events", "AccessControl"])
