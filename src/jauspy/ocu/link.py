@@ -52,6 +52,9 @@ class Held(Protocol):
     def check(self) -> None:
         """Raise `ControlRejected` when it was lost."""
 
+    def sent(self, message: Message) -> None:
+        """This was sent to the component."""
+
 
 class Link:
     """What all parts of the OCU share. `registry` has the known messages."""
@@ -102,6 +105,9 @@ class Link:
         """Send a message; raises `EncodeError` when a value does not fit."""
         self._open().send(destination, message, priority=priority, broadcast=broadcast, ack=ack)
         self.recorder.sent += 1
+        for id, control in self._controls.items():
+            if destination.matches(id):
+                control.sent(message)
 
     async def query(
         self,
