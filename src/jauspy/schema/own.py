@@ -1,0 +1,65 @@
+"""A user's own definitions: which files they are, and the services in them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from glob import glob
+from pathlib import Path
+
+from jauspy.errors import ConfigError
+from jauspy.schema.loader import builtin_paths, load_files
+from jauspy.schema.model import Schema
+from jauspy.schema.reading import identity
+from jauspy.schema.source import is_jsidl, parse
+
+Identity = tuple[str, str, str]
+"""The kind of a definition (the tag of its root), its id and its version."""
+
+
+def find_files(sources: Iterable[str | Path]) -> list[Path]:
+    """The files of these files, folders and patterns; other XML in a folder, such as a manifest, is left out.
+
+    Raises `ConfigError` for a source that gives no file.
+    """
+    found: list[Path] = []
+    for source in sources:
+        path = Path(source)
+        matches = _in_folder(path) if path.is_dir() else _matching(str(source))
+        if not matches:
+            raise ConfigError(f"no JSIDL file matches {str(source)!r}")
+        found += [match for match in matches if match not in found]
+    if not found:
+        raise ConfigError("name at least one JSIDL file, folder or pattern")
+    return found
+
+
+def _in_folder(folder: Path) -> list[Path]:
+    return [path for path in sorted(folder.rglob("*.xml")) if is_jsidl(path)]
+
+
+def _matching(pattern: str) -> list[Path]:
+    if Path(pattern).exists():
+        return [Path(pattern)]
+    return [Path(name) for name in sorted(glob(pattern, recursive=True))]  # noqa: PTH207 - patterns may be absolute
+
+
+def load_own(sources: Iterable[str | Path]) -> Schema:
+    """The services defined in files, folders or patterns; what they refer to may also be built in.
+
+    Raises `SchemaError` with file and line, `ConfigError` when there is no such file.
+    """
+    own = find_files(sources)
+    keys = {identity_of(path) for path in own}
+    schema = load_files([*own, *builtin_beside(keys)])
+    return Schema(services=tuple(s for s in schema.services if ("service_def", *s.key) in keys))
+
+
+def builtin_beside(keys: set[Identity]) -> list[Path]:
+    """The shipped files, without those that define what is defined already."""
+    return [path for path in builtin_paths() if identity_of(path) not in keys]
+
+
+def identity_of(path: Path) -> Identity:
+    """What a file defines."""
+    root, _ = parse(path)
+    return (str(root.tag), *identity(root))
