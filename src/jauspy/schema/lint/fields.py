@@ -7,11 +7,13 @@ from collections.abc import Iterator
 from lxml.etree import _Element as Element
 
 from jauspy.errors import SchemaError
+from jauspy.schema.composites import read_composite
 from jauspy.schema.library import Scope
 from jauspy.schema.lint.finding import Problem
 from jauspy.schema.lint.world import World
-from jauspy.schema.model import Scalar, ValueSet
+from jauspy.schema.model import List, Scalar, ValueSet
 from jauspy.schema.reading import location
+from jauspy.schema.sizes import sizes
 from jauspy.schema.values import BITS, SCALARS, UNSIGNED, read_count, read_value_set
 
 COUNTS = ("count_field", "vtag_field")
@@ -136,6 +138,17 @@ def small_presence_vector(world: World) -> Iterator[Problem]:
             lost = ", ".join(named(part) for part in optional[size:])
             reason = f"presence vector of {named(element)} has {size} bits for {len(optional)} optional members"
             yield location(vector), f"{reason}: {lost} can never be sent; take a larger type"
+
+
+def unbounded_list(world: World) -> Iterator[Problem]:
+    """Lists of items without a byte: a count of four thousand million fits into four bytes."""
+    for element, scope in world.elements("list"):
+        if not world.is_sound(element):
+            continue
+        found = world.attempt(lambda element=element, scope=scope: read_composite(element, scope))  # type: ignore[misc]
+        if isinstance(found, List) and not sizes(found.element)[0]:
+            reason = f"{named(element)} repeats an item that may have no content, so the data cannot bound its count"
+            yield location(element), f"{reason}; give the item a mandatory field"
 
 
 def scale_limits(world: World) -> Iterator[Problem]:

@@ -37,6 +37,7 @@ RULES: tuple[Rule, ...] = (
     Rule("bit-overlap", "error", "sub-fields that share bits", fields.overlapping_bits),
     Rule("count-limits", "error", "limits of a count upside down or beyond its type", fields.count_limits),
     Rule("missing-count", "warning", "a count without min_count or max_count", fields.missing_count),
+    Rule("unbounded-list", "error", "a list of items that may have no content", fields.unbounded_list),
     Rule("tag-limits", "warning", "limits of a variant's tag that are not those of its arms", fields.tag_limits),
     Rule("scale-limits", "error", "a scale with nothing between its limits", fields.scale_limits),
     Rule("value-range", "error", "a range of values upside down", fields.value_range_limits),
