@@ -46,11 +46,11 @@ def _matching(pattern: str) -> list[Path]:
 def load_own(sources: Iterable[str | Path]) -> Schema:
     """The services defined in files, folders or patterns; what they refer to may also be built in.
 
-    Raises `SchemaError` with file and line, `ConfigError` when there is no such file.
+    Their states are not checked: see `load_files`. Raises `SchemaError` with file and line, `ConfigError` when there is no such file.
     """
     own = find_files(sources)
     keys = {identity_of(path) for path in own}
-    schema = load_files([*own, *builtin_beside(keys)])
+    schema = load_files([*own, *builtin_beside(keys)], states=False)
     return Schema(services=tuple(s for s in schema.services if ("service_def", *s.key) in keys))
 
 
