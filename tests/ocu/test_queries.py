@@ -67,6 +67,7 @@ async def test_equal_queries_may_be_outstanding_at_once(world):
 
 async def test_different_queries_with_like_answers_each_get_their_own(world):
     await world.robot()
+    world.network.lose(ReportLocalPose, times=1)
     ocu = await world.ocu()
 
     async def ask(mask: int) -> ReportLocalPose:

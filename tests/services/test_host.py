@@ -44,7 +44,7 @@ INPUTS = sorted({m.code for s in load_builtin().services for m in s.inputs})
         (b"\x02\x40\x01\x00\x00\x00\x00", "unknown_message"),
         (b"\x0d\x00", "malformed_RequestControl"),
         (b"\x0d\x00\x01\x01", "malformed_RequestControl"),
-        (b"\x06\x00\x99\x99", "malformed_SetEmergency"),
+        (b"\x06\x00\x99", "malformed_SetEmergency"),
     ],
 )
 def test_what_cannot_be_read_is_counted_by_reason_and_logged_once(robot, caplog, payload, reason) -> None:

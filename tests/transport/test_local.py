@@ -12,7 +12,7 @@ from jauspy.ids import JausID
 from jauspy.node import NodeConfig, NodeManager
 from jauspy.protocol import judp, junior
 from jauspy.protocol.header import Packet
-from jauspy.transport import LocalTransport
+from jauspy.transport import LocalTransport, local
 
 A, B = JausID.parse("101.1.1"), JausID.parse("101.1.2")
 
@@ -106,3 +106,19 @@ async def test_speaks_as_a_junior_component_does(root: Path) -> None:
         await transport.close()
         while data != junior.cancel(A):
             data, _ = await loop.sock_recvfrom(node, 100)
+
+
+async def test_a_failed_send_is_enough_to_look_for_the_node_manager_again(
+    root: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It does not wait for its next keep-alive, which here never comes."""
+    monkeypatch.setattr(local, "KEEP_ALIVE", 3600.0)
+    transport = LocalTransport(A, root)
+    async with manager(root):
+        await transport.open()
+        await asyncio.sleep(2 * local.CONNECT_INTERVAL)
+    transport.send(judp.pack(Packet(A, B, b"\x02\x20")))
+    assert not transport.connected
+    async with manager(root):
+        await until(lambda: transport.connected)
+        await transport.close()

@@ -1,7 +1,5 @@
 """Where the verbs write: results to stdout, everything else to stderr; colours on terminals only."""
 
-# ruff: noqa: PLC0415 - verbs import what they need when they run
-
 from __future__ import annotations
 
 import sys

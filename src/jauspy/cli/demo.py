@@ -14,7 +14,9 @@ def demo(
     *,
     port: Port = DEFAULT_PORT,
     backend: Backend = BackendName.SIM,
-    plain: Annotated[bool, typer.Option("--plain", help="Plain lines instead of a live table.")] = False,
+    plain: Annotated[
+        bool, typer.Option("--plain", "--headless", help="Plain lines instead of a live table, as in a pipe.")
+    ] = False,
 ) -> None:
     """See it all work: a simulated robot drives 2 m and turns 90 degrees.
 
@@ -24,3 +26,14 @@ def demo(
     Example:
       jauspy demo --port 3795 --backend kinematic
     """
+    from jauspy.cli import console
+    from jauspy.cli.demo_run import play
+    from jauspy.cli.demo_view import LiveView, PlainView, summary
+    from jauspy.cli.run import run
+
+    name = (backend or BackendName.SIM).value
+    view = PlainView() if plain or not console.is_terminal() else LiveView()
+    result = run(play(port, name, view))
+    if result is None:  # told to stop
+        raise typer.Exit(1)
+    console.stdout().print(summary(result, name))

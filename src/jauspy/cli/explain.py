@@ -66,7 +66,7 @@ def _hex(data: bytes) -> str:
 
 def _raw(raw: float | bytes) -> str:
     """Numbers as they are sent; the bytes of a string have a column of their own."""
-    return "" if isinstance(raw, bytes) else f"{raw:.9g}" if isinstance(raw, float) else str(raw)
+    return "" if isinstance(raw, bytes) else str(raw) if isinstance(raw, int) else f"{raw:.9g}"
 
 
 def _value(value: Any) -> str:

@@ -66,7 +66,7 @@ def _options(
 ) -> None:
     """JAUS for Python: talk to unmanned ground vehicles, be one, or read what others say.
 
-    Ids are SUBSYSTEM.NODE.COMPONENT, as in 101.1.1. Values are in SI units and radians.
+    Ids are SUBSYSTEM.NODE.COMPONENT, as in 101.1.102. Values are in SI units and radians.
 
     Try it: [bold]jauspy demo[/], or [bold]jauspy up inc1[/] in one terminal and [bold]jauspy ls[/] in another.
     """

@@ -1,10 +1,7 @@
 """`jauspy node-manager`: route JAUS between local components and the network."""
 
-# ruff: noqa: PLC0415 - verbs import what they need when they run
-
 from __future__ import annotations
 
-import asyncio
 import signal
 import sys
 from collections.abc import Mapping
@@ -68,6 +65,8 @@ def node_manager(
 
 async def serve(config: NodeConfig, *, quiet: bool) -> None:
     """Run a node manager until cancelled; say so when it is ready, print the counters at the end unless `quiet`."""
+    import asyncio
+
     from jauspy.node import NodeManager
 
     async with NodeManager(config) as manager:

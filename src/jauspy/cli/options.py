@@ -20,8 +20,7 @@ Connect = Annotated[
     typer.Option(
         "--connect",
         metavar="WHERE",
-        help="How to reach the node manager: udp://HOST:PORT or local:DIR. Default: local:/tmp when a node manager is "
-        "there, else udp://127.0.0.1:3794.",
+        help="How to reach the node manager: udp://HOST:PORT or local:DIR. Default: the one in /tmp, else multicast.",
     ),
 ]
 OwnId = Annotated[str, typer.Option("--id", metavar="ID", help="The JAUS id to speak as.")]

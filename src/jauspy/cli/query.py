@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from jauspy.cli.options import OCU_ID, Connect, OwnId, Timeout
 
-Destination = Annotated[str, typer.Argument(metavar="ID", help="The component, as in 101.1.1.")]
+if TYPE_CHECKING:
+    from jauspy.codec.base import Message
+    from jauspy.ids import JausID
+
+Destination = Annotated[str, typer.Argument(metavar="ID", help="The component, as in 101.1.102.")]
 MessageName = Annotated[str, typer.Argument(metavar="MESSAGE", help="The message's JAUS name; case does not matter.")]
 Fields = Annotated[
     list[str] | None,
@@ -35,6 +39,51 @@ def query(
     for every field. Lengths are in metres, angles in radians, times in seconds.
 
     Examples:
-      jauspy query 101.1.1 QueryStatus
-      jauspy query 101.1.1 QueryLocalPose presence_vector=0x43
+      jauspy query 101.1.102 QueryStatus
+      jauspy query 101.1.102 QueryLocalPose presence_vector=0x43
     """
+    from jauspy.cli.fields import message_from
+    from jauspy.cli.run import run
+    from jauspy.errors import ConfigError
+    from jauspy.ids import JausID
+    from jauspy.messages import registry
+    from jauspy.ocu.link import is_query
+
+    to = JausID.parse(destination)
+    question = message_from(registry, message, fields or [])
+    if not is_query(type(question)):
+        raise ConfigError(f"{question.NAME} is no query, nothing would answer it; use `jauspy send`")
+    answer = run(_ask(own_id, connect, to, question, timeout))
+    if answer is not None:
+        _show(answer, to)
+
+
+async def _ask(own_id: str, connect: str | None, to: JausID, question: Message, patience: float) -> Message:
+    """One answer; the patience is cut into three attempts, for datagrams get lost."""
+    from jauspy.ocu import OCU
+
+    async with OCU(own_id, connect, timeout=patience / 3, retries=2) as ocu:
+        answer: Message = await ocu.query(to, question)
+        return answer
+
+
+def _show(answer: Message, source: JausID) -> None:
+    import json
+
+    from rich.text import Text
+
+    from jauspy.cli import console
+    from jauspy.cli.render import field_lines
+
+    if not console.is_terminal():
+        shown = {
+            "source": str(source),
+            "message": answer.NAME,
+            "code": f"{answer.CODE:04X}",
+            "fields": answer.to_dict(),
+        }
+        print(json.dumps(shown, ensure_ascii=False))
+        return
+    console.stdout().print(Text(f"# {answer.NAME} ({answer.CODE:04X}h) from {source}", style="dim"))
+    for line in list(field_lines(answer, yaml=True)) or [Text("{}")]:
+        console.stdout().print(line)

@@ -232,7 +232,7 @@ class Subscription(Generic[R]):
     async def _keep(self, lifetime: float) -> None:
         """Renew at a third of the lifetime, and see that the component of an every-change event is still there."""
         clock = asyncio.get_running_loop().time
-        renewed, seen = clock(), -1
+        renewed, seen = clock(), self.received
         while True:
             await asyncio.sleep(min(CHECK_INTERVAL, lifetime / 3 or CHECK_INTERVAL))
             try:
@@ -242,7 +242,7 @@ class Subscription(Generic[R]):
                 elif self.request.rate is None:
                     await self._link.query(self.request.id, QueryEventTimeout(), patience=self._patience)
             except (ResponseTimeout, EventRejected, TransportError) as error:
-                if isinstance(error, ResponseTimeout) and self.received > seen >= 0:
+                if isinstance(error, ResponseTimeout) and self.received > seen:
                     continue  # reports still come: answers get lost, and the next round is soon enough
                 self._error = error
                 self._news.set()

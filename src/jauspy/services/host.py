@@ -237,8 +237,17 @@ class Host:
             try:
                 return kind.decode(payload)
             except DecodeError as error:
-                self.count(f"malformed_{kind.NAME}", f"from {source}: {error}")
+                return self._forgiven(kind, payload, f"from {source}: {error}")
         return None
+
+    def _forgiven(self, kind: type[Message], payload: bytes, detail: str) -> Message | None:
+        """Understand values that are merely outside of their sets: an emergency is one, whatever its code."""
+        message, deviations = kind.decode_tolerant(payload)
+        if any(deviation.lost for deviation in deviations):
+            self.count(f"malformed_{kind.NAME}", detail)
+            return None
+        self.count(f"deviating_{kind.NAME}", detail)
+        return message
 
     def _run(self, trigger: Trigger) -> None:
         self._busy = True

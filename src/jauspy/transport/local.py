@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import logging
 import socket
 from collections.abc import Mapping
@@ -46,6 +47,7 @@ class LocalTransport:
         self._sender: LocalSender | None = None
         self._keeper: asyncio.Task[None] | None = None
         self._accepted = asyncio.Event()
+        self._loss = asyncio.Event()
         self._unanswered = 0
 
     @property
@@ -105,7 +107,9 @@ class LocalTransport:
         self._sender.send(self._node, datagram)
 
     def _lost(self, _path: str) -> None:
-        self._accepted.clear()
+        if self.connected:
+            self._accepted.clear()
+            self._loss.set()
 
     def _take(self, datagram: bytes, _sender: object) -> None:
         control = junior.parse(datagram)
@@ -130,6 +134,8 @@ class LocalTransport:
                 interval = CONNECT_INTERVAL
             self._unanswered += 1
             self._sender.send(self._node, junior.connect(self.id))
-            await asyncio.sleep(KEEP_ALIVE if self.connected else interval)
+            self._loss.clear()
+            with contextlib.suppress(TimeoutError):
+                await asyncio.wait_for(self._loss.wait(), KEEP_ALIVE if self.connected else interval)
             if not self.connected:
                 interval = min(interval * 1.3, RETRY_INTERVAL)
