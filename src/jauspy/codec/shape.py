@@ -1,4 +1,4 @@
-"""Whether two layouts are the same on the wire: same bytes, same values, whatever their parts are called."""
+"""Whether two layouts are the same on the wire: same bytes, same numbers, whatever their parts are called."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any, Final
 
 from jauspy.codec.item import Item
 
-_NAMES: Final = frozenset(("cls", "name", "jaus"))
+_NAMES: Final = frozenset(("cls", "name", "jaus", "units"))
 
 
 def same_layout(one: Item, other: Item) -> bool:

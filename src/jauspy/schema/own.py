@@ -43,14 +43,17 @@ def _matching(pattern: str) -> list[Path]:
     return [Path(name) for name in sorted(glob(pattern, recursive=True))]  # noqa: PTH207 - patterns may be absolute
 
 
-def load_own(sources: Iterable[str | Path]) -> Schema:
-    """The services defined in files, folders or patterns; what they refer to may also be built in.
+def load_own(sources: Iterable[str | Path], beside: Iterable[str | Path] = ()) -> Schema:
+    """The services defined in files, folders or patterns; they may refer to what is `beside` them, or built in.
 
-    Their states are not checked: see `load_files`. Raises `SchemaError` with file and line, `ConfigError` when there is no such file.
+    Their states are not checked, see `load_files`. Raises `SchemaError` with file and line, `ConfigError` when there
+    is no such file.
     """
     own = find_files(sources)
     keys = {identity_of(path) for path in own}
-    schema = load_files([*own, *builtin_beside(keys)], states=False)
+    more = {path: identity_of(path) for path in find_files(beside)} if beside else {}
+    others = [path for path, key in more.items() if key not in keys]
+    schema = load_files([*own, *others, *builtin_beside(keys | set(more.values()))], states=False)
     return Schema(services=tuple(s for s in schema.services if ("service_def", *s.key) in keys))
 
 

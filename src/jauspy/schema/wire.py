@@ -1,4 +1,4 @@
-"""What of a definition matters on the wire: everything but names, prose and where it was declared."""
+"""What of a definition matters on the wire: everything but names, units, prose and where it was declared."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ Shape: TypeAlias = tuple[object, ...]
 
 
 def same_wire(one: Composite | None, other: Composite | None) -> bool:
-    """True when two message bodies have the same bytes for the same values, in the same units and limits."""
+    """True when two message bodies have the same bytes for the same numbers, within the same limits."""
     return shape(one) == shape(other)
 
 
@@ -70,7 +70,7 @@ def _container(presence: str | None, members: tuple[Node, ...]) -> Shape:
 
 
 def _number(field: FixedField | TypeChoice) -> Shape:
-    return field.type, field.scale, value_shape(field.values), field.units
+    return field.type, field.scale, value_shape(field.values)
 
 
 def _bits(part: SubField) -> tuple[int, int, str]:
