@@ -10,7 +10,7 @@ from typing import Literal
 class Change:
     """A difference and the field path where it is; the path is empty for a whole message or machine.
 
-    `wire`: bytes, numbers or allowed values differ. `units`: the same numbers are in other units. `name`: the same bytes
+    `wire`: bytes, numbers or allowed values differ. `units`: the same numbers in other units. `name`: the same bytes
     are called differently. `behavior`: what a service does differs.
     """
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from jauspy.schema.lint.finding import Finding, Problem, Rule, Severity
-from jauspy.schema.lint.rules import REFUSED, RULES, UNREADABLE
+from jauspy.schema.lint.rules import LAST, REFUSED, RULES, UNREADABLE
 from jauspy.schema.lint.world import World
 
 __all__ = ["REFUSED", "RULES", "UNREADABLE", "Finding", "Problem", "Rule", "Severity", "World", "lint"]
@@ -23,10 +23,17 @@ def lint(paths: Iterable[Path], rules: Sequence[Rule] = RULES) -> list[Finding]:
     }
     for rule in rules:
         found.update(_findings(rule, world))
-    errors = {(finding.file, finding.line) for finding in found if finding.severity == "error"}
-    found.update(finding for finding in _findings(REFUSED, world) if (finding.file, finding.line) not in errors)
+    found.update(_elsewhere(_findings(REFUSED, world), found))
+    if not any(finding.severity == "error" for finding in found):
+        found.update(_findings(LAST, world))
     own = {str(path) for path in world.paths}
     return sorted(finding for finding in found if finding.file in own)
+
+
+def _elsewhere(more: Iterable[Finding], found: Iterable[Finding]) -> list[Finding]:
+    """Those in lines where no mistake is known yet."""
+    known = {(finding.file, finding.line) for finding in found if finding.severity == "error"}
+    return [finding for finding in more if (finding.file, finding.line) not in known]
 
 
 def _findings(rule: Rule, world: World) -> Iterable[Finding]:

@@ -49,15 +49,15 @@ def bits_beyond_type(world: World) -> Iterator[Problem]:
     for field, _ in world.elements("bit_field"):
         size = bits_of(field)
         for part in field.iterchildren("sub_field"):
-            found = _bits(part)
+            found, where = _bits(part), location(next(part.iterchildren("bit_range"), part))
             if found is None or not size:
                 continue
             first, last = found
             if first > last:
-                yield location(part), f"{named(part)} ends at bit {last}, before its first bit {first}; swap them"
+                yield where, f"{named(part)} ends at bit {last}, before its first bit {first}; swap them"
             elif first < 0 or last >= size:
                 reason = f"{named(part)} has bits {first}..{last}, but {named(field)} has only bits 0..{size - 1}"
-                yield location(part), f"{reason}; move it or take a larger type"
+                yield where, f"{reason}; move it or take a larger type"
 
 
 def overlapping_bits(world: World) -> Iterator[Problem]:
@@ -128,10 +128,9 @@ def small_presence_vector(world: World) -> Iterator[Problem]:
         optional = [part for part in element if part.get("optional", "").strip() in ("true", "1")]
         vector = element.find("presence_vector")
         if vector is None:
-            if optional:
-                names = ", ".join(named(part) for part in optional)
-                reason = f"{named(element)} has optional members ({names}) and no <presence_vector>"
-                yield location(element), f"{reason}; add one or make them mandatory"
+            for part in optional:
+                reason = f"{named(part)} is optional, but {named(element)} has no <presence_vector>"
+                yield location(part), f"{reason}; add one or make it mandatory"
             continue
         size = bits_of(vector)
         if size and len(optional) > size:
@@ -163,6 +162,16 @@ def scale_limits(world: World) -> Iterator[Problem]:
         if limits is not None and limits[0] >= limits[1]:
             what = "swap them" if limits[0] > limits[1] else "they need a distance"
             yield location(element), f"scale of {named(element)} goes from {limits[0]:g} to {limits[1]:g}; {what}"
+
+
+def duplicate_name(world: World) -> Iterator[Problem]:
+    """Members of one container, or arms of one variant, with one name."""
+    for element, _ in world.elements("record", "sequence", "variant"):
+        seen: dict[str, Element] = {}
+        for part in element.iterchildren():
+            name = part.get("name")
+            if name is not None and seen.setdefault(name, part) is not part:
+                yield location(part), f"{named(element)} has two members called '{name}'; rename one"
 
 
 def duplicate_index(world: World) -> Iterator[Problem]:

@@ -13,6 +13,7 @@ from jauspy.schema.lint.world import World
 from jauspy.schema.loader import load_files
 from jauspy.schema.messages import read_event, read_message
 from jauspy.schema.own import builtin_beside
+from jauspy.schema.reading import location
 
 RULES: tuple[Rule, ...] = (
     Rule(
@@ -43,6 +44,7 @@ RULES: tuple[Rule, ...] = (
     Rule("value-range", "error", "a range of values upside down", fields.value_range_limits),
     Rule("value-set", "error", "values that the type cannot carry", fields.values_beyond_type),
     Rule("duplicate-value", "warning", "two names for one value", fields.duplicate_value),
+    Rule("duplicate-name", "error", "two members of one container under one name", fields.duplicate_name),
     Rule("duplicate-index", "error", "two alternatives with one index", fields.duplicate_index),
     Rule("dead-trigger", "error", "a transition that no input can fire", behavior.dead_trigger),
     Rule("unknown-send", "error", "a Send of a message that is no output", behavior.unknown_send),
@@ -53,7 +55,7 @@ RULES: tuple[Rule, ...] = (
 
 
 def refused(world: World) -> Iterator[Problem]:
-    """What the loader refuses, part by part and then all together; most of it other rules have found before."""
+    """Messages, events and behaviour that the loader refuses; most of it other rules have found before."""
     for element, scope in world.elements("message_def", "event_def", "protocol_behavior"):
         if world.is_sound(element):
             try:
@@ -67,13 +69,17 @@ def refused(world: World) -> Iterator[Problem]:
             except SchemaError as error:
                 yield placed(error)
             except RecursionError:
-                continue  # loading everything says so, too
-    if not world.unreadable:
-        try:
-            load_files([*world.paths, *builtin_beside(world.identities)])
-        except SchemaError as error:
-            yield placed(error)
+                yield location(element), "refers to declared types too deeply; flatten them"
+
+
+def refused_together(world: World) -> Iterator[Problem]:
+    """The mistake that loading everything stops at: the last word on whether files are right."""
+    try:
+        load_files([*world.paths, *builtin_beside(world.identities)])
+    except SchemaError as error:
+        yield placed(error)
 
 
 REFUSED = Rule("refused", "error", "anything else that the loader refuses", refused)
+LAST = Rule("refused", "error", "what the loader refuses when nothing else is wrong", refused_together)
 UNREADABLE = "unreadable"

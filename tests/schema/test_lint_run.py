@@ -1,0 +1,45 @@
+"""The linter as a whole: it goes on where the loader stops. That it finds what the loader refuses: test_errors.py."""
+
+from __future__ import annotations
+
+from jauspy.schema import builtin_paths
+from jauspy.schema.lint import REFUSED, RULES, UNREADABLE, lint
+
+
+def test_built_in_definitions_are_clean():
+    assert [str(finding) for finding in lint(builtin_paths())] == []
+
+
+def test_codes_are_unique_and_plain():
+    codes = [rule.code for rule in (*RULES, REFUSED)]
+    assert len(set(codes)) == len(codes)
+    assert all(code.replace("-", "").isalpha() and code.islower() for code in codes)
+
+
+def test_mistakes_of_many_files_are_sorted(jsidl):
+    field = '<fixed_field name="N" field_type="byte" field_units="one" optional="true"/>'
+    for name in ("B", "A"):
+        jsidl.service(name=name, urn=f"urn:test:{name}", body=f'<record name="R">\n{field}\n{field}</record>')
+    found = [finding for finding in lint(jsidl.paths) if finding.severity == "error"]
+    assert [(finding.file, finding.code) for finding in found if finding.code == "presence-vector"] == [
+        (str(path), "presence-vector") for path in sorted(jsidl.paths) for _ in range(2)
+    ]
+    assert found == sorted(found)
+    assert str(found[0]).startswith(f"{jsidl.paths[1]}:")
+    assert ": error: " in str(found[0])
+
+
+def test_an_unreadable_file_does_not_hide_the_others(jsidl):
+    broken = jsidl.file("broken.xml", "<service_def>\n<oops")
+    jsidl.service(body='<list name="L"><count_field field_type_unsigned="unsigned byte"/><record name="R"/></list>')
+    codes = {(finding.file, finding.code) for finding in lint(jsidl.paths)}
+    assert (str(broken), UNREADABLE) in codes
+    assert (str(jsidl.paths[1]), "missing-count") in codes
+
+
+def test_a_mistake_inside_a_broken_part_is_still_found(jsidl):
+    jsidl.service(
+        body='<record name="R" colour="red"><bit_field name="B" field_type_unsigned="unsigned byte">'
+        '<sub_field name="S"><bit_range from_index="1" to_index="9"/></sub_field></bit_field></record>'
+    )
+    assert {finding.code for finding in lint(jsidl.paths) if finding.severity == "error"} == {"grammar", "bit-range"}
