@@ -134,7 +134,9 @@ def _table(rows: list[Row], *, docs: bool) -> Table:
     kind = max(4, *(len(row.type) for row in rows))
     name = max(5, *(2 * row.depth + len(row.name) for row in rows))
     left = console.stdout().width - place - size - kind - 2 * 4 - (5 if has_bits else 0)
-    name = min(name, max(_NARROWEST_NAME, left - _WIDEST_VALUES))
+    texts = [text for row in rows for text in (*row.notes, *([row.doc] if docs else []))]
+    values = min(_WIDEST_VALUES, max(map(len, texts)))
+    name = min(name, max(_NARROWEST_NAME, left - values))
     table.add_column("byte", justify="right", width=place)
     table.add_column("size", justify="right", width=size)
     table.add_column("field", overflow="fold", width=name)

@@ -13,7 +13,7 @@ from jauspy.cli import console
 def print_table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
     """A table without rules; the last column is as wide as it is."""
     if console.is_terminal():
-        table = Table(*header, box=None, pad_edge=False, header_style="dim", collapse_padding=True)
+        table = Table(*header, box=None, pad_edge=False, header_style="dim", padding=(0, 2, 0, 0))
         for row in rows:
             table.add_row(*map(Text, row))
         console.stdout().print(table, soft_wrap=False)
