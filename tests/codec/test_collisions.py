@@ -93,7 +93,7 @@ def test_a_collision_names_both_files_and_is_resolved_by_service(folder: Folder,
         assert str(horn) in text
     assert own.decode(b"\x01\xd0\x05", service="urn:acme:things:Lamp").NAME == "SetLevel"
     assert own.decode(b"\x01\xd0\x05\x00", service="urn:acme:things:Horn").NAME == "Honk"
-    assert own.decode_tolerant(b"\x01\xd0\x05", service="urn:acme:things:Lamp")[0].NAME == "SetLevel"
+    assert own.decode(b"\x01\xd0\x05", service="urn:acme:things:Lamp", strict=False)[0].NAME == "SetLevel"
     with pytest.raises(DecodeError, match=r"message id 0xD001 is .* say which service is meant"):
         own.decode(b"\x01\xd0\x05")
 

@@ -18,8 +18,7 @@ from jauspy.codec.base import Message
 from jauspy.codec.names import attribute
 from jauspy.codec.registry import Registry
 from jauspy.messages import registry
-from jauspy.schema import load_builtin
-from jauspy.schema import model as m
+from jauspy.schema import load_builtin, model as m
 
 SHARED = Path(__file__).parents[2].parent / "shared" / "vectors"
 COMMITTED = Path(__file__).parent

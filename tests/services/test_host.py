@@ -4,8 +4,7 @@ import logging
 from collections import Counter
 
 import pytest
-from hypothesis import HealthCheck, given, settings
-from hypothesis import strategies as st
+from hypothesis import HealthCheck, given, settings, strategies as st
 
 from jauspy.codec.base import Message
 from jauspy.errors import ConfigError

@@ -94,7 +94,7 @@ def read_message(payload: bytes, registry: Registry) -> Content:
     if len(payload) < 2:
         return Content(payload, problem=f"{len(payload)} bytes are too short for a message id", broken=True)
     try:
-        message, deviations = registry.decode_tolerant(payload)
+        message, deviations = registry.decode(payload, strict=False)
     except DecodeError:
         return Content(payload, problem=f"unknown message {int.from_bytes(payload[:2], 'little'):04X}h")
     return Content(payload, message, tuple(str(deviation) for deviation in deviations))

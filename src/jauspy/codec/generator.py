@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import re
-
 from jauspy.codec.generator_classes import class_lines
 from jauspy.codec.generator_fixed import Constants
 from jauspy.codec.generator_packages import NOTE, packages, root, table
+from jauspy.codec.names import module_alias
 from jauspy.codec.plan import ModulePlan
-from jauspy.codec.planner import module_alias, plan
+from jauspy.codec.planner import plan
 from jauspy.schema.model import Schema
 
 
@@ -34,11 +33,11 @@ def module_source(module: ModulePlan, package: str) -> str:
     body += ["", "", *constants.lines()]
     text = "\n".join(body).replace(f"{module_alias(module.name)}.", "")
     lines = [f'"""{module.doc} {NOTE}"""', "", "from __future__ import annotations", ""]
-    lines += ["from dataclasses import dataclass"]
+    lines += ["from dataclasses import dataclass"] if "@dataclass" in text else []
     lines += ["from enum import IntEnum"] if "(IntEnum)" in text else []
-    typing = [name for name in ("ClassVar", "Self") if re.search(rf"\b{name}\b", text)]
-    lines += [f"from typing import {', '.join(typing)}"] if typing else []
-    lines += ["", "from jauspy.codec import runtime as rt"]
+    lines += ["from typing import Self"] if "Self" in text else []
+    lines += [""] if lines[-1] else []
+    lines += ["from jauspy.codec import runtime as rt"] if "rt." in text else []
     lines += [f"from {package} import registry as _registry"] if "_registry" in text else []
     for name in sorted(module.imports):
         head, _, tail = f"{package}.{name}".rpartition(".")

@@ -6,7 +6,16 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 
-from jauspy.codec.names import attribute, attributes, class_name, members, service_set, snake, unique, version_package
+from jauspy.codec.names import (
+    attribute,
+    attributes,
+    class_name,
+    members,
+    module_alias,
+    service_set,
+    unique,
+    version_package,
+)
 from jauspy.codec.plan import (
     Allowed,
     BitPlan,
@@ -23,6 +32,7 @@ from jauspy.codec.plan import (
     TextPlan,
     UnionPlan,
 )
+from jauspy.codec.planner_sharing import mark_called, share_messages
 from jauspy.codec.scaling import Scaling
 from jauspy.codec.wire import CODES, FLOATS, SIZES, limits
 from jauspy.errors import SchemaError
@@ -39,6 +49,7 @@ from jauspy.schema.model import (
     Scalar,
     Scale,
     Schema,
+    Sequence as SequenceNode,
     Service,
     TypeChoice,
     ValueSet,
@@ -48,7 +59,6 @@ from jauspy.schema.model import (
     VariableString,
     Variant,
 )
-from jauspy.schema.model import Sequence as SequenceNode
 
 JAUS_MESSAGE = "jaus message"
 _OWN_NAMES = frozenset({"CODE", "NAME", "SERVICE", "VERSION", "IS_COMMAND"})
@@ -56,14 +66,19 @@ _OWN_NAMES = frozenset({"CODE", "NAME", "SERVICE", "VERSION", "IS_COMMAND"})
 
 def plan(schema: Schema) -> list[ModulePlan]:
     """The modules of a schema: one per service, and one per set and version for declared types."""
-    shared = SharedTypes({service.id for service in schema.services})
-    modules: dict[str, ModulePlan] = {}
+    services = {service.id for service in schema.services}
+    shared = SharedTypes(services)
+    own: dict[str, ModulePlan] = {}
     for service in schema.services:
         if service.messages:
             # Services of two vendors may have one set, name and version; their URNs differ.
-            name = unique(_module_name(service), modules.__contains__)
-            modules[name] = _service_module(service, name, shared)
-    return [*modules.values(), *shared.modules()]
+            name = unique(_module_name(service), own.__contains__)
+            own[name] = _service_module(service, name, shared)
+    modules = list(own.values())
+    share_messages(modules, services)
+    modules += shared.modules()
+    mark_called(modules)
+    return modules
 
 
 def _module_name(service: Service) -> str:
@@ -355,8 +370,3 @@ def class_minimum(made: ClassPlan) -> int:
         return 1 + (SIZES[CODES[made.count.type]] if made.count else 0)
     vector = SIZES[made.presence] if made.presence else 0
     return vector + sum(minimum(slot.item) for slot in made.slots if not slot.optional)
-
-
-def module_alias(name: str) -> str:
-    """How a module of shared types is called where it is imported."""
-    return snake(name.replace(".", " ")) or name

@@ -10,8 +10,7 @@ from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
 from jauspy.schema import load_builtin
-from jauspy.schema.model import Schema
-from jauspy.schema.model import Service as Definition
+from jauspy.schema.model import Schema, Service as Definition
 from jauspy.services.bind import Binder, Reply
 from jauspy.services.core.defaults import DEFAULTS
 from jauspy.services.isolation import Containment

@@ -13,8 +13,7 @@ from jauspy.codec.registry import Registry
 from jauspy.errors import DecodeError, EncodeError
 from jauspy.ids import JausID
 from jauspy.protocol.header import Broadcast, Priority
-from jauspy.schema.model import Schema
-from jauspy.schema.model import Service as Definition
+from jauspy.schema.model import Schema, Service as Definition
 from jauspy.services.build import Built, build
 from jauspy.services.core.access_control import AccessControl
 from jauspy.services.core.management import Management
@@ -242,7 +241,7 @@ class Host:
 
     def _forgiven(self, kind: type[Message], payload: bytes, detail: str) -> Message | None:
         """Understand values that are merely outside of their sets: an emergency is one, whatever its code."""
-        message, deviations = kind.decode_tolerant(payload)
+        message, deviations = kind.decode(payload, strict=False)
         if any(deviation.lost for deviation in deviations):
             self.count(f"malformed_{kind.NAME}", detail)
             return None

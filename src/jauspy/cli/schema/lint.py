@@ -45,8 +45,7 @@ def lint(
     import json
     from dataclasses import asdict
 
-    from jauspy.schema.lint import UNREADABLE
-    from jauspy.schema.lint import lint as run
+    from jauspy.schema.lint import UNREADABLE, lint as run
 
     rules = _rules(ignore or [])
     if list_rules:

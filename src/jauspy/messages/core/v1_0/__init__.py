@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from importlib import import_module
 from typing import TYPE_CHECKING
+
+from jauspy.codec.lazy import exports, load
 
 if TYPE_CHECKING:
     from jauspy.messages.core.v1_0.types import (
@@ -19,27 +20,15 @@ if TYPE_CHECKING:
         TimeStamp as TimeStamp,
     )
 
-_MODULES = {
-    "AllEventsRec": "jauspy.messages.core.v1_0.types",
-    "ComponentRec": "jauspy.messages.core.v1_0.types",
-    "DateStamp": "jauspy.messages.core.v1_0.types",
-    "ElementRec": "jauspy.messages.core.v1_0.types",
-    "EventTypeRec": "jauspy.messages.core.v1_0.types",
-    "QueriedComponentRec": "jauspy.messages.core.v1_0.types",
-    "QueriedNodeRec": "jauspy.messages.core.v1_0.types",
-    "ServiceRec": "jauspy.messages.core.v1_0.types",
-    "SubsystemRec": "jauspy.messages.core.v1_0.types",
-    "TimeStamp": "jauspy.messages.core.v1_0.types",
-}
+_MODULES = exports({
+    "jauspy.messages.core.v1_0.types": "AllEventsRec ComponentRec DateStamp ElementRec EventTypeRec QueriedComponentRec QueriedNodeRec ServiceRec SubsystemRec TimeStamp",
+})
 
-__all__ = ("AllEventsRec", "ComponentRec", "DateStamp", "ElementRec", "EventTypeRec", "QueriedComponentRec", "QueriedNodeRec", "ServiceRec", "SubsystemRec", "TimeStamp")
+__all__ = sorted(_MODULES)
 
 
 def __getattr__(name: str) -> object:
-    if name not in _MODULES:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    value: object = getattr(import_module(_MODULES[name]), name)
-    globals()[name] = value
+    globals()[name] = value = load(name, _MODULES, __name__)
     return value
 
 

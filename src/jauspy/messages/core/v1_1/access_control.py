@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import ClassVar, Self
+from typing import Self
 
 from jauspy.codec import runtime as rt
 
@@ -16,44 +16,41 @@ class RequestControl(rt.Message):
     authority_code: 0..255. Authority; the higher code wins, 0 is the lowest
     """
 
-    CODE: ClassVar[int] = 0x000D
-    NAME: ClassVar[str] = "RequestControl"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:AccessControl"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = True
+    CODE = 0x000D
+    NAME = "RequestControl"
+    SERVICE = "urn:jaus:jss:core:AccessControl"
+    VERSION = "1.1"
+    IS_COMMAND = True
 
     authority_code: int
 
     @classmethod
     def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("authority_code", "AuthorityCode", rt.Number("B", rt.Values(None, ((0, 255),)))),
-            ),
+        return rt.composite(
+            cls, None,
+            ("AuthorityCode", rt.Number("B", rt.Values(None, ((0, 255),)))),
         )
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        code, authority_code_ = _S_HB.unpack(data)
-        if code != 0x000D:
-            raise rt.Reject
-        return cls(authority_code_)
+        self = rt.new(cls)
+        code, self.authority_code = _S_HB.unpack(data)
+        if code != 0x000D: raise rt.Reject
+        return self
 
     def _pack(self) -> bytes:
-        authority_code_ = self.authority_code
-        return _S_HB.pack(0x000D, authority_code_)
+        return _S_HB.pack(0x000D, self.authority_code)
 
 
 @dataclass(slots=True, repr=False)
 class ReleaseControl(rt.Message):
     """ReleaseControl (0x000E): Gives up exclusive control."""
 
-    CODE: ClassVar[int] = 0x000E
-    NAME: ClassVar[str] = "ReleaseControl"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:AccessControl"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = True
+    CODE = 0x000E
+    NAME = "ReleaseControl"
+    SERVICE = "urn:jaus:jss:core:AccessControl"
+    VERSION = "1.1"
+    IS_COMMAND = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -61,10 +58,10 @@ class ReleaseControl(rt.Message):
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
+        self = rt.new(cls)
         code, = _S_H.unpack(data)
-        if code != 0x000E:
-            raise rt.Reject
-        return cls()
+        if code != 0x000E: raise rt.Reject
+        return self
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x000E)
@@ -74,11 +71,11 @@ class ReleaseControl(rt.Message):
 class QueryControl(rt.Message):
     """QueryControl (0x200D): Asks who controls the component."""
 
-    CODE: ClassVar[int] = 0x200D
-    NAME: ClassVar[str] = "QueryControl"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:AccessControl"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
+    CODE = 0x200D
+    NAME = "QueryControl"
+    SERVICE = "urn:jaus:jss:core:AccessControl"
+    VERSION = "1.1"
+    IS_COMMAND = False
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -86,10 +83,10 @@ class QueryControl(rt.Message):
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
+        self = rt.new(cls)
         code, = _S_H.unpack(data)
-        if code != 0x200D:
-            raise rt.Reject
-        return cls()
+        if code != 0x200D: raise rt.Reject
+        return self
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x200D)
@@ -99,11 +96,11 @@ class QueryControl(rt.Message):
 class QueryAuthority(rt.Message):
     """QueryAuthority (0x2001): Asks for the authority of the component."""
 
-    CODE: ClassVar[int] = 0x2001
-    NAME: ClassVar[str] = "QueryAuthority"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:AccessControl"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
+    CODE = 0x2001
+    NAME = "QueryAuthority"
+    SERVICE = "urn:jaus:jss:core:AccessControl"
+    VERSION = "1.1"
+    IS_COMMAND = False
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -111,10 +108,10 @@ class QueryAuthority(rt.Message):
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
+        self = rt.new(cls)
         code, = _S_H.unpack(data)
-        if code != 0x2001:
-            raise rt.Reject
-        return cls()
+        if code != 0x2001: raise rt.Reject
+        return self
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2001)
@@ -127,44 +124,41 @@ class SetAuthority(rt.Message):
     authority_code: 0..255. Authority; the higher code wins, 0 is the lowest
     """
 
-    CODE: ClassVar[int] = 0x0001
-    NAME: ClassVar[str] = "SetAuthority"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:AccessControl"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = True
+    CODE = 0x0001
+    NAME = "SetAuthority"
+    SERVICE = "urn:jaus:jss:core:AccessControl"
+    VERSION = "1.1"
+    IS_COMMAND = True
 
     authority_code: int
 
     @classmethod
     def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("authority_code", "AuthorityCode", rt.Number("B", rt.Values(None, ((0, 255),)))),
-            ),
+        return rt.composite(
+            cls, None,
+            ("AuthorityCode", rt.Number("B", rt.Values(None, ((0, 255),)))),
         )
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        code, authority_code_ = _S_HB.unpack(data)
-        if code != 0x0001:
-            raise rt.Reject
-        return cls(authority_code_)
+        self = rt.new(cls)
+        code, self.authority_code = _S_HB.unpack(data)
+        if code != 0x0001: raise rt.Reject
+        return self
 
     def _pack(self) -> bytes:
-        authority_code_ = self.authority_code
-        return _S_HB.pack(0x0001, authority_code_)
+        return _S_HB.pack(0x0001, self.authority_code)
 
 
 @dataclass(slots=True, repr=False)
 class QueryTimeout(rt.Message):
     """QueryTimeout (0x2003): Asks after how long control ends unless it is renewed."""
 
-    CODE: ClassVar[int] = 0x2003
-    NAME: ClassVar[str] = "QueryTimeout"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:AccessControl"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
+    CODE = 0x2003
+    NAME = "QueryTimeout"
+    SERVICE = "urn:jaus:jss:core:AccessControl"
+    VERSION = "1.1"
+    IS_COMMAND = False
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -172,10 +166,10 @@ class QueryTimeout(rt.Message):
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
+        self = rt.new(cls)
         code, = _S_H.unpack(data)
-        if code != 0x2003:
-            raise rt.Reject
-        return cls()
+        if code != 0x2003: raise rt.Reject
+        return self
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2003)
@@ -191,11 +185,11 @@ class ReportControl(rt.Message):
     authority_code: 0..255. Authority; the higher code wins, 0 is the lowest
     """
 
-    CODE: ClassVar[int] = 0x400D
-    NAME: ClassVar[str] = "ReportControl"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:AccessControl"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
+    CODE = 0x400D
+    NAME = "ReportControl"
+    SERVICE = "urn:jaus:jss:core:AccessControl"
+    VERSION = "1.1"
+    IS_COMMAND = False
 
     subsystem_id: int
     node_id: int
@@ -204,29 +198,23 @@ class ReportControl(rt.Message):
 
     @classmethod
     def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("subsystem_id", "SubsystemID", rt.Number("H")),
-                rt.Slot("node_id", "NodeID", rt.Number("B")),
-                rt.Slot("component_id", "ComponentID", rt.Number("B")),
-                rt.Slot("authority_code", "AuthorityCode", rt.Number("B", rt.Values(None, ((0, 255),)))),
-            ),
+        return rt.composite(
+            cls, None,
+            ("SubsystemID", rt.Number("H")),
+            ("NodeID", rt.Number("B")),
+            ("ComponentID", rt.Number("B")),
+            ("AuthorityCode", rt.Number("B", rt.Values(None, ((0, 255),)))),
         )
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        code, subsystem_id_, node_id_, component_id_, authority_code_ = _S_2H3B.unpack(data)
-        if code != 0x400D:
-            raise rt.Reject
-        return cls(subsystem_id_, node_id_, component_id_, authority_code_)
+        self = rt.new(cls)
+        code, self.subsystem_id, self.node_id, self.component_id, self.authority_code = _S_2H3B.unpack(data)
+        if code != 0x400D: raise rt.Reject
+        return self
 
     def _pack(self) -> bytes:
-        subsystem_id_ = self.subsystem_id
-        node_id_ = self.node_id
-        component_id_ = self.component_id
-        authority_code_ = self.authority_code
-        return _S_2H3B.pack(0x400D, subsystem_id_, node_id_, component_id_, authority_code_)
+        return _S_2H3B.pack(0x400D, self.subsystem_id, self.node_id, self.component_id, self.authority_code)
 
 
 @dataclass(slots=True, repr=False)
@@ -237,11 +225,11 @@ class RejectControl(rt.Message):
     response_code: ResponseCode. Whether control is released, or cannot be
     """
 
-    CODE: ClassVar[int] = 0x0010
-    NAME: ClassVar[str] = "RejectControl"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:AccessControl"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
+    CODE = 0x0010
+    NAME = "RejectControl"
+    SERVICE = "urn:jaus:jss:core:AccessControl"
+    VERSION = "1.1"
+    IS_COMMAND = False
 
     class ResponseCode(IntEnum):
         """Values of ResponseCode."""
@@ -253,24 +241,22 @@ class RejectControl(rt.Message):
 
     @classmethod
     def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("response_code", "ResponseCode", rt.Number("B", rt.Values(RejectControl.ResponseCode))),
-            ),
+        return rt.composite(
+            cls, None,
+            ("ResponseCode", rt.Number("B", rt.Values(RejectControl.ResponseCode))),
         )
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
+        self = rt.new(cls)
         code, response_code_ = _S_HB.unpack(data)
-        if code != 0x0010:
-            raise rt.Reject
-        return cls(_E_RejectControl_ResponseCode[response_code_])
+        if code != 0x0010: raise rt.Reject
+        self.response_code = _E_RejectControl_ResponseCode[response_code_]
+        return self
 
     def _pack(self) -> bytes:
         response_code_ = self.response_code
-        if response_code_ not in _E_RejectControl_ResponseCode:
-            raise rt.Reject
+        if response_code_ not in _E_RejectControl_ResponseCode: raise rt.Reject
         return _S_HB.pack(0x0010, response_code_)
 
 
@@ -281,11 +267,11 @@ class ConfirmControl(rt.Message):
     response_code: ResponseCode. Whether control is granted, and if not, why
     """
 
-    CODE: ClassVar[int] = 0x000F
-    NAME: ClassVar[str] = "ConfirmControl"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:AccessControl"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
+    CODE = 0x000F
+    NAME = "ConfirmControl"
+    SERVICE = "urn:jaus:jss:core:AccessControl"
+    VERSION = "1.1"
+    IS_COMMAND = False
 
     class ResponseCode(IntEnum):
         """Values of ResponseCode."""
@@ -298,24 +284,22 @@ class ConfirmControl(rt.Message):
 
     @classmethod
     def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("response_code", "ResponseCode", rt.Number("B", rt.Values(ConfirmControl.ResponseCode))),
-            ),
+        return rt.composite(
+            cls, None,
+            ("ResponseCode", rt.Number("B", rt.Values(ConfirmControl.ResponseCode))),
         )
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
+        self = rt.new(cls)
         code, response_code_ = _S_HB.unpack(data)
-        if code != 0x000F:
-            raise rt.Reject
-        return cls(_E_ConfirmControl_ResponseCode[response_code_])
+        if code != 0x000F: raise rt.Reject
+        self.response_code = _E_ConfirmControl_ResponseCode[response_code_]
+        return self
 
     def _pack(self) -> bytes:
         response_code_ = self.response_code
-        if response_code_ not in _E_ConfirmControl_ResponseCode:
-            raise rt.Reject
+        if response_code_ not in _E_ConfirmControl_ResponseCode: raise rt.Reject
         return _S_HB.pack(0x000F, response_code_)
 
 
@@ -326,33 +310,30 @@ class ReportAuthority(rt.Message):
     authority_code: 0..255. Authority; the higher code wins, 0 is the lowest
     """
 
-    CODE: ClassVar[int] = 0x4001
-    NAME: ClassVar[str] = "ReportAuthority"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:AccessControl"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
+    CODE = 0x4001
+    NAME = "ReportAuthority"
+    SERVICE = "urn:jaus:jss:core:AccessControl"
+    VERSION = "1.1"
+    IS_COMMAND = False
 
     authority_code: int
 
     @classmethod
     def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("authority_code", "AuthorityCode", rt.Number("B", rt.Values(None, ((0, 255),)))),
-            ),
+        return rt.composite(
+            cls, None,
+            ("AuthorityCode", rt.Number("B", rt.Values(None, ((0, 255),)))),
         )
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        code, authority_code_ = _S_HB.unpack(data)
-        if code != 0x4001:
-            raise rt.Reject
-        return cls(authority_code_)
+        self = rt.new(cls)
+        code, self.authority_code = _S_HB.unpack(data)
+        if code != 0x4001: raise rt.Reject
+        return self
 
     def _pack(self) -> bytes:
-        authority_code_ = self.authority_code
-        return _S_HB.pack(0x4001, authority_code_)
+        return _S_HB.pack(0x4001, self.authority_code)
 
 
 @dataclass(slots=True, repr=False)
@@ -362,11 +343,11 @@ class ReportTimeout(rt.Message):
     timeout: Timeout or 1..255 in second. Time after the last renewal; 0 means that there is no timeout
     """
 
-    CODE: ClassVar[int] = 0x4003
-    NAME: ClassVar[str] = "ReportTimeout"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:AccessControl"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
+    CODE = 0x4003
+    NAME = "ReportTimeout"
+    SERVICE = "urn:jaus:jss:core:AccessControl"
+    VERSION = "1.1"
+    IS_COMMAND = False
 
     class Timeout(IntEnum):
         """Values of Timeout."""
@@ -377,28 +358,26 @@ class ReportTimeout(rt.Message):
 
     @classmethod
     def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("timeout", "Timeout", rt.Number("B", rt.Values(ReportTimeout.Timeout, ((1, 255),)), "second")),
-            ),
+        return rt.composite(
+            cls, None,
+            ("Timeout", rt.Number("B", rt.Values(ReportTimeout.Timeout, ((1, 255),)), "second")),
         )
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
+        self = rt.new(cls)
         code, timeout_ = _S_HB.unpack(data)
-        if code != 0x4003:
-            raise rt.Reject
-        return cls(_E_ReportTimeout_Timeout.get(timeout_, timeout_))
+        if code != 0x4003: raise rt.Reject
+        self.timeout = _E_ReportTimeout_Timeout.get(timeout_, timeout_)
+        return self
 
     def _pack(self) -> bytes:
-        timeout_ = self.timeout
-        return _S_HB.pack(0x4003, timeout_)
+        return _S_HB.pack(0x4003, self.timeout)
 
 
 _S_HB = rt.Packer("<HB")
 _S_H = rt.Packer("<H")
 _S_2H3B = rt.Packer("<2H3B")
-_E_RejectControl_ResponseCode = {member.value: member for member in RejectControl.ResponseCode}
-_E_ConfirmControl_ResponseCode = {member.value: member for member in ConfirmControl.ResponseCode}
-_E_ReportTimeout_Timeout = {member.value: member for member in ReportTimeout.Timeout}
+_E_RejectControl_ResponseCode = rt.members(RejectControl.ResponseCode)
+_E_ConfirmControl_ResponseCode = rt.members(ConfirmControl.ResponseCode)
+_E_ReportTimeout_Timeout = rt.members(ReportTimeout.Timeout)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar, Self
+from typing import Self
 
 from jauspy.codec import runtime as rt
 
@@ -12,11 +12,11 @@ from jauspy.codec import runtime as rt
 class QueryHeartbeatPulse(rt.Message):
     """QueryHeartbeatPulse (0x2202): Asks for a sign of life."""
 
-    CODE: ClassVar[int] = 0x2202
-    NAME: ClassVar[str] = "QueryHeartbeatPulse"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Liveness"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
+    CODE = 0x2202
+    NAME = "QueryHeartbeatPulse"
+    SERVICE = "urn:jaus:jss:core:Liveness"
+    VERSION = "1.1"
+    IS_COMMAND = False
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -24,10 +24,10 @@ class QueryHeartbeatPulse(rt.Message):
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
+        self = rt.new(cls)
         code, = _S_H.unpack(data)
-        if code != 0x2202:
-            raise rt.Reject
-        return cls()
+        if code != 0x2202: raise rt.Reject
+        return self
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2202)
@@ -37,11 +37,11 @@ class QueryHeartbeatPulse(rt.Message):
 class ReportHeartbeatPulse(rt.Message):
     """ReportHeartbeatPulse (0x4202): The sign of life."""
 
-    CODE: ClassVar[int] = 0x4202
-    NAME: ClassVar[str] = "ReportHeartbeatPulse"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Liveness"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
+    CODE = 0x4202
+    NAME = "ReportHeartbeatPulse"
+    SERVICE = "urn:jaus:jss:core:Liveness"
+    VERSION = "1.1"
+    IS_COMMAND = False
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -49,10 +49,10 @@ class ReportHeartbeatPulse(rt.Message):
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
+        self = rt.new(cls)
         code, = _S_H.unpack(data)
-        if code != 0x4202:
-            raise rt.Reject
-        return cls()
+        if code != 0x4202: raise rt.Reject
+        return self
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x4202)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import ClassVar, Self
+from typing import Self
 
 from jauspy.codec import runtime as rt
 
@@ -13,11 +13,11 @@ from jauspy.codec import runtime as rt
 class Shutdown(rt.Message):
     """Shutdown (0x0002): Makes the component release its resources and stop."""
 
-    CODE: ClassVar[int] = 0x0002
-    NAME: ClassVar[str] = "Shutdown"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Management"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = True
+    CODE = 0x0002
+    NAME = "Shutdown"
+    SERVICE = "urn:jaus:jss:core:Management"
+    VERSION = "1.1"
+    IS_COMMAND = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -25,10 +25,10 @@ class Shutdown(rt.Message):
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
+        self = rt.new(cls)
         code, = _S_H.unpack(data)
-        if code != 0x0002:
-            raise rt.Reject
-        return cls()
+        if code != 0x0002: raise rt.Reject
+        return self
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x0002)
@@ -38,11 +38,11 @@ class Shutdown(rt.Message):
 class Standby(rt.Message):
     """Standby (0x0003): Moves the component from Ready to Standby."""
 
-    CODE: ClassVar[int] = 0x0003
-    NAME: ClassVar[str] = "Standby"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Management"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = True
+    CODE = 0x0003
+    NAME = "Standby"
+    SERVICE = "urn:jaus:jss:core:Management"
+    VERSION = "1.1"
+    IS_COMMAND = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -50,10 +50,10 @@ class Standby(rt.Message):
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
+        self = rt.new(cls)
         code, = _S_H.unpack(data)
-        if code != 0x0003:
-            raise rt.Reject
-        return cls()
+        if code != 0x0003: raise rt.Reject
+        return self
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x0003)
@@ -63,11 +63,11 @@ class Standby(rt.Message):
 class Resume(rt.Message):
     """Resume (0x0004): Moves the component from Standby to Ready."""
 
-    CODE: ClassVar[int] = 0x0004
-    NAME: ClassVar[str] = "Resume"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Management"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = True
+    CODE = 0x0004
+    NAME = "Resume"
+    SERVICE = "urn:jaus:jss:core:Management"
+    VERSION = "1.1"
+    IS_COMMAND = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -75,10 +75,10 @@ class Resume(rt.Message):
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
+        self = rt.new(cls)
         code, = _S_H.unpack(data)
-        if code != 0x0004:
-            raise rt.Reject
-        return cls()
+        if code != 0x0004: raise rt.Reject
+        return self
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x0004)
@@ -88,11 +88,11 @@ class Resume(rt.Message):
 class Reset(rt.Message):
     """Reset (0x0005): Makes the component initialise again."""
 
-    CODE: ClassVar[int] = 0x0005
-    NAME: ClassVar[str] = "Reset"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Management"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = True
+    CODE = 0x0005
+    NAME = "Reset"
+    SERVICE = "urn:jaus:jss:core:Management"
+    VERSION = "1.1"
+    IS_COMMAND = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -100,10 +100,10 @@ class Reset(rt.Message):
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
+        self = rt.new(cls)
         code, = _S_H.unpack(data)
-        if code != 0x0005:
-            raise rt.Reject
-        return cls()
+        if code != 0x0005: raise rt.Reject
+        return self
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x0005)
@@ -116,11 +116,11 @@ class SetEmergency(rt.Message):
     emergency_code: EmergencyCode. The kind of emergency
     """
 
-    CODE: ClassVar[int] = 0x0006
-    NAME: ClassVar[str] = "SetEmergency"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Management"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = True
+    CODE = 0x0006
+    NAME = "SetEmergency"
+    SERVICE = "urn:jaus:jss:core:Management"
+    VERSION = "1.1"
+    IS_COMMAND = True
 
     class EmergencyCode(IntEnum):
         """Values of EmergencyCode."""
@@ -131,24 +131,22 @@ class SetEmergency(rt.Message):
 
     @classmethod
     def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("emergency_code", "EmergencyCode", rt.Number("H", rt.Values(SetEmergency.EmergencyCode))),
-            ),
+        return rt.composite(
+            cls, None,
+            ("EmergencyCode", rt.Number("H", rt.Values(SetEmergency.EmergencyCode))),
         )
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
+        self = rt.new(cls)
         code, emergency_code_ = _S_2H.unpack(data)
-        if code != 0x0006:
-            raise rt.Reject
-        return cls(_E_SetEmergency_EmergencyCode[emergency_code_])
+        if code != 0x0006: raise rt.Reject
+        self.emergency_code = _E_SetEmergency_EmergencyCode[emergency_code_]
+        return self
 
     def _pack(self) -> bytes:
         emergency_code_ = self.emergency_code
-        if emergency_code_ not in _E_SetEmergency_EmergencyCode:
-            raise rt.Reject
+        if emergency_code_ not in _E_SetEmergency_EmergencyCode: raise rt.Reject
         return _S_2H.pack(0x0006, emergency_code_)
 
 
@@ -159,11 +157,11 @@ class ClearEmergency(rt.Message):
     emergency_code: EmergencyCode. The kind of emergency
     """
 
-    CODE: ClassVar[int] = 0x0007
-    NAME: ClassVar[str] = "ClearEmergency"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Management"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = True
+    CODE = 0x0007
+    NAME = "ClearEmergency"
+    SERVICE = "urn:jaus:jss:core:Management"
+    VERSION = "1.1"
+    IS_COMMAND = True
 
     class EmergencyCode(IntEnum):
         """Values of EmergencyCode."""
@@ -174,24 +172,22 @@ class ClearEmergency(rt.Message):
 
     @classmethod
     def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("emergency_code", "EmergencyCode", rt.Number("H", rt.Values(ClearEmergency.EmergencyCode))),
-            ),
+        return rt.composite(
+            cls, None,
+            ("EmergencyCode", rt.Number("H", rt.Values(ClearEmergency.EmergencyCode))),
         )
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
+        self = rt.new(cls)
         code, emergency_code_ = _S_2H.unpack(data)
-        if code != 0x0007:
-            raise rt.Reject
-        return cls(_E_ClearEmergency_EmergencyCode[emergency_code_])
+        if code != 0x0007: raise rt.Reject
+        self.emergency_code = _E_ClearEmergency_EmergencyCode[emergency_code_]
+        return self
 
     def _pack(self) -> bytes:
         emergency_code_ = self.emergency_code
-        if emergency_code_ not in _E_ClearEmergency_EmergencyCode:
-            raise rt.Reject
+        if emergency_code_ not in _E_ClearEmergency_EmergencyCode: raise rt.Reject
         return _S_2H.pack(0x0007, emergency_code_)
 
 
@@ -199,11 +195,11 @@ class ClearEmergency(rt.Message):
 class QueryStatus(rt.Message):
     """QueryStatus (0x2002): Asks for the state of the component."""
 
-    CODE: ClassVar[int] = 0x2002
-    NAME: ClassVar[str] = "QueryStatus"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Management"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
+    CODE = 0x2002
+    NAME = "QueryStatus"
+    SERVICE = "urn:jaus:jss:core:Management"
+    VERSION = "1.1"
+    IS_COMMAND = False
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -211,10 +207,10 @@ class QueryStatus(rt.Message):
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
+        self = rt.new(cls)
         code, = _S_H.unpack(data)
-        if code != 0x2002:
-            raise rt.Reject
-        return cls()
+        if code != 0x2002: raise rt.Reject
+        return self
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2002)
@@ -228,11 +224,11 @@ class ReportStatus(rt.Message):
     reserved: Sent as 0, ignored when received
     """
 
-    CODE: ClassVar[int] = 0x4002
-    NAME: ClassVar[str] = "ReportStatus"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Management"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
+    CODE = 0x4002
+    NAME = "ReportStatus"
+    SERVICE = "urn:jaus:jss:core:Management"
+    VERSION = "1.1"
+    IS_COMMAND = False
 
     class Status(IntEnum):
         """Values of Status."""
@@ -249,32 +245,29 @@ class ReportStatus(rt.Message):
 
     @classmethod
     def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("status", "Status", rt.Number("B", rt.Values(ReportStatus.Status))),
-                rt.Slot("reserved", "Reserved", rt.Number("I")),
-            ),
+        return rt.composite(
+            cls, None,
+            ("Status", rt.Number("B", rt.Values(ReportStatus.Status))),
+            ("Reserved", rt.Number("I")),
         )
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        code, status_, reserved_ = _S_HBI.unpack(data)
-        if code != 0x4002:
-            raise rt.Reject
-        return cls(_E_ReportStatus_Status[status_], reserved_)
+        self = rt.new(cls)
+        code, status_, self.reserved = _S_HBI.unpack(data)
+        if code != 0x4002: raise rt.Reject
+        self.status = _E_ReportStatus_Status[status_]
+        return self
 
     def _pack(self) -> bytes:
         status_ = self.status
-        if status_ not in _E_ReportStatus_Status:
-            raise rt.Reject
-        reserved_ = self.reserved
-        return _S_HBI.pack(0x4002, status_, reserved_)
+        if status_ not in _E_ReportStatus_Status: raise rt.Reject
+        return _S_HBI.pack(0x4002, status_, self.reserved)
 
 
 _S_H = rt.Packer("<H")
-_E_SetEmergency_EmergencyCode = {member.value: member for member in SetEmergency.EmergencyCode}
+_E_SetEmergency_EmergencyCode = rt.members(SetEmergency.EmergencyCode)
 _S_2H = rt.Packer("<2H")
-_E_ClearEmergency_EmergencyCode = {member.value: member for member in ClearEmergency.EmergencyCode}
-_E_ReportStatus_Status = {member.value: member for member in ReportStatus.Status}
+_E_ClearEmergency_EmergencyCode = rt.members(ClearEmergency.EmergencyCode)
+_E_ReportStatus_Status = rt.members(ReportStatus.Status)
 _S_HBI = rt.Packer("<HBI")

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from importlib import import_module
 from typing import TYPE_CHECKING
+
+from jauspy.codec.lazy import exports, load
 
 if TYPE_CHECKING:
     from jauspy.messages.mobility.v1_0.types import (
@@ -14,22 +15,15 @@ if TYPE_CHECKING:
         ZPosition as ZPosition,
     )
 
-_MODULES = {
-    "ReportVelocityStateExtRec": "jauspy.messages.mobility.v1_0.types",
-    "VelocityLocalXYZRec": "jauspy.messages.mobility.v1_0.types",
-    "VelocityNEDRec": "jauspy.messages.mobility.v1_0.types",
-    "VelocityVehicleXYZRec": "jauspy.messages.mobility.v1_0.types",
-    "ZPosition": "jauspy.messages.mobility.v1_0.types",
-}
+_MODULES = exports({
+    "jauspy.messages.mobility.v1_0.types": "ReportVelocityStateExtRec VelocityLocalXYZRec VelocityNEDRec VelocityVehicleXYZRec ZPosition",
+})
 
-__all__ = ("ReportVelocityStateExtRec", "VelocityLocalXYZRec", "VelocityNEDRec", "VelocityVehicleXYZRec", "ZPosition")
+__all__ = sorted(_MODULES)
 
 
 def __getattr__(name: str) -> object:
-    if name not in _MODULES:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    value: object = getattr(import_module(_MODULES[name]), name)
-    globals()[name] = value
+    globals()[name] = value = load(name, _MODULES, __name__)
     return value
 
 

@@ -37,88 +37,81 @@ class ZPosition(rt.Struct):
         return rt.Choice(
             cls,
             {
-                0: rt.Real("I", rt.Scaling(-50000.0, 50000.0, 4294967295), "meter"),
-                1: rt.Real("I", rt.Scaling(-50000.0, 50000.0, 4294967295), "meter"),
-                2: rt.Real("I", rt.Scaling(-50000.0, 50000.0, 4294967295), "meter"),
-                3: rt.Real("I", rt.Scaling(-50000.0, 50000.0, 4294967295), "meter"),
-                4: rt.Real("I", rt.Scaling(-50000.0, 50000.0, 4294967295), "meter"),
+                0: rt.real("I", -50000.0, 50000.0, "meter"),
+                1: rt.real("I", -50000.0, 50000.0, "meter"),
+                2: rt.real("I", -50000.0, 50000.0, "meter"),
+                3: rt.real("I", -50000.0, 50000.0, "meter"),
+                4: rt.real("I", -50000.0, 50000.0, "meter"),
             },
             rt.Values(ZPosition.Choice),
         )
 
     @classmethod
     def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        self = rt.new(cls)
         choice = data[at]
-        at += 1
         if choice == 0:
-            (value_,) = _S_I.unpack_from(data, at)
-            at += 4
-            value = -50000.0 + value_ * 2.3283064370807974e-05
+            (value_,) = _S_I.unpack_from(data, at + 1)
+            self.value = -50000.0 + value_ * 2.3283064370807974e-05
+            at += 5
         elif choice == 1:
-            (value_,) = _S_I.unpack_from(data, at)
-            at += 4
-            value = -50000.0 + value_ * 2.3283064370807974e-05
+            (value_2_,) = _S_I.unpack_from(data, at + 1)
+            self.value = -50000.0 + value_2_ * 2.3283064370807974e-05
+            at += 5
         elif choice == 2:
-            (value_,) = _S_I.unpack_from(data, at)
-            at += 4
-            value = -50000.0 + value_ * 2.3283064370807974e-05
+            (value_3_,) = _S_I.unpack_from(data, at + 1)
+            self.value = -50000.0 + value_3_ * 2.3283064370807974e-05
+            at += 5
         elif choice == 3:
-            (value_,) = _S_I.unpack_from(data, at)
-            at += 4
-            value = -50000.0 + value_ * 2.3283064370807974e-05
+            (value_4_,) = _S_I.unpack_from(data, at + 1)
+            self.value = -50000.0 + value_4_ * 2.3283064370807974e-05
+            at += 5
         elif choice == 4:
-            (value_,) = _S_I.unpack_from(data, at)
-            at += 4
-            value = -50000.0 + value_ * 2.3283064370807974e-05
-        else:
-            raise rt.Reject
-        return cls(_E_ZPosition_Choice[choice], value), at
+            (value_5_,) = _S_I.unpack_from(data, at + 1)
+            self.value = -50000.0 + value_5_ * 2.3283064370807974e-05
+            at += 5
+        else: raise rt.Reject
+        self.choice = _E_ZPosition_Choice[choice]
+        return self, at
 
     def _write(self, out: bytearray) -> None:
         choice = self.choice
-        value_ = self.value
         if choice == 0:
-            if not -50000.0 <= value_ <= 50000.0:
-                raise rt.Reject
-            value_pos = (value_ + 50000.0) * 42949.67295 + 0.5
-            value_raw = int(value_pos)
-            if not 1.52587890625e-05 < value_pos - value_raw < 0.9999847412109375:
-                value_raw = rt.exact_raw(value_, _R_2)
-            out += _S_BI.pack(choice, value_raw)
+            value_ = self.value
+            if not -50000.0 <= value_ <= 50000.0: raise rt.Reject
+            near = (value_ + 50000.0) * 42949.67295 + 0.5
+            value_raw_ = int(near)
+            if not 1.52587890625e-05 < near - value_raw_ < 0.9999847412109375: value_raw_ = rt.exact_raw(value_, _R_2)
+            out += _S_BI.pack(choice, value_raw_)
         elif choice == 1:
-            if not -50000.0 <= value_ <= 50000.0:
-                raise rt.Reject
-            value_pos = (value_ + 50000.0) * 42949.67295 + 0.5
-            value_raw = int(value_pos)
-            if not 1.52587890625e-05 < value_pos - value_raw < 0.9999847412109375:
-                value_raw = rt.exact_raw(value_, _R_2)
-            out += _S_BI.pack(choice, value_raw)
+            value_2_ = self.value
+            if not -50000.0 <= value_2_ <= 50000.0: raise rt.Reject
+            near = (value_2_ + 50000.0) * 42949.67295 + 0.5
+            value_raw_2_ = int(near)
+            if not 1.52587890625e-05 < near - value_raw_2_ < 0.9999847412109375: value_raw_2_ = rt.exact_raw(value_2_, _R_2)
+            out += _S_BI.pack(choice, value_raw_2_)
         elif choice == 2:
-            if not -50000.0 <= value_ <= 50000.0:
-                raise rt.Reject
-            value_pos = (value_ + 50000.0) * 42949.67295 + 0.5
-            value_raw = int(value_pos)
-            if not 1.52587890625e-05 < value_pos - value_raw < 0.9999847412109375:
-                value_raw = rt.exact_raw(value_, _R_2)
-            out += _S_BI.pack(choice, value_raw)
+            value_3_ = self.value
+            if not -50000.0 <= value_3_ <= 50000.0: raise rt.Reject
+            near = (value_3_ + 50000.0) * 42949.67295 + 0.5
+            value_raw_3_ = int(near)
+            if not 1.52587890625e-05 < near - value_raw_3_ < 0.9999847412109375: value_raw_3_ = rt.exact_raw(value_3_, _R_2)
+            out += _S_BI.pack(choice, value_raw_3_)
         elif choice == 3:
-            if not -50000.0 <= value_ <= 50000.0:
-                raise rt.Reject
-            value_pos = (value_ + 50000.0) * 42949.67295 + 0.5
-            value_raw = int(value_pos)
-            if not 1.52587890625e-05 < value_pos - value_raw < 0.9999847412109375:
-                value_raw = rt.exact_raw(value_, _R_2)
-            out += _S_BI.pack(choice, value_raw)
+            value_4_ = self.value
+            if not -50000.0 <= value_4_ <= 50000.0: raise rt.Reject
+            near = (value_4_ + 50000.0) * 42949.67295 + 0.5
+            value_raw_4_ = int(near)
+            if not 1.52587890625e-05 < near - value_raw_4_ < 0.9999847412109375: value_raw_4_ = rt.exact_raw(value_4_, _R_2)
+            out += _S_BI.pack(choice, value_raw_4_)
         elif choice == 4:
-            if not -50000.0 <= value_ <= 50000.0:
-                raise rt.Reject
-            value_pos = (value_ + 50000.0) * 42949.67295 + 0.5
-            value_raw = int(value_pos)
-            if not 1.52587890625e-05 < value_pos - value_raw < 0.9999847412109375:
-                value_raw = rt.exact_raw(value_, _R_2)
-            out += _S_BI.pack(choice, value_raw)
-        else:
-            raise rt.Reject
+            value_5_ = self.value
+            if not -50000.0 <= value_5_ <= 50000.0: raise rt.Reject
+            near = (value_5_ + 50000.0) * 42949.67295 + 0.5
+            value_raw_5_ = int(near)
+            if not 1.52587890625e-05 < near - value_raw_5_ < 0.9999847412109375: value_raw_5_ = rt.exact_raw(value_5_, _R_2)
+            out += _S_BI.pack(choice, value_raw_5_)
+        else: raise rt.Reject
 
 
 @dataclass(slots=True, repr=False)
@@ -137,65 +130,56 @@ class VelocityVehicleXYZRec(rt.Struct):
 
     @classmethod
     def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("velocity_x", "Velocity_X", rt.Real("I", rt.Scaling(-327.68, 327.67, 4294967295), "meter per second"), optional=True),
-                rt.Slot("velocity_y", "Velocity_Y", rt.Real("I", rt.Scaling(-327.68, 327.67, 4294967295), "meter per second"), optional=True),
-                rt.Slot("velocity_z", "Velocity_Z", rt.Real("I", rt.Scaling(-327.68, 327.67, 4294967295), "meter per second"), optional=True),
-            ),
-            "B",
+        return rt.composite(
+            cls, "B",
+            ("Velocity_X", rt.real("I", -327.68, 327.67, "meter per second"), True),
+            ("Velocity_Y", rt.real("I", -327.68, 327.67, "meter per second"), True),
+            ("Velocity_Z", rt.real("I", -327.68, 327.67, "meter per second"), True),
         )
 
     @classmethod
     def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        self = rt.new(cls)
         mask = data[at]
-        at += 1
         packer = _M_mobility_v1_0_types_VelocityVehicleXYZRec_0[mask & 0x7]
-        raw = iter(packer.unpack_from(data, at)).__next__
-        at += packer.size
-        velocity_x_ = -327.68 + raw() * 1.5258556235409007e-07 if mask & 1 else None
-        velocity_y_ = -327.68 + raw() * 1.5258556235409007e-07 if mask & 2 else None
-        velocity_z_ = -327.68 + raw() * 1.5258556235409007e-07 if mask & 4 else None
-        return cls(velocity_x_, velocity_y_, velocity_z_, mask & 0xF8), at
+        raw = iter(packer.unpack_from(data, at + 1)).__next__
+        at = at + 1 + packer.size
+        self.velocity_x = -327.68 + raw() * 1.5258556235409007e-07 if mask & 1 else None
+        self.velocity_y = -327.68 + raw() * 1.5258556235409007e-07 if mask & 2 else None
+        self.velocity_z = -327.68 + raw() * 1.5258556235409007e-07 if mask & 4 else None
+        self.reserved_presence = mask & 0xF8
+        return self, at
 
     def _write(self, out: bytearray) -> None:
         start = len(out)
         out += b"\0"
         mask = self.reserved_presence
-        if mask & 0x7:
-            raise rt.Reject
+        if mask & 0x7: raise rt.Reject
         raw: list[int | float | bytes] = []
         velocity_x_ = self.velocity_x
         if velocity_x_ is not None:
             mask |= 1
-            if not -327.68 <= velocity_x_ <= 327.67:
-                raise rt.Reject
-            velocity_x_pos = (velocity_x_ + 327.68) * 6553700.0 + 0.5
-            velocity_x_raw = int(velocity_x_pos)
-            if not 1.52587890625e-05 < velocity_x_pos - velocity_x_raw < 0.9999847412109375:
-                velocity_x_raw = rt.exact_raw(velocity_x_, _R_5)
-            raw.append(velocity_x_raw)
+            if not -327.68 <= velocity_x_ <= 327.67: raise rt.Reject
+            near = (velocity_x_ + 327.68) * 6553700.0 + 0.5
+            velocity_x_raw_ = int(near)
+            if not 1.52587890625e-05 < near - velocity_x_raw_ < 0.9999847412109375: velocity_x_raw_ = rt.exact_raw(velocity_x_, _R_5)
+            raw.append(velocity_x_raw_)
         velocity_y_ = self.velocity_y
         if velocity_y_ is not None:
             mask |= 2
-            if not -327.68 <= velocity_y_ <= 327.67:
-                raise rt.Reject
-            velocity_y_pos = (velocity_y_ + 327.68) * 6553700.0 + 0.5
-            velocity_y_raw = int(velocity_y_pos)
-            if not 1.52587890625e-05 < velocity_y_pos - velocity_y_raw < 0.9999847412109375:
-                velocity_y_raw = rt.exact_raw(velocity_y_, _R_5)
-            raw.append(velocity_y_raw)
+            if not -327.68 <= velocity_y_ <= 327.67: raise rt.Reject
+            near = (velocity_y_ + 327.68) * 6553700.0 + 0.5
+            velocity_y_raw_ = int(near)
+            if not 1.52587890625e-05 < near - velocity_y_raw_ < 0.9999847412109375: velocity_y_raw_ = rt.exact_raw(velocity_y_, _R_5)
+            raw.append(velocity_y_raw_)
         velocity_z_ = self.velocity_z
         if velocity_z_ is not None:
             mask |= 4
-            if not -327.68 <= velocity_z_ <= 327.67:
-                raise rt.Reject
-            velocity_z_pos = (velocity_z_ + 327.68) * 6553700.0 + 0.5
-            velocity_z_raw = int(velocity_z_pos)
-            if not 1.52587890625e-05 < velocity_z_pos - velocity_z_raw < 0.9999847412109375:
-                velocity_z_raw = rt.exact_raw(velocity_z_, _R_5)
-            raw.append(velocity_z_raw)
+            if not -327.68 <= velocity_z_ <= 327.67: raise rt.Reject
+            near = (velocity_z_ + 327.68) * 6553700.0 + 0.5
+            velocity_z_raw_ = int(near)
+            if not 1.52587890625e-05 < near - velocity_z_raw_ < 0.9999847412109375: velocity_z_raw_ = rt.exact_raw(velocity_z_, _R_5)
+            raw.append(velocity_z_raw_)
         out += _M_mobility_v1_0_types_VelocityVehicleXYZRec_0[mask & 0x7].pack(*raw)
         _S_B.pack_into(out, start, mask)
 
@@ -216,65 +200,56 @@ class VelocityLocalXYZRec(rt.Struct):
 
     @classmethod
     def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("velocity_x", "Velocity_X", rt.Real("I", rt.Scaling(-327.68, 327.67, 4294967295), "meter per second"), optional=True),
-                rt.Slot("velocity_y", "Velocity_Y", rt.Real("I", rt.Scaling(-327.68, 327.67, 4294967295), "meter per second"), optional=True),
-                rt.Slot("velocity_z", "Velocity_Z", rt.Real("I", rt.Scaling(-327.68, 327.67, 4294967295), "meter per second"), optional=True),
-            ),
-            "B",
+        return rt.composite(
+            cls, "B",
+            ("Velocity_X", rt.real("I", -327.68, 327.67, "meter per second"), True),
+            ("Velocity_Y", rt.real("I", -327.68, 327.67, "meter per second"), True),
+            ("Velocity_Z", rt.real("I", -327.68, 327.67, "meter per second"), True),
         )
 
     @classmethod
     def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        self = rt.new(cls)
         mask = data[at]
-        at += 1
         packer = _M_mobility_v1_0_types_VelocityVehicleXYZRec_0[mask & 0x7]
-        raw = iter(packer.unpack_from(data, at)).__next__
-        at += packer.size
-        velocity_x_ = -327.68 + raw() * 1.5258556235409007e-07 if mask & 1 else None
-        velocity_y_ = -327.68 + raw() * 1.5258556235409007e-07 if mask & 2 else None
-        velocity_z_ = -327.68 + raw() * 1.5258556235409007e-07 if mask & 4 else None
-        return cls(velocity_x_, velocity_y_, velocity_z_, mask & 0xF8), at
+        raw = iter(packer.unpack_from(data, at + 1)).__next__
+        at = at + 1 + packer.size
+        self.velocity_x = -327.68 + raw() * 1.5258556235409007e-07 if mask & 1 else None
+        self.velocity_y = -327.68 + raw() * 1.5258556235409007e-07 if mask & 2 else None
+        self.velocity_z = -327.68 + raw() * 1.5258556235409007e-07 if mask & 4 else None
+        self.reserved_presence = mask & 0xF8
+        return self, at
 
     def _write(self, out: bytearray) -> None:
         start = len(out)
         out += b"\0"
         mask = self.reserved_presence
-        if mask & 0x7:
-            raise rt.Reject
+        if mask & 0x7: raise rt.Reject
         raw: list[int | float | bytes] = []
         velocity_x_ = self.velocity_x
         if velocity_x_ is not None:
             mask |= 1
-            if not -327.68 <= velocity_x_ <= 327.67:
-                raise rt.Reject
-            velocity_x_pos = (velocity_x_ + 327.68) * 6553700.0 + 0.5
-            velocity_x_raw = int(velocity_x_pos)
-            if not 1.52587890625e-05 < velocity_x_pos - velocity_x_raw < 0.9999847412109375:
-                velocity_x_raw = rt.exact_raw(velocity_x_, _R_5)
-            raw.append(velocity_x_raw)
+            if not -327.68 <= velocity_x_ <= 327.67: raise rt.Reject
+            near = (velocity_x_ + 327.68) * 6553700.0 + 0.5
+            velocity_x_raw_ = int(near)
+            if not 1.52587890625e-05 < near - velocity_x_raw_ < 0.9999847412109375: velocity_x_raw_ = rt.exact_raw(velocity_x_, _R_5)
+            raw.append(velocity_x_raw_)
         velocity_y_ = self.velocity_y
         if velocity_y_ is not None:
             mask |= 2
-            if not -327.68 <= velocity_y_ <= 327.67:
-                raise rt.Reject
-            velocity_y_pos = (velocity_y_ + 327.68) * 6553700.0 + 0.5
-            velocity_y_raw = int(velocity_y_pos)
-            if not 1.52587890625e-05 < velocity_y_pos - velocity_y_raw < 0.9999847412109375:
-                velocity_y_raw = rt.exact_raw(velocity_y_, _R_5)
-            raw.append(velocity_y_raw)
+            if not -327.68 <= velocity_y_ <= 327.67: raise rt.Reject
+            near = (velocity_y_ + 327.68) * 6553700.0 + 0.5
+            velocity_y_raw_ = int(near)
+            if not 1.52587890625e-05 < near - velocity_y_raw_ < 0.9999847412109375: velocity_y_raw_ = rt.exact_raw(velocity_y_, _R_5)
+            raw.append(velocity_y_raw_)
         velocity_z_ = self.velocity_z
         if velocity_z_ is not None:
             mask |= 4
-            if not -327.68 <= velocity_z_ <= 327.67:
-                raise rt.Reject
-            velocity_z_pos = (velocity_z_ + 327.68) * 6553700.0 + 0.5
-            velocity_z_raw = int(velocity_z_pos)
-            if not 1.52587890625e-05 < velocity_z_pos - velocity_z_raw < 0.9999847412109375:
-                velocity_z_raw = rt.exact_raw(velocity_z_, _R_5)
-            raw.append(velocity_z_raw)
+            if not -327.68 <= velocity_z_ <= 327.67: raise rt.Reject
+            near = (velocity_z_ + 327.68) * 6553700.0 + 0.5
+            velocity_z_raw_ = int(near)
+            if not 1.52587890625e-05 < near - velocity_z_raw_ < 0.9999847412109375: velocity_z_raw_ = rt.exact_raw(velocity_z_, _R_5)
+            raw.append(velocity_z_raw_)
         out += _M_mobility_v1_0_types_VelocityVehicleXYZRec_0[mask & 0x7].pack(*raw)
         _S_B.pack_into(out, start, mask)
 
@@ -295,65 +270,56 @@ class VelocityNEDRec(rt.Struct):
 
     @classmethod
     def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("velocity_n", "Velocity_N", rt.Real("I", rt.Scaling(-327.68, 327.67, 4294967295), "meter per second"), optional=True),
-                rt.Slot("velocity_e", "Velocity_E", rt.Real("I", rt.Scaling(-327.68, 327.67, 4294967295), "meter per second"), optional=True),
-                rt.Slot("velocity_d", "Velocity_D", rt.Real("I", rt.Scaling(-327.68, 327.67, 4294967295), "meter per second"), optional=True),
-            ),
-            "B",
+        return rt.composite(
+            cls, "B",
+            ("Velocity_N", rt.real("I", -327.68, 327.67, "meter per second"), True),
+            ("Velocity_E", rt.real("I", -327.68, 327.67, "meter per second"), True),
+            ("Velocity_D", rt.real("I", -327.68, 327.67, "meter per second"), True),
         )
 
     @classmethod
     def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        self = rt.new(cls)
         mask = data[at]
-        at += 1
         packer = _M_mobility_v1_0_types_VelocityVehicleXYZRec_0[mask & 0x7]
-        raw = iter(packer.unpack_from(data, at)).__next__
-        at += packer.size
-        velocity_n_ = -327.68 + raw() * 1.5258556235409007e-07 if mask & 1 else None
-        velocity_e_ = -327.68 + raw() * 1.5258556235409007e-07 if mask & 2 else None
-        velocity_d_ = -327.68 + raw() * 1.5258556235409007e-07 if mask & 4 else None
-        return cls(velocity_n_, velocity_e_, velocity_d_, mask & 0xF8), at
+        raw = iter(packer.unpack_from(data, at + 1)).__next__
+        at = at + 1 + packer.size
+        self.velocity_n = -327.68 + raw() * 1.5258556235409007e-07 if mask & 1 else None
+        self.velocity_e = -327.68 + raw() * 1.5258556235409007e-07 if mask & 2 else None
+        self.velocity_d = -327.68 + raw() * 1.5258556235409007e-07 if mask & 4 else None
+        self.reserved_presence = mask & 0xF8
+        return self, at
 
     def _write(self, out: bytearray) -> None:
         start = len(out)
         out += b"\0"
         mask = self.reserved_presence
-        if mask & 0x7:
-            raise rt.Reject
+        if mask & 0x7: raise rt.Reject
         raw: list[int | float | bytes] = []
         velocity_n_ = self.velocity_n
         if velocity_n_ is not None:
             mask |= 1
-            if not -327.68 <= velocity_n_ <= 327.67:
-                raise rt.Reject
-            velocity_n_pos = (velocity_n_ + 327.68) * 6553700.0 + 0.5
-            velocity_n_raw = int(velocity_n_pos)
-            if not 1.52587890625e-05 < velocity_n_pos - velocity_n_raw < 0.9999847412109375:
-                velocity_n_raw = rt.exact_raw(velocity_n_, _R_5)
-            raw.append(velocity_n_raw)
+            if not -327.68 <= velocity_n_ <= 327.67: raise rt.Reject
+            near = (velocity_n_ + 327.68) * 6553700.0 + 0.5
+            velocity_n_raw_ = int(near)
+            if not 1.52587890625e-05 < near - velocity_n_raw_ < 0.9999847412109375: velocity_n_raw_ = rt.exact_raw(velocity_n_, _R_5)
+            raw.append(velocity_n_raw_)
         velocity_e_ = self.velocity_e
         if velocity_e_ is not None:
             mask |= 2
-            if not -327.68 <= velocity_e_ <= 327.67:
-                raise rt.Reject
-            velocity_e_pos = (velocity_e_ + 327.68) * 6553700.0 + 0.5
-            velocity_e_raw = int(velocity_e_pos)
-            if not 1.52587890625e-05 < velocity_e_pos - velocity_e_raw < 0.9999847412109375:
-                velocity_e_raw = rt.exact_raw(velocity_e_, _R_5)
-            raw.append(velocity_e_raw)
+            if not -327.68 <= velocity_e_ <= 327.67: raise rt.Reject
+            near = (velocity_e_ + 327.68) * 6553700.0 + 0.5
+            velocity_e_raw_ = int(near)
+            if not 1.52587890625e-05 < near - velocity_e_raw_ < 0.9999847412109375: velocity_e_raw_ = rt.exact_raw(velocity_e_, _R_5)
+            raw.append(velocity_e_raw_)
         velocity_d_ = self.velocity_d
         if velocity_d_ is not None:
             mask |= 4
-            if not -327.68 <= velocity_d_ <= 327.67:
-                raise rt.Reject
-            velocity_d_pos = (velocity_d_ + 327.68) * 6553700.0 + 0.5
-            velocity_d_raw = int(velocity_d_pos)
-            if not 1.52587890625e-05 < velocity_d_pos - velocity_d_raw < 0.9999847412109375:
-                velocity_d_raw = rt.exact_raw(velocity_d_, _R_5)
-            raw.append(velocity_d_raw)
+            if not -327.68 <= velocity_d_ <= 327.67: raise rt.Reject
+            near = (velocity_d_ + 327.68) * 6553700.0 + 0.5
+            velocity_d_raw_ = int(near)
+            if not 1.52587890625e-05 < near - velocity_d_raw_ < 0.9999847412109375: velocity_d_raw_ = rt.exact_raw(velocity_d_, _R_5)
+            raw.append(velocity_d_raw_)
         out += _M_mobility_v1_0_types_VelocityVehicleXYZRec_0[mask & 0x7].pack(*raw)
         _S_B.pack_into(out, start, mask)
 
@@ -390,153 +356,129 @@ class ReportVelocityStateExtRec(rt.Struct):
 
     @classmethod
     def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("velocity_rms", "Velocity_RMS", rt.Real("I", rt.Scaling(0.0, 100.0, 4294967295), "meter per second"), optional=True),
-                rt.Slot("roll_rate", "RollRate", rt.Real("I", rt.Scaling(-32.768, 32.767, 4294967295), "radian per second"), optional=True),
-                rt.Slot("pitch_rate", "PitchRate", rt.Real("I", rt.Scaling(-32.768, 32.767, 4294967295), "radian per second"), optional=True),
-                rt.Slot("yaw_rate", "YawRate", rt.Real("I", rt.Scaling(-32.768, 32.767, 4294967295), "radian per second"), optional=True),
-                rt.Slot("rate_rms", "Rate_RMS", rt.Real("H", rt.Scaling(0.0, 100.0, 65535), "radian per second"), optional=True),
-                rt.Slot("speed_over_ground", "SpeedOverGround", rt.Real("H", rt.Scaling(-327.68, 327.67, 65535), "meter per second"), optional=True),
-                rt.Slot("speed_relative_to_medium", "SpeedRelativeToMedium", rt.Real("H", rt.Scaling(-327.68, 327.67, 65535), "meter per second"), optional=True),
-                rt.Slot("rotations_per_minute", "RotationsPerMinute", rt.Real("H", rt.Scaling(-1000.0, 1000.0, 65535), "rotations per minute"), optional=True),
-                rt.Slot("indicated_speed", "IndicatedSpeed", rt.Real("H", rt.Scaling(-327.68, 327.67, 65535), "meter per second"), optional=True),
-                rt.Slot("time_seconds", "TimeSeconds", rt.Number("I", rt.ANY, "second"), optional=True),
-                rt.Slot("time_nano_seconds", "TimeNanoSeconds", rt.Number("I"), optional=True),
-            ),
-            "H",
+        return rt.composite(
+            cls, "H",
+            ("Velocity_RMS", rt.real("I", 0.0, 100.0, "meter per second"), True),
+            ("RollRate", rt.real("I", -32.768, 32.767, "radian per second"), True),
+            ("PitchRate", rt.real("I", -32.768, 32.767, "radian per second"), True),
+            ("YawRate", rt.real("I", -32.768, 32.767, "radian per second"), True),
+            ("Rate_RMS", rt.real("H", 0.0, 100.0, "radian per second"), True),
+            ("SpeedOverGround", rt.real("H", -327.68, 327.67, "meter per second"), True),
+            ("SpeedRelativeToMedium", rt.real("H", -327.68, 327.67, "meter per second"), True),
+            ("RotationsPerMinute", rt.real("H", -1000.0, 1000.0, "rotations per minute"), True),
+            ("IndicatedSpeed", rt.real("H", -327.68, 327.67, "meter per second"), True),
+            ("TimeSeconds", rt.Number("I", rt.ANY, "second"), True),
+            ("TimeNanoSeconds", rt.Number("I"), True),
         )
 
     @classmethod
     def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        self = rt.new(cls)
         (mask,) = _S_H.unpack_from(data, at)
-        at += 2
         packer = _M_mobility_v1_0_types_ReportVelocityStateExtRec_0[mask & 0x7FF]
-        raw = iter(packer.unpack_from(data, at)).__next__
-        at += packer.size
-        velocity_rms_ = raw() * 2.3283064370807974e-08 if mask & 1 else None
+        raw = iter(packer.unpack_from(data, at + 2)).__next__
+        at = at + 2 + packer.size
+        self.velocity_rms = raw() * 2.3283064370807974e-08 if mask & 1 else None
         if mask & 2:
             roll_rate_ = raw()
-            roll_rate_ = 32.767 if roll_rate_ == 4294967295 else -32.768 + roll_rate_ * 1.5258556235409003e-08
-        else:
-            roll_rate_ = None
+            self.roll_rate = 32.767 if roll_rate_ == 4294967295 else -32.768 + roll_rate_ * 1.5258556235409003e-08
+        else: self.roll_rate = None
         if mask & 4:
             pitch_rate_ = raw()
-            pitch_rate_ = 32.767 if pitch_rate_ == 4294967295 else -32.768 + pitch_rate_ * 1.5258556235409003e-08
-        else:
-            pitch_rate_ = None
+            self.pitch_rate = 32.767 if pitch_rate_ == 4294967295 else -32.768 + pitch_rate_ * 1.5258556235409003e-08
+        else: self.pitch_rate = None
         if mask & 8:
             yaw_rate_ = raw()
-            yaw_rate_ = 32.767 if yaw_rate_ == 4294967295 else -32.768 + yaw_rate_ * 1.5258556235409003e-08
-        else:
-            yaw_rate_ = None
-        rate_rms_ = raw() * 0.0015259021896696422 if mask & 16 else None
-        speed_over_ground_ = -327.68 + raw() * 0.01 if mask & 32 else None
-        speed_relative_to_medium_ = -327.68 + raw() * 0.01 if mask & 64 else None
-        rotations_per_minute_ = -1000.0 + raw() * 0.030518043793392843 if mask & 128 else None
-        indicated_speed_ = -327.68 + raw() * 0.01 if mask & 256 else None
-        time_seconds_ = raw() if mask & 512 else None
-        time_nano_seconds_ = raw() if mask & 1024 else None
-        return cls(velocity_rms_, roll_rate_, pitch_rate_, yaw_rate_, rate_rms_, speed_over_ground_, speed_relative_to_medium_, rotations_per_minute_, indicated_speed_, time_seconds_, time_nano_seconds_, mask & 0xF800), at
+            self.yaw_rate = 32.767 if yaw_rate_ == 4294967295 else -32.768 + yaw_rate_ * 1.5258556235409003e-08
+        else: self.yaw_rate = None
+        self.rate_rms = raw() * 0.0015259021896696422 if mask & 16 else None
+        self.speed_over_ground = -327.68 + raw() * 0.01 if mask & 32 else None
+        self.speed_relative_to_medium = -327.68 + raw() * 0.01 if mask & 64 else None
+        self.rotations_per_minute = -1000.0 + raw() * 0.030518043793392843 if mask & 128 else None
+        self.indicated_speed = -327.68 + raw() * 0.01 if mask & 256 else None
+        self.time_seconds = raw() if mask & 512 else None
+        self.time_nano_seconds = raw() if mask & 1024 else None
+        self.reserved_presence = mask & 0xF800
+        return self, at
 
     def _write(self, out: bytearray) -> None:
         start = len(out)
         out += b"\0\0"
         mask = self.reserved_presence
-        if mask & 0x7FF:
-            raise rt.Reject
+        if mask & 0x7FF: raise rt.Reject
         raw: list[int | float | bytes] = []
         velocity_rms_ = self.velocity_rms
         if velocity_rms_ is not None:
             mask |= 1
-            if not 0.0 <= velocity_rms_ <= 100.0:
-                raise rt.Reject
-            velocity_rms_pos = velocity_rms_ * 42949672.95 + 0.5
-            velocity_rms_raw = int(velocity_rms_pos)
-            if not 1.52587890625e-05 < velocity_rms_pos - velocity_rms_raw < 0.9999847412109375:
-                velocity_rms_raw = rt.exact_raw(velocity_rms_, _R_9)
-            raw.append(velocity_rms_raw)
+            if not 0.0 <= velocity_rms_ <= 100.0: raise rt.Reject
+            near = velocity_rms_ * 42949672.95 + 0.5
+            velocity_rms_raw_ = int(near)
+            if not 1.52587890625e-05 < near - velocity_rms_raw_ < 0.9999847412109375: velocity_rms_raw_ = rt.exact_raw(velocity_rms_, _R_9)
+            raw.append(velocity_rms_raw_)
         roll_rate_ = self.roll_rate
         if roll_rate_ is not None:
             mask |= 2
-            if not -32.768 <= roll_rate_ <= 32.767:
-                raise rt.Reject
-            roll_rate_pos = (roll_rate_ + 32.768) * 65537000.0 + 0.5
-            roll_rate_raw = int(roll_rate_pos)
-            if not 1.52587890625e-05 < roll_rate_pos - roll_rate_raw < 0.9999847412109375:
-                roll_rate_raw = rt.exact_raw(roll_rate_, _R_10)
-            raw.append(roll_rate_raw)
+            if not -32.768 <= roll_rate_ <= 32.767: raise rt.Reject
+            near = (roll_rate_ + 32.768) * 65537000.0 + 0.5
+            roll_rate_raw_ = int(near)
+            if not 1.52587890625e-05 < near - roll_rate_raw_ < 0.9999847412109375: roll_rate_raw_ = rt.exact_raw(roll_rate_, _R_10)
+            raw.append(roll_rate_raw_)
         pitch_rate_ = self.pitch_rate
         if pitch_rate_ is not None:
             mask |= 4
-            if not -32.768 <= pitch_rate_ <= 32.767:
-                raise rt.Reject
-            pitch_rate_pos = (pitch_rate_ + 32.768) * 65537000.0 + 0.5
-            pitch_rate_raw = int(pitch_rate_pos)
-            if not 1.52587890625e-05 < pitch_rate_pos - pitch_rate_raw < 0.9999847412109375:
-                pitch_rate_raw = rt.exact_raw(pitch_rate_, _R_10)
-            raw.append(pitch_rate_raw)
+            if not -32.768 <= pitch_rate_ <= 32.767: raise rt.Reject
+            near = (pitch_rate_ + 32.768) * 65537000.0 + 0.5
+            pitch_rate_raw_ = int(near)
+            if not 1.52587890625e-05 < near - pitch_rate_raw_ < 0.9999847412109375: pitch_rate_raw_ = rt.exact_raw(pitch_rate_, _R_10)
+            raw.append(pitch_rate_raw_)
         yaw_rate_ = self.yaw_rate
         if yaw_rate_ is not None:
             mask |= 8
-            if not -32.768 <= yaw_rate_ <= 32.767:
-                raise rt.Reject
-            yaw_rate_pos = (yaw_rate_ + 32.768) * 65537000.0 + 0.5
-            yaw_rate_raw = int(yaw_rate_pos)
-            if not 1.52587890625e-05 < yaw_rate_pos - yaw_rate_raw < 0.9999847412109375:
-                yaw_rate_raw = rt.exact_raw(yaw_rate_, _R_10)
-            raw.append(yaw_rate_raw)
+            if not -32.768 <= yaw_rate_ <= 32.767: raise rt.Reject
+            near = (yaw_rate_ + 32.768) * 65537000.0 + 0.5
+            yaw_rate_raw_ = int(near)
+            if not 1.52587890625e-05 < near - yaw_rate_raw_ < 0.9999847412109375: yaw_rate_raw_ = rt.exact_raw(yaw_rate_, _R_10)
+            raw.append(yaw_rate_raw_)
         rate_rms_ = self.rate_rms
         if rate_rms_ is not None:
             mask |= 16
-            if not 0.0 <= rate_rms_ <= 100.0:
-                raise rt.Reject
-            rate_rms_pos = rate_rms_ * 655.35 + 0.5
-            rate_rms_raw = int(rate_rms_pos)
-            if not 1.52587890625e-05 < rate_rms_pos - rate_rms_raw < 0.9999847412109375:
-                rate_rms_raw = rt.exact_raw(rate_rms_, _R_11)
-            raw.append(rate_rms_raw)
+            if not 0.0 <= rate_rms_ <= 100.0: raise rt.Reject
+            near = rate_rms_ * 655.35 + 0.5
+            rate_rms_raw_ = int(near)
+            if not 1.52587890625e-05 < near - rate_rms_raw_ < 0.9999847412109375: rate_rms_raw_ = rt.exact_raw(rate_rms_, _R_11)
+            raw.append(rate_rms_raw_)
         speed_over_ground_ = self.speed_over_ground
         if speed_over_ground_ is not None:
             mask |= 32
-            if not -327.68 <= speed_over_ground_ <= 327.67:
-                raise rt.Reject
-            speed_over_ground_pos = (speed_over_ground_ + 327.68) * 100.0 + 0.5
-            speed_over_ground_raw = int(speed_over_ground_pos)
-            if not 1.52587890625e-05 < speed_over_ground_pos - speed_over_ground_raw < 0.9999847412109375:
-                speed_over_ground_raw = rt.exact_raw(speed_over_ground_, _R_12)
-            raw.append(speed_over_ground_raw)
+            if not -327.68 <= speed_over_ground_ <= 327.67: raise rt.Reject
+            near = (speed_over_ground_ + 327.68) * 100.0 + 0.5
+            speed_over_ground_raw_ = int(near)
+            if not 1.52587890625e-05 < near - speed_over_ground_raw_ < 0.9999847412109375: speed_over_ground_raw_ = rt.exact_raw(speed_over_ground_, _R_12)
+            raw.append(speed_over_ground_raw_)
         speed_relative_to_medium_ = self.speed_relative_to_medium
         if speed_relative_to_medium_ is not None:
             mask |= 64
-            if not -327.68 <= speed_relative_to_medium_ <= 327.67:
-                raise rt.Reject
-            speed_relative_to_medium_pos = (speed_relative_to_medium_ + 327.68) * 100.0 + 0.5
-            speed_relative_to_medium_raw = int(speed_relative_to_medium_pos)
-            if not 1.52587890625e-05 < speed_relative_to_medium_pos - speed_relative_to_medium_raw < 0.9999847412109375:
-                speed_relative_to_medium_raw = rt.exact_raw(speed_relative_to_medium_, _R_12)
-            raw.append(speed_relative_to_medium_raw)
+            if not -327.68 <= speed_relative_to_medium_ <= 327.67: raise rt.Reject
+            near = (speed_relative_to_medium_ + 327.68) * 100.0 + 0.5
+            speed_relative_to_medium_raw_ = int(near)
+            if not 1.52587890625e-05 < near - speed_relative_to_medium_raw_ < 0.9999847412109375: speed_relative_to_medium_raw_ = rt.exact_raw(speed_relative_to_medium_, _R_12)
+            raw.append(speed_relative_to_medium_raw_)
         rotations_per_minute_ = self.rotations_per_minute
         if rotations_per_minute_ is not None:
             mask |= 128
-            if not -1000.0 <= rotations_per_minute_ <= 1000.0:
-                raise rt.Reject
-            rotations_per_minute_pos = (rotations_per_minute_ + 1000.0) * 32.7675 + 0.5
-            rotations_per_minute_raw = int(rotations_per_minute_pos)
-            if not 1.52587890625e-05 < rotations_per_minute_pos - rotations_per_minute_raw < 0.9999847412109375:
-                rotations_per_minute_raw = rt.exact_raw(rotations_per_minute_, _R_13)
-            raw.append(rotations_per_minute_raw)
+            if not -1000.0 <= rotations_per_minute_ <= 1000.0: raise rt.Reject
+            near = (rotations_per_minute_ + 1000.0) * 32.7675 + 0.5
+            rotations_per_minute_raw_ = int(near)
+            if not 1.52587890625e-05 < near - rotations_per_minute_raw_ < 0.9999847412109375: rotations_per_minute_raw_ = rt.exact_raw(rotations_per_minute_, _R_13)
+            raw.append(rotations_per_minute_raw_)
         indicated_speed_ = self.indicated_speed
         if indicated_speed_ is not None:
             mask |= 256
-            if not -327.68 <= indicated_speed_ <= 327.67:
-                raise rt.Reject
-            indicated_speed_pos = (indicated_speed_ + 327.68) * 100.0 + 0.5
-            indicated_speed_raw = int(indicated_speed_pos)
-            if not 1.52587890625e-05 < indicated_speed_pos - indicated_speed_raw < 0.9999847412109375:
-                indicated_speed_raw = rt.exact_raw(indicated_speed_, _R_12)
-            raw.append(indicated_speed_raw)
+            if not -327.68 <= indicated_speed_ <= 327.67: raise rt.Reject
+            near = (indicated_speed_ + 327.68) * 100.0 + 0.5
+            indicated_speed_raw_ = int(near)
+            if not 1.52587890625e-05 < near - indicated_speed_raw_ < 0.9999847412109375: indicated_speed_raw_ = rt.exact_raw(indicated_speed_, _R_12)
+            raw.append(indicated_speed_raw_)
         time_seconds_ = self.time_seconds
         if time_seconds_ is not None:
             mask |= 512
@@ -550,7 +492,7 @@ class ReportVelocityStateExtRec(rt.Struct):
 
 
 _S_I = rt.Packer("<I")
-_E_ZPosition_Choice = {member.value: member for member in ZPosition.Choice}
+_E_ZPosition_Choice = rt.members(ZPosition.Choice)
 _R_2 = rt.Scaling(-50000.0, 50000.0, 4294967295)
 _S_BI = rt.Packer("<BI")
 _M_mobility_v1_0_types_VelocityVehicleXYZRec_0 = rt.Masks("", ((1, "I"), (2, "I"), (4, "I")))

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from importlib import import_module
 from typing import TYPE_CHECKING
+
+from jauspy.codec.lazy import exports, load
 
 if TYPE_CHECKING:
     from jauspy.messages.mobility.v1_1.local_pose_sensor import (
@@ -26,30 +27,17 @@ if TYPE_CHECKING:
         ReportVelocityStateExt as ReportVelocityStateExt,
     )
 
-_MODULES = {
-    "QueryLocalPose": "jauspy.messages.mobility.v1_1.local_pose_sensor",
-    "QueryLocalPoseExt": "jauspy.messages.mobility.v1_1.local_pose_sensor",
-    "QueryVelocityState": "jauspy.messages.mobility.v1_1.velocity_state_sensor",
-    "QueryVelocityStateExt": "jauspy.messages.mobility.v1_1.velocity_state_sensor",
-    "QueryWrenchEffort": "jauspy.messages.mobility.v1_1.primitive_driver",
-    "ReportLocalPose": "jauspy.messages.mobility.v1_1.local_pose_sensor",
-    "ReportLocalPoseExt": "jauspy.messages.mobility.v1_1.local_pose_sensor",
-    "ReportVelocityState": "jauspy.messages.mobility.v1_1.velocity_state_sensor",
-    "ReportVelocityStateExt": "jauspy.messages.mobility.v1_1.velocity_state_sensor",
-    "ReportWrenchEffort": "jauspy.messages.mobility.v1_1.primitive_driver",
-    "SetLocalPose": "jauspy.messages.mobility.v1_1.local_pose_sensor",
-    "SetLocalPoseExt": "jauspy.messages.mobility.v1_1.local_pose_sensor",
-    "SetWrenchEffort": "jauspy.messages.mobility.v1_1.primitive_driver",
-}
+_MODULES = exports({
+    "jauspy.messages.mobility.v1_1.local_pose_sensor": "QueryLocalPose QueryLocalPoseExt ReportLocalPose ReportLocalPoseExt SetLocalPose SetLocalPoseExt",
+    "jauspy.messages.mobility.v1_1.primitive_driver": "QueryWrenchEffort ReportWrenchEffort SetWrenchEffort",
+    "jauspy.messages.mobility.v1_1.velocity_state_sensor": "QueryVelocityState QueryVelocityStateExt ReportVelocityState ReportVelocityStateExt",
+})
 
-__all__ = ("QueryLocalPose", "QueryLocalPoseExt", "QueryVelocityState", "QueryVelocityStateExt", "QueryWrenchEffort", "ReportLocalPose", "ReportLocalPoseExt", "ReportVelocityState", "ReportVelocityStateExt", "ReportWrenchEffort", "SetLocalPose", "SetLocalPoseExt", "SetWrenchEffort")
+__all__ = sorted(_MODULES)
 
 
 def __getattr__(name: str) -> object:
-    if name not in _MODULES:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    value: object = getattr(import_module(_MODULES[name]), name)
-    globals()[name] = value
+    globals()[name] = value = load(name, _MODULES, __name__)
     return value
 
 
