@@ -170,5 +170,12 @@ def test_files_of_generated_packages_are_their_modules() -> None:
     assert registry.file_of(registry.entries[0]).endswith(".xml")
 
 
-def test_built_in_messages_collide_with_nothing() -> None:
-    assert registry.collisions == ()
+def test_built_in_messages_collide_only_where_the_published_ones_do() -> None:
+    assert {collision.code for collision in registry.collisions} <= {0xF92A}
+
+
+def test_one_id_twice_in_one_service_is_not_resolved_by_service() -> None:
+    """The published CBRNSensor has that: the first message is taken."""
+    first = registry.entries[0]
+    again = Entry(first.code, "Other", first.service, first.version, first.module, first.cls)
+    assert Registry([first, again]).collisions == ()

@@ -32,10 +32,6 @@ TRIGGERS = {
         transition("events.transport.Receive", here=HERE, parameter="Mgs"),
         "Mgs is no input of the service or its ancestors; did you mean Msg?; nothing fires this",
     ),
-    "an output": (
-        transition("events.transport.Receive", here=HERE, parameter="Out"),
-        "Out is an output, so this transition never fires; add it to the input_set",
-    ),
     "no such event": (
         transition("Timedout", here=HERE),
         "no internal event 'Timedout' in the service or its ancestors; did you mean Timeout?; nothing fires this",
@@ -58,6 +54,13 @@ def test_triggers(jsidl, inner, message):
     outputs = jsidl.message("", name="Out", code="4444")
     jsidl.service(behavior=machine(inner), events=EVENT, references=TRANSPORT, outputs=outputs)
     assert jsidl.lint("dead-trigger") == ([message] if message else [])
+
+
+@pytest.mark.parametrize(("parameter", "here"), [("Out", HERE), ("Msg", "")])
+def test_transitions_on_outputs(jsidl, parameter, here):
+    inner = transition("events.transport.Receive", here=here, parameter=parameter)
+    jsidl.service(behavior=machine(inner), references=TRANSPORT, outputs=jsidl.message("", name="Out", code="4444"))
+    assert all("Out is an output: only another" in message for message in jsidl.lint("output-trigger"))
 
 
 def test_triggers_are_not_judged_when_an_ancestor_is_missing(jsidl):

@@ -2,12 +2,27 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from jauspy.schema import builtin_paths
 from jauspy.schema.lint import REFUSED, RULES, UNREADABLE, lint
 
+PECULIAR = {
+    ("CBRNSensor.xml", "conflicting-message"),
+    ("MeasurementSensor.xml", "conflicting-message"),
+    ("MeasurementSensorClient.xml", "conflicting-message"),
+    ("CBRNSensor.xml", "presence-vector"),
+    ("CBRNSensor.xml", "duplicate-message"),
+    ("Drawing.xml", "tag-limits"),
+    ("types.xml", "tag-limits"),
+    ("MissionSpooler.xml", "output-trigger"),
+}
+"""What is wrong in the published definitions themselves: it is on the wire, so it stays."""
 
-def test_built_in_definitions_are_clean():
-    assert [str(finding) for finding in lint(builtin_paths())] == []
+
+def test_built_in_definitions_have_the_mistakes_of_the_published_ones_alone():
+    found = [finding for finding in lint(builtin_paths()) if (Path(finding.file).name, finding.code) not in PECULIAR]
+    assert [str(finding) for finding in found] == []
 
 
 def test_codes_are_unique_and_plain():

@@ -117,14 +117,17 @@ class Registry:
         return Collision(code, meanings, tuple(self.file_of(entry) for entry in meanings))
 
     def _candidates(self, code: int) -> list[Entry]:
-        """The first entry of each service set, and its equals: entries of the same layer and version."""
+        """The first entry of each service set, and its equals: other services' entries of the same layer and version.
+
+        Of a service that has one id twice, as one published does, the first counts: no service tells those apart.
+        """
         firsts: dict[str, tuple[bool, str]] = {}
-        found = []
+        found: dict[str, Entry] = {}
         for entry in self._codes.get(code, ()):
             rank = (entry in self._own, entry.version)
             if firsts.setdefault(entry.service.rpartition(":")[0], rank) == rank:
-                found.append(entry)
-        return found
+                found.setdefault(entry.service, entry)
+        return list(found.values())
 
     def file_of(self, entry: Entry) -> str:
         """The file that defines a message; its Python module where that is not known."""

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from functools import cache
 from glob import glob
 from pathlib import Path
 
+from lxml.etree import _Element as Element
+
 from jauspy.errors import ConfigError
-from jauspy.schema.loader import builtin_paths, load_files
+from jauspy.schema.loader import builtin_paths, load_builtin, load_files
 from jauspy.schema.model import Schema
 from jauspy.schema.reading import identity
 from jauspy.schema.source import is_jsidl, parse
@@ -51,15 +54,39 @@ def load_own(sources: Iterable[str | Path], beside: Iterable[str | Path] = ()) -
     """
     own = find_files(sources)
     keys = {identity_of(path) for path in own}
-    more = {path: identity_of(path) for path in find_files(beside)} if beside else {}
-    others = [path for path, key in more.items() if key not in keys]
-    schema = load_files([*own, *others, *builtin_beside(keys | set(more.values()))], states=False)
+    more = find_files(beside) if beside else []
+    others = [path for path in more if identity_of(path) not in keys]
+    schema = load_beside_builtin([*own, *others], states=False)
     return Schema(services=tuple(s for s in schema.services if ("service_def", *s.key) in keys))
 
 
-def builtin_beside(keys: set[Identity]) -> list[Path]:
-    """The shipped files, without those that define what is defined already."""
-    return [path for path in builtin_paths() if identity_of(path) not in keys]
+def load_beside_builtin(paths: Iterable[Path], *, states: bool = True) -> Schema:
+    """These files and all services that are built in; what the files define again replaces what is built in."""
+    own = list(paths)
+    return load_files([*own, *_builtin_sets(own)], base=load_builtin(), states=states)
+
+
+def _builtin_sets(own: Iterable[Path]) -> list[Path]:
+    """The shipped type sets that files refer to, directly or through each other."""
+    roots = [parse(path)[0] for path in own]
+    known = {(str(root.tag), *identity(root)) for root in roots}
+    found = []
+    for root in roots:
+        for reference in root.iter("declared_type_set_ref", "declared_const_set_ref"):
+            key: Identity = (str(reference.tag).removesuffix("_ref"), *identity(reference))
+            if key not in known and key in builtin_roots():
+                known.add(key)
+                path, other = builtin_roots()[key]
+                found.append(path)
+                roots.append(other)
+    return found
+
+
+@cache
+def builtin_roots() -> Mapping[Identity, tuple[Path, Element]]:
+    """The shipped definitions as they are written, read once per process; nobody changes them."""
+    found = ((path, parse(path)[0]) for path in builtin_paths())
+    return {(str(root.tag), *identity(root)): (path, root) for path, root in found}
 
 
 def identity_of(path: Path) -> Identity:

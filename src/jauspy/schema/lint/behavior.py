@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 from lxml.etree import _Element as Element
 
@@ -43,40 +44,62 @@ def place(where: Location | None) -> Location:
     return where or Location("", 0)
 
 
-def dead_trigger(world: World) -> Iterator[Problem]:
-    """Transitions that no input of the service or its ancestors can fire."""
+@dataclass(frozen=True, slots=True)
+class _Known:
+    """What a service and its ancestors take and send."""
+
+    inputs: set[str]
+    outputs: set[str]
+    events: set[str]
+
+
+def _triggers(world: World) -> Iterator[tuple[Transition, _Known]]:
+    """Every transition of the checked services whose ancestors are all there."""
     for service in world.services():
         behavior = world.behavior(service)
         line = world.lineage(service)
         if behavior is None or _incomplete(line):
             continue
-        inputs = {element.get("name", "") for each in line for element in world.messages(each, "input_set")}
-        outputs = {element.get("name", "") for each in line for element in world.messages(each, "output_set")}
-        events = {
-            event.get("name", "") for each in line for part in each.iterfind("internal_events_set") for event in part
-        }
-        for transition in transitions_of(behavior):
-            reason = _dead(transition, inputs, outputs, events)
-            if reason:
-                yield place(transition.where), reason
+        known = _Known(
+            {element.get("name", "") for each in line for element in world.messages(each, "input_set")},
+            {element.get("name", "") for each in line for element in world.messages(each, "output_set")},
+            {event.get("name", "") for each in line for part in each.iterfind("internal_events_set") for event in part},
+        )
+        yield from ((transition, known) for transition in transitions_of(behavior))
 
 
-def _dead(transition: Transition, inputs: set[str], outputs: set[str], events: set[str]) -> str:
+def dead_trigger(world: World) -> Iterator[Problem]:
+    """Transitions that no input of the service or its ancestors can fire."""
+    for transition, known in _triggers(world):
+        reason = _dead(transition, known)
+        if reason:
+            yield place(transition.where), reason
+
+
+def _dead(transition: Transition, known: _Known) -> str:
     event = short(transition.trigger)
-    if not event:
-        return ""
     if event == RECEIVE and transition.parameters:
         wanted = short(transition.parameters[0].type)
-        if wanted in inputs or wanted in events:
+        if wanted in known.inputs | known.outputs | known.events:
             return ""
-        if wanted in outputs:
-            return f"{wanted} is an output, so this transition never fires; add it to the input_set"
-        return f"{wanted} is no input of the service or its ancestors{suggestion(wanted, inputs)}; nothing fires this"
-    if event in events or event == RECEIVE:
+        hint = suggestion(wanted, known.inputs)
+        return f"{wanted} is no input of the service or its ancestors{hint}; nothing fires this"
+    if not event or event in known.events or event == RECEIVE:
         return ""
-    if event in inputs:
+    if event in known.inputs:
         return f"{event} is a message: the trigger is Receive with a parameter of type {event}"
-    return f"no internal event '{event}' in the service or its ancestors{suggestion(event, events)}; nothing fires this"
+    hint = suggestion(event, known.events)
+    return f"no internal event '{event}' in the service or its ancestors{hint}; nothing fires this"
+
+
+def output_trigger(world: World) -> Iterator[Problem]:
+    """Transitions on a message that the service itself sends and does not take."""
+    for transition, known in _triggers(world):
+        if short(transition.trigger) == RECEIVE and transition.parameters:
+            wanted = short(transition.parameters[0].type)
+            if wanted in known.outputs - known.inputs - known.events:
+                reason = f"{wanted} is an output: only another service of this kind can send it"
+                yield place(transition.where), f"{reason}; add it to the input_set, too, if that is meant"
 
 
 def _incomplete(line: list[Element]) -> bool:

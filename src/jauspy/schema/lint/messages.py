@@ -86,26 +86,26 @@ def _same_set(world: World, service: Element, one: Message, other: Message) -> b
 
 def conflicting_message(world: World) -> Iterator[Problem]:
     """One id with different content in different services."""
-    users = [_User(world, service) for service in world.all_services()]
+    own = list(world.services())
+    codes = {world.code(element) for service in own for element in world.messages(service)}
+    users = [_User(world, service, codes) for service in world.all_services()]
     by_code: dict[int, list[tuple[_User, Message]]] = {}
     for user in users:
         for message, _ in user.messages:
             by_code.setdefault(message.code, []).append((user, message))
-    own = set(world.services())
-    for user in users:
-        if user.service in own:
-            for message, element in user.messages:
-                yield from _conflicts(user, message, location(element), by_code[message.code])
+    for user in users[: len(own)]:
+        for message, element in user.messages:
+            yield from _conflicts(user, message, location(element), by_code[message.code])
 
 
 class _User:
-    """A service, its messages, and whom it need not be told apart from."""
+    """A service, those of its messages that have one of the `codes`, and whom it need not be told apart from."""
 
-    def __init__(self, world: World, service: Element) -> None:
-        self.service = service
+    def __init__(self, world: World, service: Element, codes: set[str]) -> None:
         self.urn, self.version = (service.get(name, "").strip() for name in ("id", "version"))
         self.lineage = {each.get("id", "").strip() for each in world.lineage(service)}
-        found = ((world.message(element), element) for element in world.messages(service))
+        wanted = (element for element in world.messages(service) if world.code(element) in codes)
+        found = ((world.message(element), element) for element in wanted)
         self.messages = [(message, element) for message, element in found if message is not None]
 
     def may_differ(self, other: _User) -> bool:

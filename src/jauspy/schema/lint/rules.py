@@ -10,9 +10,8 @@ from jauspy.schema.lint import behavior, fields, messages, references
 from jauspy.schema.lint.finding import Problem, Rule
 from jauspy.schema.lint.references import placed
 from jauspy.schema.lint.world import World
-from jauspy.schema.loader import load_files
 from jauspy.schema.messages import read_event, read_message
-from jauspy.schema.own import builtin_beside
+from jauspy.schema.own import load_beside_builtin
 from jauspy.schema.reading import location
 
 RULES: tuple[Rule, ...] = (
@@ -47,6 +46,7 @@ RULES: tuple[Rule, ...] = (
     Rule("duplicate-name", "error", "two members of one container under one name", fields.duplicate_name),
     Rule("duplicate-index", "error", "two alternatives with one index", fields.duplicate_index),
     Rule("dead-trigger", "error", "a transition that no input can fire", behavior.dead_trigger),
+    Rule("output-trigger", "warning", "a transition on a message that is only sent", behavior.output_trigger),
     Rule("unknown-send", "error", "a Send of a message that is no output", behavior.unknown_send),
     Rule("unknown-state", "error", "a start, initial or end state that does not exist", behavior.unknown_state),
     Rule("unreachable-state", "warning", "a state that nothing leads to", behavior.unreachable_state),
@@ -57,7 +57,7 @@ RULES: tuple[Rule, ...] = (
 def refused(world: World) -> Iterator[Problem]:
     """Messages, events and behaviour that the loader refuses; most of it other rules have found before."""
     for element, scope in world.elements("message_def", "event_def", "protocol_behavior"):
-        if world.is_sound(element):
+        if world.is_sound(element) and not world.too_deep:
             try:
                 match element.tag:
                     case "message_def":
@@ -69,13 +69,14 @@ def refused(world: World) -> Iterator[Problem]:
             except SchemaError as error:
                 yield placed(error)
             except RecursionError:
+                world.too_deep = True
                 yield location(element), "refers to declared types too deeply; flatten them"
 
 
 def refused_together(world: World) -> Iterator[Problem]:
     """The mistake that loading everything stops at: the last word on whether files are right."""
     try:
-        load_files([*world.paths, *builtin_beside(world.identities)])
+        load_beside_builtin(world.paths)
     except SchemaError as error:
         yield placed(error)
 

@@ -14,7 +14,7 @@ from jauspy.schema.grammar import problems
 from jauspy.schema.library import Key, Library, Scope
 from jauspy.schema.messages import read_message
 from jauspy.schema.model import Behavior, Message
-from jauspy.schema.own import Identity, builtin_beside
+from jauspy.schema.own import Identity, builtin_roots
 from jauspy.schema.reading import identity
 from jauspy.schema.services import matches_version, version_key
 from jauspy.schema.source import parse
@@ -32,6 +32,7 @@ class World:
         self.grammar: list[SchemaError] = []
         self.duplicates: list[SchemaError] = []
         self.unlinked: list[SchemaError] = []
+        self.too_deep = False
         self._broken: list[Element] = []
         self._library = Library(self.duplicates.append)
         self._own = [root for root in map(self._read, self.paths) if root is not None]
@@ -56,7 +57,7 @@ class World:
     def _add_builtin(self) -> list[Element]:
         """All of it, except what the files define themselves."""
         self.identities: set[Identity] = {(tag, *key) for tag, key in self._library.roots}
-        roots = [parse(path)[0] for path in builtin_beside(self.identities)]
+        roots = (root for key, (_, root) in builtin_roots().items() if key not in self.identities)
         return [root for root in roots if self._library.add(root)]
 
     def _link(self) -> None:
@@ -90,6 +91,14 @@ class World:
             for part in service.iterfind(f"message_set/{direction}"):
                 yield from part.iterchildren(*MESSAGES)
 
+    def code(self, element: Element) -> str:
+        """The message id of a message, as written where it is defined; empty when that is not there."""
+        if element.tag == "message_def":
+            return element.get("message_id", "").strip().upper()
+        scope = self.scope(element.getroottree().getroot())
+        found = self.attempt(lambda: scope.find(element))
+        return found[1].get("message_id", "").strip().upper() if found else ""
+
     def parent(self, service: Element) -> Element | None:
         """The service it inherits from, if that is loaded."""
         reference = service.find("references/inherits_from")
@@ -117,10 +126,15 @@ class World:
         return not any(element is broken or element in broken.iterancestors() for broken in self._broken)
 
     def attempt(self, read: Callable[[], Thing]) -> Thing | None:
-        """What the loader reads, or None where it refuses."""
+        """What the loader reads, or None where it refuses; nothing more after types nested too deeply."""
+        if self.too_deep:
+            return None
         try:
             return read()
-        except (SchemaError, RecursionError):
+        except SchemaError:
+            return None
+        except RecursionError:
+            self.too_deep = True  # reading on could take as long for every other type
             return None
 
     def behavior(self, service: Element) -> Behavior | None:
