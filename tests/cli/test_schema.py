@@ -212,7 +212,7 @@ CHANGES = {
     "range": (('real_lower_limit="-100"', 'real_lower_limit="-50"'), "EffortX: range -100..100 -> -50..100"),
     "removed": ((EFFORT_X, ""), "EffortX: removed (optional u8)"),
     "added": ((EFFORT_X, EFFORT_X + EFFORT.format("Z")), "EffortZ: added (optional u8)"),
-    "order": ((f"{EFFORT_X}{EFFORT.format('Y')}", f"{EFFORT.format('Y')}{EFFORT_X}"), "order EffortX, EffortY -> EffortY"),
+    "order": ((f"{EFFORT_X}{EFFORT.format('Y')}", f"{EFFORT.format('Y')}{EFFORT_X}"), "order EffortX, EffortY"),
     "presence": (("unsigned short integer", "unsigned integer"), "presence vector u16 -> u32"),
     "mandatory": (('optional="true"', 'optional="false"'), "EffortX: is mandatory now"),
     "values": (

@@ -58,3 +58,15 @@ def test_a_mistake_inside_a_broken_part_is_still_found(jsidl):
         '<sub_field name="S"><bit_range from_index="1" to_index="9"/></sub_field></bit_field></record>'
     )
     assert {finding.code for finding in lint(jsidl.paths) if finding.severity == "error"} == {"grammar", "bit-range"}
+
+
+def test_types_that_cannot_be_read_and_what_refers_to_them(jsidl):
+    """A file that breaks the grammar is checked as far as it goes, whatever is missing."""
+    jsidl.service(
+        types='<declared_type_set_ref name="x"/>\n<record name="R"><value_set/></record>\n<record><oops/></record>',
+        body='<declared_record name="Use" declared_type_ref="R"/>',
+        messages=None,
+    )
+    jsidl.file("nameless.xml", '<declared_type_set xmlns="urn:jaus:jsidl:1.1" name="t"/>')
+    errors = {finding.code for finding in lint(jsidl.paths) if finding.severity == "error"}
+    assert errors == {"grammar"}

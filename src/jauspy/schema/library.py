@@ -41,6 +41,8 @@ class Scope:
     linked_types: dict[str, Scope] = field(default_factory=dict)
     cache: dict[str, object] = field(default_factory=dict)
     open: list[str] = field(default_factory=list)
+    unsound: dict[str, SchemaError] = field(default_factory=dict)
+    """Types that break the grammar and therefore cannot be read; loading stops before there are any."""
 
     def number(self, element: Element, attribute: str) -> Number:
         """A mandatory attribute that is a number or a constant expression."""
@@ -74,6 +76,8 @@ class Scope:
         kind = DECLARED.get(found.tag, found.tag)
         if kind != DECLARED[element.tag]:
             raise wrong(element, f"'{path}' is a {kind}, but <{element.tag}> needs a {DECLARED[element.tag]}")
+        if name in home.unsound:
+            raise home.unsound[name]
         return home, found
 
     def declared(self, element: Element, read: Callable[[Element, Scope], AnyNode]) -> AnyNode:
@@ -156,7 +160,9 @@ def _collect(part: Element, scope: Scope, report: Report) -> None:
 
 def add_once(names: dict[str, Element], element: Element, report: Report = refuse) -> None:
     """Enter a named element; a name that is there already is an error."""
-    name = required(element, "name")
+    name = element.get("name")
+    if name is None:
+        return  # against the grammar, which whoever goes on after that has checked
     first = names.setdefault(name, element)
     if first is not element:
         report(wrong(element, f"duplicate name '{name}'; the first is at {file_of(first)}:{line_of(first)}"))
@@ -202,6 +208,8 @@ class Library:
 
     def _link(self, references: Iterable[Element], tag: str, links: dict[str, Scope], report: Report) -> None:
         for reference in references:
+            if "id" not in reference.attrib or "version" not in reference.attrib:
+                continue  # against the grammar
             key = identity(reference)
             found = self.scopes.get((tag, key))
             if found is None:

@@ -67,7 +67,8 @@ def dangling_type(world: World) -> Iterator[Problem]:
         try:
             scope.find(element)
         except SchemaError as error:
-            yield placed(error)
+            if error not in world.grammar:
+                yield placed(error)
 
 
 def dangling_constant(world: World) -> Iterator[Problem]:

@@ -42,17 +42,31 @@ class World:
         self._messages: dict[Element, Message | None] = {}
 
     def _read(self, path: Path) -> Element | None:
-        """The root of a file, entered in the library; None when it is unreadable or there already."""
+        """The root of a file, entered in the library; None when it cannot be, or is there already."""
         try:
             root, _ = parse(path)
-            added = self._library.add(root)
         except SchemaError as error:
             self.unreadable.append(error)
             return None
-        for element, problem in problems(root):
-            self._broken.append(element)
-            self.grammar.append(problem)
-        return root if added else None
+        broken = list(problems(root))
+        self.grammar += (problem for _, problem in broken)
+        self._broken += (element for element, _ in broken)
+        try:
+            if not self._library.add(root):
+                return None
+        except SchemaError as error:  # it does not say which definition it is
+            self.grammar.append(error)
+            return None
+        for element, problem in broken:
+            self._mark_unsound(element, problem, self.scope(root))
+        return root
+
+    def _mark_unsound(self, element: Element, problem: SchemaError, scope: Scope) -> None:
+        """The declared type around a mistake cannot be read."""
+        for inside in (element, *element.iterancestors()):
+            name = inside.get("name")
+            if name is not None and scope.types.get(name) is inside:
+                scope.unsound[name] = problem
 
     def _add_builtin(self) -> list[Element]:
         """All of it, except what the files define themselves."""
