@@ -67,6 +67,8 @@ def test_types_that_cannot_be_read_and_what_refers_to_them(jsidl):
         body='<declared_record name="Use" declared_type_ref="R"/>',
         messages=None,
     )
+    behavior = '<state_machine name="M"><state name="A"><transition name="T"/></state></state_machine>'
+    jsidl.service(name="B", urn="urn:test:B", events=f"<protocol_behavior>{behavior}</protocol_behavior>")
     jsidl.file("nameless.xml", '<declared_type_set xmlns="urn:jaus:jsidl:1.1" name="t"/>')
     errors = {finding.code for finding in lint(jsidl.paths) if finding.severity == "error"}
     assert errors == {"grammar"}

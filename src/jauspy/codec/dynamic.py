@@ -40,9 +40,8 @@ def load_schema(schema: Schema) -> Registry:
     registry = import_module(package).registry
     assert isinstance(registry, Registry)
     registry.files.update({service.key: service.where.file for service in schema.services if service.where})
-    loaded = {service.key for service in schema.services}
-    for collision in registry.collisions:
-        if any((entry.service, entry.version) in loaded for entry in collision.entries):
+    for code in sorted({message.code for service in schema.services for message in service.messages}):
+        if collision := registry.collision(code):
             _log.warning("%s; decoding needs to know the service", collision)
     return registry
 

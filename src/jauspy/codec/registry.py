@@ -107,10 +107,13 @@ class Registry:
         `decode` refuses them unless it is told the service. A newer version of a message, in its own service or in
         another one of the same set, replaces the older one and collides with nothing.
         """
-        found = (self._collision(code) for code in sorted(self._codes) if len(self._codes[code]) > 1)
+        found = map(self.collision, sorted(self._codes))
         return tuple(collision for collision in found if collision)
 
-    def _collision(self, code: int) -> Collision | None:
+    def collision(self, code: int) -> Collision | None:
+        """What a message id means in different services; None when that is one thing, or nothing."""
+        if len(self._codes.get(code, ())) < 2:
+            return None
         meanings = _meanings(self._candidates(code))
         if len(meanings) < 2:
             return None
@@ -204,7 +207,7 @@ class Registry:
             raise DecodeError(f"unknown message id 0x{code:04X}{' ' + which if which else ''}")
         cls = entry.load()
         if service is None and version is None:
-            if len(self._codes[code]) > 1 and (collision := self._collision(code)):
+            if collision := self.collision(code):
                 raise DecodeError(f"{collision}; say which service is meant")
             self._newest[code] = cls
         return cls

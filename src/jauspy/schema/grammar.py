@@ -193,6 +193,12 @@ def problems(root: Element) -> Iterator[tuple[Element, SchemaError]]:
         waiting += [child for child in reversed(element) if child.tag in rule.group_of]
 
 
+def is_unexpected(element: Element) -> bool:
+    """True for an element that its parent must not have; nothing in it has been checked."""
+    parent = element.getparent()
+    return parent is not None and element.tag not in RULES[parent.tag].group_of
+
+
 def _check_attributes(element: Element, rule: Rule) -> Iterator[tuple[Element, SchemaError]]:
     for name in map(str, element.keys()):
         if name not in rule.attributes and not name.startswith("{"):

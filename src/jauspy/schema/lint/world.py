@@ -10,7 +10,7 @@ from lxml.etree import _Element as Element
 
 from jauspy.errors import SchemaError
 from jauspy.schema.behavior import read_behavior
-from jauspy.schema.grammar import problems
+from jauspy.schema.grammar import is_unexpected, problems
 from jauspy.schema.library import Key, Library, Scope
 from jauspy.schema.messages import read_message
 from jauspy.schema.model import Behavior, Message
@@ -34,6 +34,7 @@ class World:
         self.unlinked: list[SchemaError] = []
         self.too_deep = False
         self._broken: list[Element] = []
+        self._unexpected: set[Element] = set()
         self._library = Library(self.duplicates.append)
         self._own = [root for root in map(self._read, self.paths) if root is not None]
         self._context = self._add_builtin()
@@ -51,6 +52,7 @@ class World:
         broken = list(problems(root))
         self.grammar += (problem for _, problem in broken)
         self._broken += (element for element, _ in broken)
+        self._unexpected.update(element for element, _ in broken if is_unexpected(element))
         try:
             if not self._library.add(root):
                 return None
@@ -137,7 +139,8 @@ class World:
 
     def is_sound(self, element: Element) -> bool:
         """True when the grammar is kept in and below an element, so that the loader can read it."""
-        return not any(element is broken or element in broken.iterancestors() for broken in self._broken)
+        inside = not any(element is broken or element in broken.iterancestors() for broken in self._broken)
+        return inside and not any(around in self._unexpected for around in element.iterancestors())
 
     def attempt(self, read: Callable[[], Thing]) -> Thing | None:
         """What the loader reads, or None where it refuses; nothing more after types nested too deeply."""
