@@ -27,6 +27,7 @@ class SchemaError(JausError):
     """A JSIDL definition is wrong; says where and what was expected."""
 
     def __init__(self, message: str, *, file: str | Path | None = None, line: int | None = None) -> None:
+        self.reason = message
         self.file = None if file is None else str(file)
         self.line = line
         where = self.file or ""

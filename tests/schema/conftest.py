@@ -4,8 +4,10 @@ from pathlib import Path
 
 import pytest
 
+from jauspy.codec.lint import RULES as PYTHON_RULES
 from jauspy.errors import SchemaError
 from jauspy.schema import load_files
+from jauspy.schema.lint import RULES, lint
 
 HEADER = (
     '<header name="H"><record name="R" optional="false"><fixed_field name="MessageID" '
@@ -82,18 +84,30 @@ class Jsidl:
         return self.body(f'<record name="Rec" optional="false">{pv}\n{field}\n</record>', **parts).fields[0]
 
     def error(self) -> SchemaError:
-        """The error of loading; it must name the line marked `here` (when one is)."""
+        """The error of loading; it must name the line marked `here` (when one is). The linter has to find it, too."""
         with pytest.raises(SchemaError) as caught:
             self.load()
-        marked = [
+        errors = {(finding.file, finding.line) for finding in lint(self.paths) if finding.severity == "error"}
+        at_the_root = caught.value.line == 1  # the linter says it of the element
+        assert (caught.value.file, caught.value.line or 0) in errors or (at_the_root and errors)
+        if self.marked():
+            assert self.marked() == [(caught.value.file, caught.value.line)]
+        return caught.value
+
+    def marked(self) -> list[tuple[str, int]]:
+        """The lines marked `here`."""
+        return [
             (str(path), number)
             for path in self.paths
             for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1)
             if HERE in line
         ]
-        if marked:
-            assert marked == [(caught.value.file, caught.value.line)]
-        return caught.value
+
+    def lint(self, code: str) -> list[str]:
+        """What the linter finds under this code, at the lines marked `here` and nowhere else."""
+        found = [finding for finding in lint(self.paths, (*RULES, *PYTHON_RULES)) if finding.code == code]
+        assert sorted({(finding.file, finding.line) for finding in found}) == sorted(self.marked())
+        return [finding.message for finding in found]
 
 
 @pytest.fixture

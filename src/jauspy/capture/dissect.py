@@ -96,7 +96,10 @@ def read_message(payload: bytes, registry: Registry) -> Content:
     try:
         message, deviations = registry.decode(payload, strict=False)
     except DecodeError:
-        return Content(payload, problem=f"unknown message {int.from_bytes(payload[:2], 'little'):04X}h")
+        code = int.from_bytes(payload[:2], "little")
+        names = [entry.name for entry in collision.entries] if (collision := registry.collision(code)) else []
+        what = f"message {code:04X}h is {' or '.join(names)}" if names else f"unknown message {code:04X}h"
+        return Content(payload, problem=what)
     return Content(payload, message, tuple(str(deviation) for deviation in deviations))
 
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import logging
 import sys
-from collections.abc import Iterable, Mapping, Sequence
-from glob import glob
+from collections.abc import Mapping, Sequence
 from importlib import import_module
 from importlib.abc import InspectLoader, MetaPathFinder
 from importlib.machinery import ModuleSpec
@@ -14,26 +14,22 @@ from types import ModuleType
 
 from jauspy.codec.generator import generate
 from jauspy.codec.registry import Registry
-from jauspy.errors import ConfigError
-from jauspy.schema import builtin_paths, load_files
 from jauspy.schema.model import Schema
-from jauspy.schema.reading import required
-from jauspy.schema.source import read
+from jauspy.schema.own import load_own
 
+_log = logging.getLogger(__name__)
 _numbers = count(1)
 
 
 def load(*sources: str | Path) -> Registry:
     """The messages of JSIDL files, folders or patterns (`load("vendor/*.xml")`), in front of the built-in ones.
 
-    The files may refer to each other and to everything built in; a service they define again replaces the built-in
-    one. Raises `SchemaError` with file and line, `ConfigError` when there is no such file.
+    The files may refer to each other and to everything built in, in any mix of versions. A service they define in a
+    version that is built in replaces that one; message ids that mean something else in another service are in
+    `Registry.collisions` and in the log. Raises `SchemaError` with file and line, `ConfigError` when there is no such
+    file.
     """
-    own = _files(sources)
-    keys = {_key(path) for path in own}
-    schema = load_files([*own, *(path for path in builtin_paths() if _key(path) not in keys)])
-    services = tuple(s for s in schema.services if ("service_def", s.id, s.version) in keys)
-    return load_schema(Schema(services=services))
+    return load_schema(load_own(sources))
 
 
 def load_schema(schema: Schema) -> Registry:
@@ -43,29 +39,11 @@ def load_schema(schema: Schema) -> Registry:
     sys.meta_path.append(_Finder(sources))
     registry = import_module(package).registry
     assert isinstance(registry, Registry)
+    registry.files.update({service.key: service.where.file for service in schema.services if service.where})
+    for code in sorted({message.code for service in schema.services for message in service.messages}):
+        if collision := registry.collision(code):
+            _log.warning("%s; decoding needs to know the service", collision)
     return registry
-
-
-def _files(sources: Iterable[str | Path]) -> list[Path]:
-    found: list[Path] = []
-    for source in sources:
-        path = Path(source)
-        matches = sorted(path.rglob("*.xml")) if path.is_dir() else _matching(str(source))
-        if not matches:
-            raise ConfigError(f"no JSIDL file matches {str(source)!r}")
-        found += [match for match in matches if match not in found]
-    if not found:
-        raise ConfigError("name at least one JSIDL file, folder or pattern")
-    return found
-
-
-def _matching(pattern: str) -> list[Path]:
-    return [Path(name) for name in sorted(glob(pattern, recursive=True))]  # noqa: PTH207 - patterns may be absolute
-
-
-def _key(path: Path) -> tuple[str, str, str]:
-    root, _ = read(path)
-    return str(root.tag), required(root, "id"), required(root, "version")
 
 
 def _module_name(package: str, path: str) -> str:

@@ -68,16 +68,24 @@ def plan(schema: Schema) -> list[ModulePlan]:
     """The modules of a schema: one per service, and one per set and version for declared types."""
     services = {service.id for service in schema.services}
     shared = SharedTypes(services)
-    modules = [_service_module(service, shared) for service in schema.services if service.messages]
+    own: dict[str, ModulePlan] = {}
+    for service in schema.services:
+        if service.messages:
+            # Services of two vendors may have one set, name and version; their URNs differ.
+            name = unique(_module_name(service), own.__contains__)
+            own[name] = _service_module(service, name, shared)
+    modules = list(own.values())
     share_messages(modules, services)
     modules += shared.modules()
     mark_called(modules)
     return modules
 
 
-def _service_module(service: Service, shared: SharedTypes) -> ModulePlan:
-    package = f"{service_set(service.id)}.{version_package(service.version)}"
-    name = f"{package}.{attribute(service.name)}"
+def _module_name(service: Service) -> str:
+    return f"{service_set(service.id)}.{version_package(service.version)}.{attribute(service.name)}"
+
+
+def _service_module(service: Service, name: str, shared: SharedTypes) -> ModulePlan:
     module = ModulePlan(name, f"{service.id} {service.version}.", service.id, service.version)
     taken: set[str] = set()
     for message in service.messages:

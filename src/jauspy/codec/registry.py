@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
+from functools import cached_property
 from importlib import import_module
 from typing import Any, Literal, overload
 
 from jauspy.codec.base import FAST_ERRORS, MAX_NESTING, Deviation, Message
+from jauspy.codec.shape import same_layout
 from jauspy.errors import ConfigError, DecodeError
 
 
@@ -42,13 +44,39 @@ def entries(module: str, service: str, version: str, *messages: tuple[Any, ...])
         yield Entry(code, name, service, version, module, cls[0] if cls else name)
 
 
+@dataclass(frozen=True, slots=True)
+class Collision:
+    """A message id that means different things in different services; only `service=` tells which is meant."""
+
+    code: int
+    entries: tuple[Entry, ...]
+    """One for each meaning."""
+    files: tuple[str, ...]
+    """Where those are defined, in the same order."""
+
+    def __str__(self) -> str:
+        meanings = (
+            f"{entry.name} of {entry.service} {entry.version} ({file})"
+            for entry, file in zip(self.entries, self.files, strict=True)
+        )
+        return f"message id 0x{self.code:04X} is {' and '.join(meanings)}"
+
+
 class Registry:
-    """The known messages. One layered over another (`base`) finds its own first."""
+    """The known messages.
+
+    One layered over another (`base`) finds its own first; a service that it has in the same version replaces that of
+    the base. Different services may use one message id: see `collisions`.
+    """
 
     def __init__(self, entries: Iterable[Entry], base: Registry | None = None) -> None:
         self._base = base
-        newest_first = sorted(entries, key=lambda entry: entry.order, reverse=True)
-        self._entries: tuple[Entry, ...] = (*newest_first, *(base.entries if base else ()))
+        self._own: tuple[Entry, ...] = tuple(sorted(entries, key=lambda entry: entry.order, reverse=True))
+        replaced = {(entry.service, entry.version) for entry in self._own}
+        kept = (entry for entry in (base.entries if base else ()) if (entry.service, entry.version) not in replaced)
+        self._entries: tuple[Entry, ...] = (*self._own, *kept)
+        self.files: dict[tuple[str, str], str] = {}
+        """Which file defines a service (URN and version), as far as it is known; for reports only."""
         self._codes: dict[int, tuple[Entry, ...]] = {}
         self._names: dict[str, tuple[Entry, ...]] = {}
         for entry in self._entries:
@@ -71,6 +99,47 @@ class Registry:
     def entries(self) -> tuple[Entry, ...]:
         """What is known without importing a message: own layer first, newest version first."""
         return self._entries
+
+    @cached_property
+    def collisions(self) -> tuple[Collision, ...]:
+        """The message ids that mean different things in different services, lowest first.
+
+        `decode` refuses them unless it is told the service. A newer version of a message, in its own service or in
+        another one of the same set, replaces the older one and collides with nothing.
+        """
+        found = map(self.collision, sorted(self._codes))
+        return tuple(collision for collision in found if collision)
+
+    def collision(self, code: int) -> Collision | None:
+        """What a message id means in different services; None when that is one thing, or nothing."""
+        if len(self._codes.get(code, ())) < 2:
+            return None
+        meanings = _meanings(self._candidates(code))
+        if len(meanings) < 2:
+            return None
+        return Collision(code, meanings, tuple(self.file_of(entry) for entry in meanings))
+
+    def _candidates(self, code: int) -> list[Entry]:
+        """The first entry of each service set, and its equals: other services' entries of the same layer and version.
+
+        Of a service that has one id twice, as one published does, the first counts: no service tells those apart.
+        """
+        firsts: dict[str, tuple[bool, str]] = {}
+        found: dict[str, Entry] = {}
+        for entry in self._codes.get(code, ()):
+            rank = (entry in self._own, entry.version)
+            if firsts.setdefault(entry.service.rpartition(":")[0], rank) == rank:
+                found.setdefault(entry.service, entry)
+        return list(found.values())
+
+    def file_of(self, entry: Entry) -> str:
+        """The file that defines a message; its Python module where that is not known."""
+        known = self.files.get((entry.service, entry.version))
+        if known is not None:
+            return known
+        if self._base is not None and entry not in self._own:
+            return self._base.file_of(entry)
+        return _shipped_file(entry) or entry.module
 
     def by_code(self, code: int) -> tuple[type[Message], ...]:
         """The classes of this message id, newest version first; empty when there is none."""
@@ -118,7 +187,8 @@ class Registry:
     ) -> Message | tuple[Message, list[Deviation]]:
         """The message these bytes are, newest version unless told otherwise; raises `DecodeError`.
 
-        `strict=False` as in `Message.decode`: then only an unknown or missing message id raises.
+        A message id that means different things in different services (see `collisions`) needs `service`.
+        `strict=False` as in `Message.decode`: then only an unknown, ambiguous or missing message id raises.
         """
         cls = self._class_for(bytes(data), service, version)
         return cls.decode(data) if strict else cls.decode(data, strict=False)
@@ -137,6 +207,8 @@ class Registry:
             raise DecodeError(f"unknown message id 0x{code:04X}{' ' + which if which else ''}")
         cls = entry.load()
         if service is None and version is None:
+            if collision := self.collision(code):
+                raise DecodeError(f"{collision}; say which service is meant")
             self._newest[code] = cls
         return cls
 
@@ -147,7 +219,7 @@ class Registry:
         try:
             message = self._class_for(data, None, None)._unpack(data, depth + 1)  # noqa: SLF001 - the fast road
             return message if message._pack() == data else data  # noqa: SLF001
-        except FAST_ERRORS:
+        except (DecodeError, *FAST_ERRORS):
             return data
 
     def from_dict(self, data: Mapping[str, Any]) -> Message:
@@ -164,3 +236,23 @@ def _choose(entries: tuple[Entry, ...], service: str | None, version: str | None
         if service in (None, entry.service) and version in (None, entry.version):
             return entry
     return None
+
+
+def _meanings(entries: Iterable[Entry]) -> tuple[Entry, ...]:
+    """The first entry of each name and layout."""
+    names: dict[str, list[Entry]] = {}
+    for entry in entries:
+        same_name = names.setdefault(entry.name, [])
+        if not any(same_layout(other.load().layout(), entry.load().layout()) for other in same_name):
+            same_name.append(entry)
+    return tuple(entry for same_name in names.values() for entry in same_name)
+
+
+def _shipped_file(entry: Entry) -> str:
+    """The file of a built-in message; empty when it is not built in."""
+    if not entry.module.startswith("jauspy.messages."):
+        return ""
+    from jauspy.schema import load_builtin  # noqa: PLC0415 - reads XML, which decoding never needs
+
+    where = load_builtin().service(entry.service, entry.version).where
+    return where.file if where else ""

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterator
 
 from lxml.etree import _Element as Element
 
+from jauspy.errors import SchemaError
 from jauspy.schema.reading import suggestion, wrong
 
 
@@ -176,32 +178,49 @@ RULES: dict[str, Rule] = {
 
 def check(root: Element) -> None:
     """Raise `SchemaError` at the first element, attribute or child that is unknown, missing or too many."""
-    for element in root.iter():
+    for _, error in problems(root):
+        raise error
+
+
+def problems(root: Element) -> Iterator[tuple[Element, SchemaError]]:
+    """Everything that breaks the grammar, in the order of the file, and where; unknown elements are not entered."""
+    waiting = [root]
+    while waiting:
+        element = waiting.pop()
         rule = RULES[element.tag]  # the parent's rule has vouched for it
-        _check_attributes(element, rule)
-        _check_children(element, rule)
+        yield from _check_attributes(element, rule)
+        yield from _check_children(element, rule)
+        waiting += [child for child in reversed(element) if child.tag in rule.group_of]
 
 
-def _check_attributes(element: Element, rule: Rule) -> None:
+def is_unexpected(element: Element) -> bool:
+    """True for an element that its parent must not have; nothing in it has been checked."""
+    parent = element.getparent()
+    return parent is not None and element.tag not in RULES[parent.tag].group_of
+
+
+def _check_attributes(element: Element, rule: Rule) -> Iterator[tuple[Element, SchemaError]]:
     for name in map(str, element.keys()):
         if name not in rule.attributes and not name.startswith("{"):
             known = suggestion(name, rule.attributes)
-            raise wrong(element, f"<{element.tag}> has an unknown attribute '{name}'{known}")
+            yield element, wrong(element, f"<{element.tag}> has an unknown attribute '{name}'{known}")
     for name in rule.required:
         if element.get(name) is None:
-            raise wrong(element, f"<{element.tag}> needs the attribute '{name}'")
+            yield element, wrong(element, f"<{element.tag}> needs the attribute '{name}'")
 
 
-def _check_children(element: Element, rule: Rule) -> None:
+def _check_children(element: Element, rule: Rule) -> Iterator[tuple[Element, SchemaError]]:
     counts: Counter[int] = Counter()
     for child in element:
         index = rule.group_of.get(child.tag)
         if index is None:
-            raise wrong(child, f"unexpected <{child.tag}> in <{element.tag}>{suggestion(child.tag, rule.group_of)}")
+            known = suggestion(child.tag, rule.group_of)
+            yield child, wrong(child, f"unexpected <{child.tag}> in <{element.tag}>{known}")
+            continue
         counts[index] += 1
         maximum = rule.groups[index].maximum
         if maximum is not None and counts[index] > maximum:
-            raise wrong(child, f"<{element.tag}> has more than {maximum} of {rule.groups[index]}")
+            yield child, wrong(child, f"<{element.tag}> has more than {maximum} of {rule.groups[index]}")
     for index, group in enumerate(rule.groups):
         if counts[index] < group.minimum:
-            raise wrong(element, f"<{element.tag}> needs {group}")
+            yield element, wrong(element, f"<{element.tag}> needs {group}")

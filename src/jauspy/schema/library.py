@@ -13,6 +13,7 @@ from typing import TypeVar, cast
 
 from lxml.etree import _Element as Element
 
+from jauspy.errors import SchemaError
 from jauspy.schema.constants import ExpressionError, Number, evaluate
 from jauspy.schema.grammar import DECLARED
 from jauspy.schema.model import DeclaredType, Node
@@ -22,6 +23,8 @@ AnyNode = TypeVar("AnyNode", bound=Node)
 Thing = TypeVar("Thing")
 Key = tuple[str, str]
 """Id (URN) and version of a set or service."""
+Report = Callable[[SchemaError], None]
+"""Takes a mistake; loading goes on when it returns."""
 
 
 @dataclass(slots=True, eq=False)
@@ -38,6 +41,8 @@ class Scope:
     linked_types: dict[str, Scope] = field(default_factory=dict)
     cache: dict[str, object] = field(default_factory=dict)
     open: list[str] = field(default_factory=list)
+    unsound: dict[str, SchemaError] = field(default_factory=dict)
+    """Types that break the grammar and therefore cannot be read; loading stops before there are any."""
 
     def number(self, element: Element, attribute: str) -> Number:
         """A mandatory attribute that is a number or a constant expression."""
@@ -71,6 +76,8 @@ class Scope:
         kind = DECLARED.get(found.tag, found.tag)
         if kind != DECLARED[element.tag]:
             raise wrong(element, f"'{path}' is a {kind}, but <{element.tag}> needs a {DECLARED[element.tag]}")
+        if name in home.unsound:
+            raise home.unsound[name]
         return home, found
 
     def declared(self, element: Element, read: Callable[[Element, Scope], AnyNode]) -> AnyNode:
@@ -91,8 +98,10 @@ class Scope:
             if name in self.open:
                 raise wrong(element, f"'{name}' contains itself")
             self.open.append(name)
-            self.cache[name] = make()
-            self.open.pop()
+            try:
+                self.cache[name] = make()
+            finally:
+                self.open.pop()
         return cast("Thing", self.cache[name])  # one name is one definition of one kind
 
     def _walk(self, path: str, element: Element, links: str, what: str) -> tuple[Scope, str]:
@@ -120,15 +129,20 @@ def _linked(scope: Scope, local: str, links: str) -> Scope | None:
     return None
 
 
-def scope_of(root: Element) -> Scope:
+def refuse(error: SchemaError) -> None:
+    """What becomes of a mistake while files are put together, unless somebody collects them."""
+    raise error
+
+
+def scope_of(root: Element, report: Report = refuse) -> Scope:
     """The scope of a `declared_const_set`, a `declared_type_set` or a `service_def`."""
     scope = Scope(*identity(root))
     for part in (root, *root.iterchildren("declared_const_set", "declared_type_set")):
-        _collect(part, scope)
+        _collect(part, scope, report)
     return scope
 
 
-def _collect(part: Element, scope: Scope) -> None:
+def _collect(part: Element, scope: Scope, report: Report) -> None:
     if part.tag == "service_def":
         return
     for element in part:
@@ -141,15 +155,17 @@ def _collect(part: Element, scope: Scope) -> None:
                 names = scope.type_sets
             case _:
                 names = scope.types
-        add_once(names, element)
+        add_once(names, element, report)
 
 
-def add_once(names: dict[str, Element], element: Element) -> None:
+def add_once(names: dict[str, Element], element: Element, report: Report = refuse) -> None:
     """Enter a named element; a name that is there already is an error."""
-    name = required(element, "name")
+    name = element.get("name")
+    if name is None:
+        return  # against the grammar, which whoever goes on after that has checked
     first = names.setdefault(name, element)
     if first is not element:
-        raise wrong(element, f"duplicate name '{name}'; the first is at {file_of(first)}:{line_of(first)}")
+        report(wrong(element, f"duplicate name '{name}'; the first is at {file_of(first)}:{line_of(first)}"))
 
 
 def _signature(root: Element) -> list[tuple[object, ...]]:
@@ -166,34 +182,39 @@ _PROSE = frozenset(("interpretation", "{http://www.w3.org/XML/1998/namespace}spa
 class Library:
     """The sets of all files by id and version."""
 
-    def __init__(self) -> None:
+    def __init__(self, report: Report = refuse) -> None:
         self.roots: dict[tuple[str, Key], Element] = {}
         self.scopes: dict[tuple[str, Key], Scope] = {}
+        self._report = report
 
     def add(self, root: Element) -> bool:
         """Enter a root element; False when the same content is there already (sets come in several folders)."""
         key = (str(root.tag), identity(root))
         first = self.roots.get(key)
         if first is not None:
-            if _signature(first) == _signature(root):
-                return False
-            where = f"{file_of(first)}:{line_of(first)}"
-            raise wrong(root, f"{key[1][0]} {key[1][1]} is defined differently at {where}")
+            if _signature(first) != _signature(root):
+                where = f"{file_of(first)}:{line_of(first)}"
+                self._report(wrong(root, f"{key[1][0]} {key[1][1]} is defined differently at {where}"))
+            return False
         self.roots[key] = root
-        self.scopes[key] = scope_of(root)
+        self.scopes[key] = scope_of(root, self._report)
         return True
 
-    def link(self) -> None:
+    def link(self, report: Report = refuse) -> None:
         """Find the sets that sets refer to."""
         for scope in self.scopes.values():
-            self._link(scope.const_sets.values(), "declared_const_set", scope.linked_consts)
-            self._link(scope.type_sets.values(), "declared_type_set", scope.linked_types)
+            self._link(scope.const_sets.values(), "declared_const_set", scope.linked_consts, report)
+            self._link(scope.type_sets.values(), "declared_type_set", scope.linked_types, report)
 
-    def _link(self, references: Iterable[Element], tag: str, links: dict[str, Scope]) -> None:
+    def _link(self, references: Iterable[Element], tag: str, links: dict[str, Scope], report: Report) -> None:
         for reference in references:
+            if "id" not in reference.attrib or "version" not in reference.attrib:
+                continue  # against the grammar
             key = identity(reference)
             found = self.scopes.get((tag, key))
             if found is None:
                 known = [" ".join(other) for kind, other in self.scopes if kind == tag]
-                raise wrong(reference, f"no {tag} {key[0]} {key[1]} is loaded{suggestion(' '.join(key), known)}")
-            links[required(reference, "name")] = found
+                reason = f"no {tag} {key[0]} {key[1]} is loaded{suggestion(' '.join(key), known)}"
+                report(wrong(reference, reason))
+            else:
+                links[required(reference, "name")] = found

@@ -23,11 +23,12 @@ from jauspy.schema.states import check_states
 from jauspy.schema.values import read_value_set
 
 
-def load_files(paths: Iterable[Path], *, base: Schema | None = None) -> Schema:
+def load_files(paths: Iterable[Path], *, base: Schema | None = None, states: bool = True) -> Schema:
     """Read JSIDL files that may refer to each other, in any order; `SchemaError` says what is wrong where.
 
     New services may inherit from those of `base`, which are part of the result except where a file defines the
-    same id and version. Type sets are those of the files alone.
+    same id and version. Type sets are those of the files alone. Without `states`, start, initial and end states are
+    not checked: for whoever wants messages, and would lose them all to one misspelt state.
     """
     library = Library()
     versions: dict[Key, str] = {}
@@ -44,7 +45,8 @@ def load_files(paths: Iterable[Path], *, base: Schema | None = None) -> Schema:
     services = [read_service(root, versions[key], library.scopes["service_def", key]) for key, root in roots.items()]
     kept = [service for service in base.services if service.key not in roots] if base else []
     resolved = resolve_parents(services, kept, roots)
-    check_states(resolved, kept)
+    if states:
+        check_states(resolved, kept)
     return Schema(services=tuple(sorted((*kept, *resolved), key=_order)))
 
 

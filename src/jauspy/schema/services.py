@@ -78,7 +78,7 @@ def _resolve_parent(service: Service, versions: Mapping[str, list[str]], root: E
     parent = service.inherits_from
     if parent is None:
         return service
-    matches = [version for version in versions.get(parent.id, ()) if _matches(version, parent.version)]
+    matches = [version for version in versions.get(parent.id, ()) if matches_version(version, parent.version)]
     if not matches:
         element = child(child(root, "references"), "inherits_from")
         wanted = f"{parent.id} {parent.version}"
@@ -87,7 +87,8 @@ def _resolve_parent(service: Service, versions: Mapping[str, list[str]], root: E
     return replace(service, inherits_from=replace(parent, version=max(matches, key=version_key)))
 
 
-def _matches(version: str, pattern: str) -> bool:
+def matches_version(version: str, pattern: str) -> bool:
+    """True when a version is the one wanted; the pattern `1.*` takes any 1.x."""
     return all(want in ("*", have) for have, want in zip(version.split("."), pattern.split("."), strict=False))
 
 

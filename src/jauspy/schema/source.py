@@ -25,7 +25,14 @@ _DOCTYPE = re.compile(rb"<!(DOCTYPE|ENTITY)")
 
 
 def read(path: Path) -> tuple[Element, str]:
-    """The root element of a file and its JSIDL version; tags have lost their namespace."""
+    """The root element of a file that follows the grammar, and its JSIDL version; tags have lost their namespace."""
+    root, version = parse(path)
+    check(root)
+    return root, version
+
+
+def parse(path: Path) -> tuple[Element, str]:
+    """As `read`, but what is below the root may be against the grammar."""
     root = _parse(_bytes(path), path)
     if root.getroottree().docinfo.doctype:  # type: ignore[attr-defined]  # lxml-stubs lacks it
         raise wrong(root, "a document type declaration is not allowed")
@@ -35,8 +42,17 @@ def read(path: Path) -> tuple[Element, str]:
     _strip_namespaces(root)
     if root.tag not in ROOTS:
         raise wrong(root, f"expected {' or '.join(f'<{tag}>' for tag in ROOTS)} as the root, got <{root.tag}>")
-    check(root)
     return root, version
+
+
+def is_jsidl(path: Path) -> bool:
+    """False for well-formed XML of another kind, such as a package manifest; what cannot be read counts as JSIDL."""
+    try:
+        root = _parse(_bytes(path), path)
+    except SchemaError:
+        return True
+    name = etree.QName(root)
+    return name.namespace in NAMESPACES or name.localname in ROOTS
 
 
 def _bytes(path: Path) -> bytes:

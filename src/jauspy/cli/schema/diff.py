@@ -1,0 +1,185 @@
+"""`jauspy schema diff`: what two definitions do differently."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from jauspy.cli.options import Json
+
+if TYPE_CHECKING:
+    from rich.text import Text
+
+    from jauspy.schema.compare import Change, MessageDiff, ServiceDiff
+    from jauspy.schema.model import Message, Schema, Service
+
+_WHAT = "A file, folder or pattern, or NAME@VERSION of what is built in: a service or a set."
+
+
+def diff(
+    *,
+    one: Annotated[str, typer.Argument(metavar="A", help=_WHAT)],
+    other: Annotated[str, typer.Argument(metavar="B", help=_WHAT)],
+    beside: Annotated[
+        list[str] | None,
+        typer.Option("--with", metavar="FILE", help="More files that A and B refer to; not compared themselves."),
+    ] = None,
+    as_json: Json = False,
+) -> None:
+    """Compare definitions: messages, fields, values and behaviour.
+
+    Every message is said to be identical on the wire or not: same bytes, same numbers, same limits. Units and names are
+    reported beside that; descriptions do not count.
+
+    The exit status is 0 when nothing differs, 1 when something does, 2 when A or B cannot be read.
+
+    Examples:
+      jauspy schema diff old/Lamp.xml new/Lamp.xml --with types/
+      jauspy schema diff mobility:PrimitiveDriver@1.0 mobility:PrimitiveDriver@1.1
+      jauspy schema diff mobility@1.1 vendor/ --json | jq -r '.messages[] | select(.wire == "different") | .name'
+    """
+    import json
+
+    from jauspy.cli import console
+    from jauspy.schema.compare import compare
+
+    found = compare(_schema(one, beside or []), _schema(other, beside or []))
+    for number, service in enumerate(found):
+        if as_json:
+            print(json.dumps(_object(service), ensure_ascii=False))
+            continue
+        if number:
+            print()
+        for line in _lines(service):
+            console.stdout().print(line)
+    if not all(service.same for service in found):
+        raise typer.Exit(1)
+    if not as_json:
+        console.note("nothing differs")
+
+
+def _schema(what: str, beside: list[str]) -> Schema:
+    """The services of an argument; exit status 2 when there are none, for 1 means that something differs."""
+    from jauspy.cli import console
+    from jauspy.errors import JausError
+    from jauspy.schema.own import load_own
+
+    name, _, version = what.partition("@")
+    try:
+        return (None if _is_file(what) else _builtin(name, version)) or load_own([what], beside)
+    except JausError as error:
+        console.error(str(error))
+        raise typer.Exit(2) from None
+
+
+def _is_file(what: str) -> bool:
+    from pathlib import Path
+
+    return Path(what).exists()
+
+
+def _builtin(name: str, version: str) -> Schema | None:
+    """The built-in services of this name, URN, end of a URN, or set; None when nothing is called so."""
+    from jauspy.cli.schema.options import set_of
+    from jauspy.errors import ConfigError
+    from jauspy.schema import load_builtin
+    from jauspy.schema.model import Schema
+    from jauspy.schema.services import version_key
+
+    wanted = name.casefold()
+    called = [
+        service
+        for service in load_builtin().services
+        if wanted in (service.name.casefold(), set_of(service).casefold())
+        or f":{service.id}".casefold().endswith(f":{wanted}")
+    ]
+    if not called:
+        return None
+    versions = sorted({service.version for service in called}, key=version_key)
+    if version and version not in versions:
+        raise ConfigError(f"{name} {version} is not built in; there is {', '.join(versions)}")
+    return Schema(services=tuple(service for service in called if service.version == (version or versions[-1])))
+
+
+# --- for people -----------------------------------------------------------------------------------------------------
+
+
+def _lines(service: ServiceDiff) -> Iterator[Text]:
+    from rich.text import Text
+
+    if service.one is None or service.other is None:
+        there = service.one or service.other
+        assert there is not None
+        done = "removed" if service.other is None else "added"
+        yield Text(f"{_title(there)}: service {done}", style="red" if service.other is None else "green")
+        return
+    yield Text(f"{_title(service.one)} -> {_title(service.other)}", style="bold")
+    for message in service.messages:
+        yield from _message_lines(message)
+    for sign, messages, style in (("-", service.removed, "red"), ("+", service.added, "green")):
+        done = "removed" if sign == "-" else "added"
+        yield from (Text(f"{sign} {_message(message)}: {done}", style=style) for message in messages)
+    yield Text(f"{'~' if service.behavior else '='} behaviour: {'differs' if service.behavior else 'identical'}")
+    yield from map(_change, service.behavior)
+
+
+def _message_lines(diff: MessageDiff) -> Iterator[Text]:
+    from rich.text import Text
+
+    if diff.same_wire:
+        kinds = {"names" if change.kind == "name" else change.kind for change in diff.changes}
+        names = f", {' and '.join(sorted(kinds))} differ" if kinds else ""
+        yield Text.assemble(f"= {_message(diff.one)}: ", ("identical on the wire", "green"), names)
+    else:
+        yield Text.assemble(f"~ {_message(diff.one)}: ", ("differs on the wire", "yellow"))
+    yield from map(_change, diff.changes)
+
+
+def _change(change: Change) -> Text:
+    from rich.text import Text
+
+    return Text.assemble("    ", (f"{change.path}: " if change.path else "", "cyan"), change.text)
+
+
+def _message(message: Message) -> str:
+    return f"{message.code:04X}h {message.name}"
+
+
+def _title(service: Service) -> str:
+    return f"{service.id} {service.version}"
+
+
+# --- for programs ---------------------------------------------------------------------------------------------------
+
+
+def _object(service: ServiceDiff) -> dict[str, Any]:
+    return {
+        "a": _key(service.one),
+        "b": _key(service.other),
+        "same": service.same,
+        "removed": [_named(message) for message in service.removed],
+        "added": [_named(message) for message in service.added],
+        "messages": [
+            {
+                **_named(message.one),
+                "wire": "identical" if message.same_wire else "different",
+                "changes": _changes(message.changes),
+            }
+            for message in service.messages
+        ],
+        "behavior": _changes(service.behavior),
+    }
+
+
+def _key(service: Service | None) -> dict[str, str] | None:
+    return {"urn": service.id, "version": service.version} if service else None
+
+
+def _named(message: Message) -> dict[str, str]:
+    return {"code": f"{message.code:04X}", "name": message.name}
+
+
+def _changes(changes: tuple[Change, ...]) -> list[dict[str, str]]:
+    return [{"kind": change.kind, "path": change.path, "change": change.text} for change in changes]

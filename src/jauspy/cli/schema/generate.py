@@ -1,0 +1,111 @@
+"""`jauspy schema generate`: Python modules of your own definitions."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping
+
+_MARK = "; do not edit."
+"""Stands in the first line of every generated file."""
+
+
+def generate(
+    *,
+    files: Annotated[list[str], typer.Argument(metavar="FILE...", help="JSIDL files, folders or patterns.")],
+    output: Annotated[Path, typer.Option("-o", "--output", metavar="DIR", help="The package's folder.")],
+    package: Annotated[
+        str | None,
+        typer.Option(
+            "--package",
+            metavar="NAME",
+            help="The package's name, as in acme or acme.messages; it is DIR itself when DIR ends so, else in DIR. "
+            "Default: the name of DIR.",
+        ),
+    ] = None,
+    force: Annotated[bool, typer.Option("--force", help="Overwrite files that were not generated.")] = False,
+) -> None:
+    """Write message classes as a Python package: typed, byte-exact, like `jauspy.messages`.
+
+    What is built in may be referred to, and is found in the package's registry, too. Generated files are overwritten,
+    other files only with --force. `jauspy.load()` does the same without files.
+
+    Examples:
+      jauspy schema generate vendor/*.xml -o acme_messages
+      jauspy schema generate vendor/ -o src --package acme.messages
+    """
+    from jauspy.codec.generator import generate as make
+    from jauspy.schema.own import load_own
+
+    name, folder = _place(output, package)
+    schema = load_own(files)
+    sources = make(schema, name, "jauspy.messages")
+    _refuse_foreign(folder, sources, force=force)
+    _write(folder, {**sources, "py.typed": ""})
+    _report(folder, name, len(sources), [service.name for service in schema.services if not service.messages])
+
+
+def _place(output: Path, package: str | None) -> tuple[str, Path]:
+    """The package's name and its folder."""
+    import keyword
+
+    folder = output.resolve()
+    name = folder.name if package is None else package
+    parts = name.split(".")
+    for part in parts:
+        if not part.isidentifier() or keyword.iskeyword(part):
+            hint = "give it one with --package" if package is None else "use letters, digits, _ and dots"
+            raise typer.BadParameter(f"{name!r} is no name of a Python package; {hint}", param_hint="--package")
+    if package is not None and list(folder.parts[-len(parts) :]) != parts:
+        folder = folder.joinpath(*parts)
+    return name, folder
+
+
+def _refuse_foreign(folder: Path, names: Iterable[str], *, force: bool) -> None:
+    from jauspy.errors import ConfigError
+
+    foreign = [folder / name for name in names if not force and _is_foreign(folder / name)]
+    if foreign:
+        more = f" and {len(foreign) - 1} more" if len(foreign) > 1 else ""
+        raise ConfigError(f"{foreign[0]}{more} would be overwritten and was not generated; use --force, or another DIR")
+
+
+def _is_foreign(path: Path) -> bool:
+    if not path.exists():
+        return False
+    if not path.is_file():
+        return True
+    with path.open(encoding="utf-8", errors="replace") as file:
+        return _MARK not in file.readline()
+
+
+def _write(folder: Path, sources: Mapping[str, str]) -> None:
+    from jauspy.errors import ConfigError
+
+    try:
+        for name, text in sources.items():
+            path = folder / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+            print(_shown(path))
+    except OSError as error:
+        raise ConfigError(f"{error.filename} cannot be written: {error.strerror}") from None
+
+
+def _shown(path: Path) -> str:
+    return str(path.relative_to(Path.cwd()) if path.is_relative_to(Path.cwd()) else path)
+
+
+def _report(folder: Path, name: str, number: int, empty: list[str]) -> None:
+    from jauspy.cli import console
+
+    above = folder
+    for _ in name.split("."):
+        above = above.parent
+    if empty:
+        console.note(f"no messages in {', '.join(empty)}")
+    print(f"{number} files. Import with {_shown(above)} in PYTHONPATH: from {name} import registry")

@@ -1,0 +1,124 @@
+"""`jauspy schema lint`: what in a definition breaks other tools."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Annotated, Final
+
+import typer
+
+from jauspy.cli.options import Json
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from jauspy.schema.lint import Finding, Rule
+
+_STYLES: Final = {"error": "bold red", "warning": "yellow", "hint": "dim"}
+
+
+def lint(
+    *,
+    files: Annotated[
+        list[str] | None,
+        typer.Argument(metavar="[FILE]...", help="Files, folders or patterns; what is built in when none is given."),
+    ] = None,
+    ignore: Annotated[
+        list[str] | None, typer.Option("--ignore", metavar="CODE", help="Leave out a rule, such as missing-count.")
+    ] = None,
+    list_rules: Annotated[bool, typer.Option("--rules", help="List the rules and stop.")] = False,
+    as_json: Json = False,
+) -> None:
+    """Find what breaks other tools, as FILE:LINE: severity: code: sentence.
+
+    All mistakes of all files are found in one run, also in files that cannot be loaded. Types and services that are
+    built in may be referred to.
+
+    The exit status is 0 when there are hints at most, 1 with warnings or errors, 2 when a file cannot be read.
+
+    Examples:
+      jauspy schema lint vendor/
+      jauspy schema lint 'vendor/**/*.xml' --ignore no-description
+      jauspy schema lint vendor/ --json | jq -r 'select(.severity == "error") | .message'
+    """
+    import json
+    from dataclasses import asdict
+
+    from jauspy.schema.lint import UNREADABLE, lint as run
+
+    rules = _rules(ignore or [])
+    if list_rules:
+        _print_rules(rules)
+        return
+    findings = run(_paths(files or []), rules)
+    for finding in findings:
+        if as_json:
+            print(json.dumps(asdict(finding), ensure_ascii=False))
+        else:
+            _print(finding)
+    if not as_json:
+        _print_summary(findings)
+    if any(finding.code == UNREADABLE for finding in findings):
+        raise typer.Exit(2)
+    if any(finding.severity != "hint" for finding in findings):
+        raise typer.Exit(1)
+
+
+def _paths(files: list[str]) -> list[Path]:
+    """The files to check; a name that matches nothing cannot be read: exit status 2."""
+    from jauspy.cli import console
+    from jauspy.errors import ConfigError
+    from jauspy.schema import builtin_paths
+    from jauspy.schema.own import find_files
+
+    try:
+        return find_files(files) if files else builtin_paths()
+    except ConfigError as error:
+        console.error(str(error))
+        raise typer.Exit(2) from None
+
+
+def _rules(ignored: list[str]) -> Sequence[Rule]:
+    from difflib import get_close_matches
+
+    from jauspy.codec.lint import RULES as PYTHON_RULES
+    from jauspy.schema.lint import RULES
+
+    rules = (*RULES, *PYTHON_RULES)
+    codes = [rule.code for rule in rules]
+    for code in ignored:
+        if code not in codes:
+            close = get_close_matches(code, codes, 1)
+            hint = f"did you mean {close[0]}?" if close else "--rules lists them"
+            raise typer.BadParameter(f"there is no rule {code!r}; {hint}", param_hint="--ignore")
+    return [rule for rule in rules if rule.code not in ignored]
+
+
+def _print_rules(rules: Sequence[Rule]) -> None:
+    from jauspy.cli.schema.tables import print_table
+
+    print_table(("code", "severity", "what it finds"), [(rule.code, rule.severity, rule.summary) for rule in rules])
+
+
+def _print(finding: Finding) -> None:
+    from rich.text import Text
+
+    from jauspy.cli import console
+
+    line = Text.assemble(
+        f"{finding.file}:{finding.line}: ",
+        (finding.severity, _STYLES[finding.severity]),
+        ": ",
+        (finding.code, "cyan"),
+        f": {finding.message}",
+    )
+    console.stdout().print(line)
+
+
+def _print_summary(findings: list[Finding]) -> None:
+    from jauspy.cli import console
+
+    counts = Counter(finding.severity for finding in findings)
+    parts = [f"{number} {severity}{'s' if number > 1 else ''}" for severity, number in sorted(counts.items())]
+    console.note(", ".join(parts) or "nothing found")

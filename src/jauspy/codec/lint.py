@@ -1,0 +1,42 @@
+"""Rules of the linter about what the generator makes of a definition: its names in Python."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from typing import Final
+
+from lxml.etree import _Element as Element
+
+from jauspy.codec.names import attribute, constant, snake
+from jauspy.schema.lint import Problem, Rule, World
+from jauspy.schema.reading import location
+
+_CONTAINERS: Final = ("record", "sequence", "variant", "bit_field")
+_NO_MEMBERS: Final = frozenset(("presence_vector", "vtag_field"))
+
+
+def colliding_names(world: World) -> Iterator[Problem]:
+    """Names that differ in JAUS and are one in Python."""
+    for element, _ in world.elements(*_CONTAINERS):
+        members = (part for part in element if part.tag not in _NO_MEMBERS)
+        yield from _collisions(members, "name", attribute, f"in '{element.get('name')}'")
+    for element, _ in world.elements("value_set"):
+        holder = next((each.get("name") for each in (element, *element.iterancestors()) if each.get("name")), "")
+        yield from _collisions(element.iterchildren("value_enum"), "enum_const", constant, f"in '{holder}'")
+    for service in world.services():
+        seen: dict[str, Element] = {}
+        messages = (seen.setdefault(part.get("name", ""), part) for part in world.messages(service))
+        yield from _collisions(messages, "name", snake, f"in service '{service.get('name')}'")
+
+
+def _collisions(elements: Iterable[Element], key: str, made: Callable[[str], str], where: str) -> Iterator[Problem]:
+    seen: dict[str, str] = {}
+    for element in elements:
+        name = element.get(key, "")
+        first = seen.setdefault(made(name), name)
+        if first != name:
+            reason = f"'{name}' and '{first}' {where} are both {made(name)} in Python"
+            yield location(element), f"{reason}; one gets a number, rename it"
+
+
+RULES: Final = (Rule("python-name", "warning", "names that collide in Python", colliding_names),)

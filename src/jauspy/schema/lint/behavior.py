@@ -1,0 +1,209 @@
+"""Rules about state machines: triggers, sends and states."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from lxml.etree import _Element as Element
+
+from jauspy.schema.lint.finding import Problem
+from jauspy.schema.lint.machines import Machine, merged
+from jauspy.schema.lint.world import World
+from jauspy.schema.model import Action, Behavior, Location, State, Transition
+from jauspy.schema.reading import suggestion
+
+RECEIVE = "Receive"
+"""The event of the transport service that carries a message."""
+
+
+def short(dotted: str) -> str:
+    """`Send` of `accessControl.events.transport.Send`."""
+    return dotted.rpartition(".")[2]
+
+
+def states_of(behavior: Behavior) -> Iterator[State]:
+    """All states, nested ones after what they are in."""
+    waiting = [state for machine in behavior.machines for state in reversed(machine.states)]
+    while waiting:
+        state = waiting.pop()
+        yield state
+        waiting += reversed(state.states)
+
+
+def transitions_of(behavior: Behavior) -> Iterator[Transition]:
+    """All transitions, those of default states included."""
+    for machine in behavior.machines:
+        yield from machine.default_transitions
+    for state in states_of(behavior):
+        yield from (*state.transitions, *state.default_transitions)
+
+
+def place(where: Location | None) -> Location:
+    """Where something is; behaviour read from files always knows."""
+    return where or Location("", 0)
+
+
+@dataclass(frozen=True, slots=True)
+class _Known:
+    """What a service and its ancestors take and send."""
+
+    inputs: set[str]
+    outputs: set[str]
+    events: set[str]
+
+
+def _triggers(world: World) -> Iterator[tuple[Transition, _Known]]:
+    """Every transition of the checked services whose ancestors are all there."""
+    for service in world.services():
+        behavior = world.behavior(service)
+        line = world.lineage(service)
+        if behavior is None or _incomplete(line):
+            continue
+        known = _Known(
+            {element.get("name", "") for each in line for element in world.messages(each, "input_set")},
+            {element.get("name", "") for each in line for element in world.messages(each, "output_set")},
+            {event.get("name", "") for each in line for part in each.iterfind("internal_events_set") for event in part},
+        )
+        yield from ((transition, known) for transition in transitions_of(behavior))
+
+
+def dead_trigger(world: World) -> Iterator[Problem]:
+    """Transitions that no input of the service or its ancestors can fire."""
+    for transition, known in _triggers(world):
+        reason = _dead(transition, known)
+        if reason:
+            yield place(transition.where), reason
+
+
+def _dead(transition: Transition, known: _Known) -> str:
+    event = short(transition.trigger)
+    if event == RECEIVE and transition.parameters:
+        wanted = short(transition.parameters[0].type)
+        if wanted in known.inputs | known.outputs | known.events:
+            return ""
+        hint = suggestion(wanted, known.inputs)
+        return f"{wanted} is no input of the service or its ancestors{hint}; nothing fires this"
+    if not event or event in known.events or event == RECEIVE:
+        return ""
+    if event in known.inputs:
+        return f"{event} is a message: the trigger is Receive with a parameter of type {event}"
+    hint = suggestion(event, known.events)
+    return f"no internal event '{event}' in the service or its ancestors{hint}; nothing fires this"
+
+
+def output_trigger(world: World) -> Iterator[Problem]:
+    """Transitions on a message that the service itself sends and does not take."""
+    for transition, known in _triggers(world):
+        if short(transition.trigger) == RECEIVE and transition.parameters:
+            wanted = short(transition.parameters[0].type)
+            if wanted in known.outputs - known.inputs - known.events:
+                reason = f"{wanted} is an output: only another service of this kind can send it"
+                yield place(transition.where), f"{reason}; add it to the input_set, too, if that is meant"
+
+
+def _incomplete(line: list[Element]) -> bool:
+    """True when an ancestor is missing: what it brings is unknown, and its absence is reported."""
+    return line[-1].find("references/inherits_from") is not None
+
+
+def unknown_send(world: World) -> Iterator[Problem]:
+    """Sends of messages that are no output of the service or its ancestors."""
+    for service in world.services():
+        behavior = world.behavior(service)
+        line = world.lineage(service)
+        if behavior is None or _incomplete(line):
+            continue
+        outputs = {element.get("name", "") for each in line for element in world.messages(each, "output_set")}
+        for action, where in _actions(behavior):
+            wanted = _sent(action)
+            if wanted and wanted not in outputs:
+                reason = f"Send of {wanted}, which is no output of the service or its ancestors"
+                yield place(where), f"{reason}{suggestion(wanted, outputs)}; add it to the output_set"
+
+
+def _actions(behavior: Behavior) -> Iterator[tuple[Action, Location | None]]:
+    for state in states_of(behavior):
+        yield from ((action, state.where) for action in (*state.entry, *state.exit))
+    for transition in transitions_of(behavior):
+        yield from ((action, transition.where) for action in transition.actions)
+
+
+def _sent(action: Action) -> str:
+    """The message a Send names; empty when it sends what a variable holds."""
+    if short(action.name) != "Send":
+        return ""
+    quoted = [text.strip() for text in action.arguments if text.strip()[:1] in ("'", '"')]
+    return short(quoted[0].strip("'\"")) if quoted and action.arguments[0].strip() == quoted[0] else ""
+
+
+# --- states ---------------------------------------------------------------------------------------------------------
+
+
+def _machines(world: World, service: Element) -> dict[str, Machine]:
+    return merged([behavior for each in world.lineage(service) if (behavior := world.behavior(each)) is not None])
+
+
+def unknown_state(world: World) -> Iterator[Problem]:
+    """Start, initial and end states that do not exist."""
+    for service in world.services():
+        behavior = world.behavior(service)
+        if behavior is None or _incomplete(world.lineage(service)):
+            continue
+        machines = _machines(world, service)
+        for start in behavior.start:
+            yield from _missing(machines, start.machine, start.state, "start state", place(start.where))
+        for machine in behavior.machines:
+            for path, state in walk(machine.states):
+                if state.initial is not None and not _names_itself(machines, machine.name, path, state):
+                    initial = f"{path}.{state.initial}"
+                    yield from _missing(machines, machine.name, initial, "initial state", place(state.where))
+            for transition in transitions_of(Behavior(machines=(machine,))):
+                if transition.end_state is not None:
+                    end = transition.end_state
+                    yield from _missing(machines, machine.name, end, "end state", place(transition.where))
+
+
+def _names_itself(machines: dict[str, Machine], machine: str, path: str, state: State) -> bool:
+    """Some definitions give a state without children itself as its initial state; that means nothing."""
+    return state.initial == state.name and not machines[short(machine)].children(path)
+
+
+def _missing(machines: dict[str, Machine], machine: str, path: str, what: str, where: Location) -> Iterator[Problem]:
+    found = machines.get(short(machine))
+    if found is not None and path not in found.states:
+        known = suggestion(path, found.states)
+        yield where, f"{what} '{path}' does not exist{known}; correct the path, it starts at the outermost state"
+
+
+def walk(states: tuple[State, ...], parent: str = "") -> Iterator[tuple[str, State]]:
+    """States with their dotted paths."""
+    for state in states:
+        path = f"{parent}.{state.name}" if parent else state.name
+        yield path, state
+        yield from walk(state.states, path)
+
+
+def unreachable_state(world: World) -> Iterator[Problem]:
+    """States no transition leads to: neither in the service that introduces them nor in one that inherits."""
+    reached: dict[tuple[Element, str], set[str]] = {}
+    for service in world.all_services():
+        line = world.lineage(service)
+        for name, whole in _machines(world, service).items():
+            for ancestor in line:
+                reached.setdefault((ancestor, name), set()).update(whole.reachable())
+    for service in world.services():
+        behavior = world.behavior(service)
+        line = world.lineage(service)
+        if behavior is None or _incomplete(line):
+            continue
+        inherited = merged([found for each in line[1:] if (found := world.behavior(each)) is not None])
+        for machine in behavior.machines:
+            name = short(machine.name)
+            there = reached.get((service, name), set())
+            before = inherited[name].states if name in inherited else {}
+            for path, state in walk(machine.states):
+                parent = path.rpartition(".")[0]
+                if path not in there and path not in before and (not parent or parent in there):
+                    reason = f"nothing leads to state {path}: no start, no initial state and no transition"
+                    yield place(state.where), f"{reason}; add one or delete it"

@@ -1,0 +1,16 @@
+"""Messages in a capture whose id means several things, or nothing."""
+
+from __future__ import annotations
+
+from jauspy.capture.dissect import read_message
+from jauspy.messages import registry
+
+
+def test_an_id_of_two_messages_is_not_guessed() -> None:
+    content = read_message(bytes.fromhex("2af900"), registry)
+    assert content.message is None
+    assert content.problem == "message F92Ah is CBRNScanWindowConfigurationCommand or QueryMeasurement"
+
+
+def test_an_unknown_id() -> None:
+    assert read_message(bytes.fromhex("eeee00"), registry).problem == "unknown message EEEEh"

@@ -1,0 +1,186 @@
+"""A folder of somebody else's JSIDL: mixed versions, ids that mean several things, files that are something else."""
+
+from __future__ import annotations
+
+import logging
+from pathlib import Path
+
+import pytest
+
+import jauspy
+from jauspy.codec.registry import Collision, Entry, Registry
+from jauspy.errors import ConfigError, DecodeError, SchemaError
+from jauspy.messages import registry
+
+SERVICE = """<?xml version="1.0" encoding="UTF-8"?>
+<service_def xmlns="urn:jaus:jsidl:{jsidl}" name="{name}" id="{urn}" version="{version}">
+  <description>A thing.</description>
+  <assumptions/>
+  <message_set>
+    <input_set>
+      <message_def name="{message}" message_id="{code}" is_command="true">
+        <description>Sets it.</description>
+        <header name="Header"><record name="HeaderRec" optional="false">
+          <fixed_field name="MessageID" field_type="unsigned short integer" field_units="one" optional="false"/>
+        </record></header>
+        <body name="Body"><record name="Rec" optional="false">
+          <fixed_field name="Level" field_type="{type}" field_units="{units}" optional="false"/>
+        </record></body>
+        <footer name="Footer"/>
+      </message_def>
+    </input_set>
+    <output_set/>
+  </message_set>
+  <internal_events_set/>
+  <protocol_behavior is_stateless="true"/>
+</service_def>
+"""
+
+
+class Folder:
+    def __init__(self, path: Path) -> None:
+        self.path = path
+
+    def add(self, name: str, vendor: str = "acme", **more: str) -> Path:
+        """One service with one message; what is not said is as in all others."""
+        values = {"version": "1.0", "jsidl": "1.1", "message": "SetLevel", "code": "D001", "type": "unsigned byte"}
+        values |= {"urn": f"urn:{vendor}:things:{name}", "units": "one", **more}
+        path = self.path / f"{vendor}-{name}-{values['version']}.xml"
+        path.write_text(SERVICE.format(name=name, **values), encoding="utf-8")
+        return path
+
+    def load(self) -> Registry:
+        return jauspy.load(self.path)
+
+
+def fresh(own: Registry) -> list[Collision]:
+    """The collisions that are not there without the user's files."""
+    return [collision for collision in own.collisions if collision not in registry.collisions]
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Folder:
+    return Folder(tmp_path)
+
+
+def test_versions_of_a_service_live_beside_each_other(folder: Folder) -> None:
+    folder.add("Lamp", version="1.0", jsidl="1.0")
+    folder.add("Lamp", version="1.10", type="unsigned short integer")
+    folder.add("Lamp", version="1.9", type="unsigned integer")
+    own = folder.load()
+    assert own.decode(b"\x01\xd0\x05\x00").VERSION == "1.10"
+    assert own.decode(b"\x01\xd0\x05", version="1.0").VERSION == "1.0"
+    assert own.decode(b"\x01\xd0\x05\x00\x00\x00", service="urn:acme:things:Lamp", version="1.9").to_dict() == {
+        "level": 5
+    }
+    assert fresh(own) == []
+
+
+def test_services_of_one_name_and_set_from_two_vendors(folder: Folder) -> None:
+    folder.add("Lamp", vendor="acme", code="D001")
+    folder.add("Lamp", vendor="best", code="D002", message="SetLamp")
+    own = folder.load()
+    assert own.decode(b"\x01\xd0\x05").SERVICE == "urn:acme:things:Lamp"
+    assert own.decode(b"\x02\xd0\x05").SERVICE == "urn:best:things:Lamp"
+
+
+def test_a_collision_names_both_files_and_is_resolved_by_service(folder: Folder, caplog) -> None:
+    lamp = folder.add("Lamp")
+    horn = folder.add("Horn", message="Honk", type="unsigned short integer")
+    with caplog.at_level(logging.WARNING):
+        own = folder.load()
+    [collision] = fresh(own)
+    assert collision.code == 0xD001
+    assert {entry.name for entry in collision.entries} == {"SetLevel", "Honk"}
+    assert set(collision.files) == {str(lamp), str(horn)}
+    for text in (str(collision), caplog.text):
+        assert str(lamp) in text
+        assert str(horn) in text
+    assert own.decode(b"\x01\xd0\x05", service="urn:acme:things:Lamp").NAME == "SetLevel"
+    assert own.decode(b"\x01\xd0\x05\x00", service="urn:acme:things:Horn").NAME == "Honk"
+    assert own.decode(b"\x01\xd0\x05", service="urn:acme:things:Lamp", strict=False)[0].NAME == "SetLevel"
+    with pytest.raises(DecodeError, match=r"message id 0xD001 is .* say which service is meant"):
+        own.decode(b"\x01\xd0\x05")
+
+
+def test_the_same_message_in_two_services_is_no_collision(folder: Folder) -> None:
+    folder.add("Lamp")
+    folder.add("LampClient", units="percent")
+    own = folder.load()
+    assert fresh(own) == []
+    assert own.decode(b"\x01\xd0\x05").NAME == "SetLevel"
+
+
+def test_messages_that_look_alike_and_are_called_differently_collide(folder: Folder) -> None:
+    folder.add("Lamp")
+    folder.add("Horn", message="Honk")
+    assert len(fresh(folder.load())) == 1
+
+
+def test_a_collision_with_a_built_in_message(folder: Folder, caplog) -> None:
+    path = folder.add("Lamp", code="4002")
+    own = folder.load()
+    [collision] = fresh(own)
+    assert str(path) in collision.files
+    assert any(file.endswith("Management.xml") for file in collision.files)
+    assert own.decode(b"\x02\x40\x05", service="urn:acme:things:Lamp").NAME == "SetLevel"
+    assert own.decode(b"\x02\x40\x01\x00\x00\x00\x00", service="urn:jaus:jss:core:Management").NAME == "ReportStatus"
+    assert "0x4002" in caplog.text
+    assert own.nested(b"\x02\x40\x05", 0) == b"\x02\x40\x05"
+
+
+def test_a_newer_set_replaces_an_older_one_under_other_names(folder: Folder) -> None:
+    """As the manipulator set did: services and messages were renamed from 1.0 to 2.0, their ids stayed."""
+    folder.add("JointEfforts", version="1.0", message="SetEfforts")
+    folder.add("JointEffort", version="2.0", message="SetEffort", type="unsigned short integer")
+    own = folder.load()
+    assert fresh(own) == []
+    assert own.decode(b"\x01\xd0\x05\x00").NAME == "SetEffort"
+    assert own.decode(b"\x01\xd0\x05", version="1.0").NAME == "SetEfforts"
+
+
+def test_a_service_defined_again_replaces_the_built_in_one(folder: Folder) -> None:
+    folder.add("Time", urn="urn:jaus:jss:core:Time", version="1.1", message="SetTime", code="0011")
+    own = folder.load()
+    assert own.decode(b"\x11\x00\x05").to_dict() == {"level": 5}
+    with pytest.raises(ConfigError, match=r"no message QueryTime 1\.1"):
+        own.by_name("QueryTime", version="1.1")
+    assert registry.by_name("QueryTime").NAME == "QueryTime"
+
+
+def test_other_xml_in_a_folder_is_left_alone(folder: Folder) -> None:
+    folder.add("Lamp")
+    (folder.path / "package.xml").write_text("<package><name>vendor</name></package>")
+    assert folder.load().by_name("SetLevel").CODE == 0xD001
+    with pytest.raises(SchemaError, match="expected a JSIDL document"):
+        jauspy.load(folder.path / "package.xml")
+    (folder.path / "broken.xml").write_text("<service_def")
+    with pytest.raises(SchemaError, match="not well-formed"):
+        folder.load()
+
+
+def test_a_misspelt_state_does_not_cost_the_messages(folder: Folder) -> None:
+    path = folder.add("Lamp")
+    start = (
+        '<start state_machine_name="M" state_name="Nowhere"/><state_machine name="M"><state name="A"/></state_machine>'
+    )
+    text = path.read_text().replace('is_stateless="true"/>', f'is_stateless="false">{start}</protocol_behavior>')
+    path.write_text(text)
+    assert folder.load().by_name("SetLevel").CODE == 0xD001
+
+
+def test_files_of_generated_packages_are_their_modules() -> None:
+    one = Entry(1, "A", "urn:a:b:C", "1.0", "somewhere.c", "A")
+    assert Registry([one]).file_of(one) == "somewhere.c"
+    assert registry.file_of(registry.entries[0]).endswith(".xml")
+
+
+def test_built_in_messages_collide_only_where_the_published_ones_do() -> None:
+    assert {collision.code for collision in registry.collisions} <= {0xF92A}
+
+
+def test_one_id_twice_in_one_service_is_not_resolved_by_service() -> None:
+    """The published CBRNSensor has that: the first message is taken."""
+    first = registry.entries[0]
+    again = Entry(first.code, "Other", first.service, first.version, first.module, first.cls)
+    assert Registry([first, again]).collisions == ()

@@ -1,0 +1,136 @@
+"""The linter's rules about state machines. What is wrong is in the lines marked `here`."""
+
+from __future__ import annotations
+
+import pytest
+
+HERE = "<!-- here -->"
+START = '<start state_machine_name="M" state_name="A"/>'
+EVENT = '<event_def name="Timeout"><header name="H"/><body name="B"/><footer name="F"/></event_def>'
+TRANSPORT = '<references><inherits_from name="events" id="urn:jaus:jss:core:Events" version="1.1"/></references>'
+
+
+def machine(inner: str, states: str = "") -> str:
+    return f'{START}\n<state_machine name="M">\n<state name="A">\n{inner}\n</state>\n{states}\n</state_machine>'
+
+
+def transition(name: str, inner: str = "<internal/>", here: str = "", parameter: str = "") -> str:
+    wanted = f'<parameter type="{parameter}" value="msg"/>' if parameter else ""
+    return f'<transition name="{name}">{here}{wanted}{inner}</transition>'
+
+
+def goes(state: str) -> str:
+    return f'<simple><end_state state="{state}"/></simple>'
+
+
+def send(message: str) -> str:
+    return f'<internal/><action name="events.transport.Send"><argument value="{message}"/></action>'
+
+
+TRIGGERS = {
+    "no such message": (
+        transition("events.transport.Receive", here=HERE, parameter="Mgs"),
+        "Mgs is no input of the service or its ancestors; did you mean Msg?; nothing fires this",
+    ),
+    "no such event": (
+        transition("Timedout", here=HERE),
+        "no internal event 'Timedout' in the service or its ancestors; did you mean Timeout?; nothing fires this",
+    ),
+    "a message as an event": (
+        transition("Msg", here=HERE),
+        "Msg is a message: the trigger is Receive with a parameter of type Msg",
+    ),
+    "its own message": (transition("events.transport.Receive", parameter="Msg"), None),
+    "an ancestor's message": (transition("events.transport.Receive", parameter="QueryEvents"), None),
+    "any message": (transition("events.transport.Receive"), None),
+    "its own event": (transition("Timeout"), None),
+    "an ancestor's event": (transition("events.transport.BroadcastLocal"), None),
+    "anything else": ("<default_transition><internal/></default_transition>", None),
+}
+
+
+@pytest.mark.parametrize(("inner", "message"), TRIGGERS.values(), ids=TRIGGERS.keys())
+def test_triggers(jsidl, inner, message):
+    outputs = jsidl.message("", name="Out", code="4444")
+    jsidl.service(behavior=machine(inner), events=EVENT, references=TRANSPORT, outputs=outputs)
+    assert jsidl.lint("dead-trigger") == ([message] if message else [])
+
+
+@pytest.mark.parametrize(("parameter", "here"), [("Out", HERE), ("Msg", "")])
+def test_transitions_on_outputs(jsidl, parameter, here):
+    inner = transition("events.transport.Receive", here=here, parameter=parameter)
+    jsidl.service(behavior=machine(inner), references=TRANSPORT, outputs=jsidl.message("", name="Out", code="4444"))
+    assert all("Out is an output: only another" in message for message in jsidl.lint("output-trigger"))
+
+
+def test_triggers_are_not_judged_when_an_ancestor_is_missing(jsidl):
+    gone = TRANSPORT.replace("Events", "Gone")
+    jsidl.service(behavior=machine(transition("Timedout")), references=gone)
+    assert jsidl.lint("dead-trigger") == []
+
+
+SENDS = {
+    "no such output": ("'Ouch'", HERE, 1),
+    "an input": ("'Msg'", HERE, 1),
+    "its own output": ("'Out'", "", 0),
+    "an ancestor's output": ("'ReportEvents'", "", 0),
+    "what a variable holds": ("msg", "", 0),
+}
+
+
+@pytest.mark.parametrize(("message", "here", "count"), SENDS.values(), ids=SENDS.keys())
+def test_sends(jsidl, message, here, count):
+    outputs = jsidl.message("", name="Out", code="4444")
+    inner = transition("Timeout", send(message), here)
+    jsidl.service(behavior=machine(inner), events=EVENT, references=TRANSPORT, outputs=outputs)
+    found = jsidl.lint("unknown-send")
+    assert len(found) == count
+    assert all("which is no output of the service or its ancestors" in message for message in found)
+
+
+STATES = {
+    "end state": (machine(transition("T", goes("A.B"), HERE)), "end state 'A.B' does not exist"),
+    "start state": (machine("").replace(START, START.replace('"A"', '"B"') + HERE), "start state 'B' does not exist"),
+    "initial state": (
+        machine('<state name="B"/>').replace('<state name="A">', f'<state name="A" initial_state="C">{HERE}'),
+        "initial state 'A.C' does not exist; did you mean",
+    ),
+    "two at once": (
+        machine(f"{transition('T', goes('X'), HERE)}\n{transition('T', goes('Y'), HERE)}"),
+        "end state 'X' does not exist",
+    ),
+}
+
+
+@pytest.mark.parametrize(("behavior", "message"), STATES.values(), ids=STATES.keys())
+def test_unknown_states(jsidl, behavior, message):
+    jsidl.service(behavior=behavior)
+    assert any(message in found for found in jsidl.lint("unknown-state"))
+
+
+def test_known_states(jsidl):
+    inner = f'{transition("T", goes("Receiving"))}\n{transition("T", goes("A.B"))}<state name="B"/>'
+    fsm = "events.transport.ReceiveFSM"
+    jsidl.service(references=TRANSPORT, behavior=machine(inner).replace('"M"', f'"{fsm}"'))
+    assert jsidl.lint("unknown-state") == []
+
+
+def test_unreachable_states(jsidl):
+    inner = f"""{transition("T", goes("A.C"))}
+<state name="B"/>
+<state name="C"><state name="D"/></state>
+<state name="E">{HERE}
+<state name="F"/></state>"""
+    behavior = machine(inner).replace('<state name="A">', '<state name="A" initial_state="B">')
+    jsidl.service(behavior=behavior)
+    [message] = jsidl.lint("unreachable-state")
+    assert message.startswith("nothing leads to state A.E")
+
+
+def test_a_state_that_only_a_child_service_reaches(jsidl):
+    behavior = machine('<state name="B"/><state name="C"/>').replace('name="A"', 'name="A" initial_state="B"')
+    jsidl.service(behavior=behavior)
+    parent = '<references><inherits_from name="t" id="urn:test:Test" version="1.0"/></references>'
+    child = machine(transition("T", goes("A.C"))).replace('"M"', '"t.M"')
+    jsidl.service(name="Child", urn="urn:test:Child", references=parent, behavior=child)
+    assert jsidl.lint("unreachable-state") == []
