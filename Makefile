@@ -7,13 +7,14 @@ VENV := .venv
 BIN := $(VENV)/bin
 PORT ?= 3794
 PYTEST_ARGS ?=
+CASES ?= 200000
 
 .DEFAULT_GOAL := help
-.PHONY: help setup dev demo test check lint types imports unit wheel-test bench format generate clean
+.PHONY: help setup dev demo test check lint types imports unit wheel-test bench fuzz format generate clean
 
 help:
 	@sed -n 's/^# //p' Makefile | head -3
-	@echo "others: lint types imports unit wheel-test bench format generate clean (see CONTRIBUTING.md)"
+	@echo "others: lint types imports unit wheel-test bench fuzz format generate clean (see CONTRIBUTING.md)"
 
 $(VENV)/.installed: pyproject.toml tools/setup_venv.sh
 	@PYTHON=$(PYTHON) tools/setup_venv.sh $(VENV) user
@@ -51,6 +52,9 @@ wheel-test: dev
 
 bench: dev
 	@for script in tools/bench/*.py; do echo "== $$script"; $(BIN)/python $$script || exit 1; done
+
+fuzz: dev
+	$(BIN)/jauspy fuzz codec tests/golden/sae_management.hex --cases $(CASES) --jobs 2
 
 format: dev
 	$(BIN)/ruff check --fix

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import inspect
 import os
-import re
 import sys
 from collections.abc import Callable
 from typing import Annotated, Any, Final
@@ -13,7 +11,8 @@ import typer
 import typer.core
 
 from jauspy import __version__
-from jauspy.cli import console, decode, demo, ls, node_manager, query, send, up
+from jauspy.cli import console, decode, demo, fuzz, ls, node_manager, query, send, up
+from jauspy.cli.help import help_text
 from jauspy.errors import JausError
 
 
@@ -72,12 +71,6 @@ def _options(
     """
 
 
-def help_text(doc: str) -> str:
-    """A docstring's paragraphs as one line each, for the help to wrap; indented lines (examples) stay lines."""
-    paragraphs = inspect.cleandoc(doc).split("\n\n")
-    return "\n\n".join(re.sub(r"\n(?! )", " ", paragraph) for paragraph in paragraphs)
-
-
 VERBS: Final[dict[str, Callable[..., None]]] = {
     "demo": demo.demo,
     "up": up.up,
@@ -89,6 +82,7 @@ VERBS: Final[dict[str, Callable[..., None]]] = {
 }
 for name, verb in VERBS.items():
     app.command(name, help=help_text(verb.__doc__ or ""))(verb)
+app.add_typer(fuzz.app)
 
 
 def main() -> None:
