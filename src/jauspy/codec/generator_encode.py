@@ -134,8 +134,8 @@ class _Encoder:
         return [*lines, *self._append(codes, values)]
 
     def _append(self, codes: list[str], values: list[str]) -> list[str]:
-        if codes == ["B"]:
-            return [f"out.append({values[0]})"]
+        if len(codes) <= 3 and set(codes) == {"B"}:  # costs less than to pack them
+            return [f"out.append({value})" for value in values]
         return [f"out += {self.constants.packer(''.join(codes))}.pack({', '.join(values)})"] if values else []
 
     def _single(self, slot: SlotPlan) -> list[str]:

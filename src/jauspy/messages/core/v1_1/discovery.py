@@ -473,7 +473,8 @@ class RegisterServices(rt.Message):
             uri_raw_ = item_.uri.encode("latin-1")
             out.append(len(uri_raw_))
             out += uri_raw_
-            out += _S_2B.pack(item_.major_version_number, item_.minor_version_number)
+            out.append(item_.major_version_number)
+            out.append(item_.minor_version_number)
         return bytes(out)
 
 
@@ -646,7 +647,8 @@ class ReportConfiguration(rt.Message):
             out.append(len(component_list_))
             for item_2_ in component_list_:
                 if type(item_2_) is not core_v1_0_types.ComponentRec: raise rt.Reject
-                out += _S_2B.pack(item_2_.component_id, item_2_.instance_id)
+                out.append(item_2_.component_id)
+                out.append(item_2_.instance_id)
         return bytes(out)
 
 
@@ -834,7 +836,8 @@ class ReportServices(rt.Message):
                 if type(item_2_) is not ReportServices.ComponentSeq: raise rt.Reject
                 component_rec_ = item_2_.component_rec
                 if type(component_rec_) is not core_v1_0_types.ComponentRec: raise rt.Reject
-                out += _S_2B.pack(component_rec_.component_id, component_rec_.instance_id)
+                out.append(component_rec_.component_id)
+                out.append(component_rec_.instance_id)
                 service_list_ = item_2_.service_list
                 if type(service_list_) is not list: raise rt.Reject
                 out.append(len(service_list_))
@@ -843,7 +846,8 @@ class ReportServices(rt.Message):
                     uri_raw_ = item_3_.uri.encode("latin-1")
                     out.append(len(uri_raw_))
                     out += uri_raw_
-                    out += _S_2B.pack(item_3_.major_version_number, item_3_.minor_version_number)
+                    out.append(item_3_.major_version_number)
+                    out.append(item_3_.minor_version_number)
         return bytes(out)
 
 
@@ -1038,7 +1042,8 @@ class ReportServiceList(rt.Message):
                     if type(item_3_) is not ReportServiceList.ComponentSeq: raise rt.Reject
                     component_rec_ = item_3_.component_rec
                     if type(component_rec_) is not core_v1_0_types.ComponentRec: raise rt.Reject
-                    out += _S_2B.pack(component_rec_.component_id, component_rec_.instance_id)
+                    out.append(component_rec_.component_id)
+                    out.append(component_rec_.instance_id)
                     service_list_ = item_3_.service_list
                     if type(service_list_) is not list: raise rt.Reject
                     out.append(len(service_list_))
@@ -1047,7 +1052,8 @@ class ReportServiceList(rt.Message):
                         uri_raw_ = item_4_.uri.encode("latin-1")
                         out.append(len(uri_raw_))
                         out += uri_raw_
-                        out += _S_2B.pack(item_4_.major_version_number, item_4_.minor_version_number)
+                        out.append(item_4_.major_version_number)
+                        out.append(item_4_.minor_version_number)
         return bytes(out)
 
 
@@ -1060,8 +1066,8 @@ _E_QueriedComponentRec_ComponentID = rt.members(core_v1_0_types.QueriedComponent
 _S_B = rt.Packer("<B")
 _E_QueryServiceList_ComponentID = rt.members(QueryServiceList.ComponentID)
 _E_QueryServiceList_SubsystemID = rt.members(QueryServiceList.SubsystemID)
-_S_2B = rt.Packer("<2B")
 _E_ReportIdentification_QueryType = rt.members(ReportIdentification.QueryType)
 _E_ReportIdentification_Type = rt.members(ReportIdentification.Type)
 _S_BH = rt.Packer("<BH")
+_S_2B = rt.Packer("<2B")
 _S_H2B = rt.Packer("<H2B")
