@@ -8,13 +8,14 @@ BIN := $(VENV)/bin
 # not from the environment, where PORT often means something else; `make demo PORT=3795` works
 PORT = 3794
 PYTEST_ARGS ?=
+CASES ?= 200000
 
 .DEFAULT_GOAL := help
-.PHONY: help setup dev demo test check lint types imports unit wheel-test bench format generate clean
+.PHONY: help setup dev demo test check lint types imports unit wheel-test bench fuzz format generate clean
 
 help:
 	@sed -n 's/^# //p' Makefile | head -3
-	@echo "others: lint types imports unit wheel-test bench format generate clean (see CONTRIBUTING.md)"
+	@echo "others: lint types imports unit wheel-test bench fuzz format generate clean (see CONTRIBUTING.md)"
 
 $(VENV)/.installed: pyproject.toml tools/setup_venv.sh
 	@PYTHON=$(PYTHON) tools/setup_venv.sh $(VENV) user
@@ -51,7 +52,10 @@ wheel-test: dev
 	$(BIN)/python tools/wheel_test.py
 
 bench: dev
-	@for script in tools/bench/*.py; do echo "== $$script"; $(BIN)/python $$script || exit 1; done
+	@for script in tools/bench/[!_]*.py; do echo "== $$script"; $(BIN)/python $$script || exit 1; done
+
+fuzz: dev
+	$(BIN)/jauspy fuzz codec tests/golden/sae_management.hex --cases $(CASES) --jobs 2
 
 format: dev
 	$(BIN)/ruff check --fix

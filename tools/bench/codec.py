@@ -1,210 +1,194 @@
-"""How fast generated messages are, as ratios to code written by hand with `struct` in the same run.
+"""How fast the codec is, as ratios to other code that is measured in the same run.
 
-python tools/bench/codec.py [--seconds 0.3]
+python tools/bench/codec.py [--seconds 0.3] [--rows 2]
 """
 
 from __future__ import annotations
 
 import argparse
+import json
 import statistics
-import struct
+import subprocess
+import sys
 import timeit
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator
+from functools import partial
+from pathlib import Path
+from typing import Any
 
+import _by_hand as hand
+import _models
+from _construct import compiled
+from pymavlink.dialects.v20 import common as mavlink
+
+from jauspy.codec.base import Message
+from jauspy.messages import registry
 from jauspy.messages.core import ReportServices
 from jauspy.messages.mobility import ReportVelocityState
+from jauspy.schema import load_builtin
 
-LINEAR, RMS, RATE, RATE_RMS = 655.35 / 0xFFFFFFFF, 100 / 0xFFFFFFFF, 0.001, 3.141592653589793 / 0xFFFF
-
-
-@dataclass(slots=True)
-class Time:
-    """The time stamp of the code written by hand."""
-
-    milliseconds: int
-    seconds: int
-    minutes: int
-    hour: int
-    day: int
+ROOT = Path(__file__).parents[2]
+Call = Callable[[], object]
 
 
-@dataclass(slots=True)
-class Velocity:
-    """A velocity state as one would write it by hand."""
-
-    velocity_x: float | None
-    velocity_y: float | None
-    velocity_z: float | None
-    velocity_rms: float | None
-    roll_rate: float | None
-    pitch_rate: float | None
-    yaw_rate: float | None
-    rate_rms: float | None
-    time_stamp: Time | None
+def compare(own: Call, theirs: Call, seconds: float) -> tuple[float, float]:
+    """Nanoseconds per call of both, by turns, because a machine is not equally fast all the time; the best counts."""
+    timers = [timeit.Timer(call) for call in (own, theirs)]
+    numbers = [max(1, int(seconds / 9 / max(timer.timeit(20) / 20, 1e-9))) for timer in timers]
+    rounds = [[timer.timeit(number) / number for timer, number in zip(timers, numbers, strict=True)] for _ in range(9)]
+    best = [min(column) * 1e9 for column in zip(*rounds, strict=True)]
+    return best[0], best[1]
 
 
-U16, U32 = struct.Struct("<H"), struct.Struct("<I")
+def show(name: str, own: float, theirs: float, ratio: float, goal: str) -> None:
+    """One line."""
+    print(f"{name:34}{own:9.0f} ns{theirs:9.0f} ns{ratio:8.2f}  {goal}")
 
 
-def velocity_decode(data: bytes) -> Velocity:
-    """Branches over the presence vector, checks what a strict decoder has to check."""
-    code, mask = struct.unpack_from("<HH", data)
-    if code != 0x4404:
-        raise ValueError(code)
-    at = 4
-    values: list[float | None] = []
-    for bit, lower, step in ((1, -327.68, LINEAR), (2, -327.68, LINEAR), (4, -327.68, LINEAR), (8, 0.0, RMS)):
-        if mask & bit:
-            values.append(lower + U32.unpack_from(data, at)[0] * step)
-            at += 4
-        else:
-            values.append(None)
-    for bit, lower, step in ((16, -32.768, RATE), (32, -32.768, RATE), (64, -32.768, RATE), (128, 0.0, RATE_RMS)):
-        if mask & bit:
-            values.append(lower + U16.unpack_from(data, at)[0] * step)
-            at += 2
-        else:
-            values.append(None)
-    time = None
-    if mask & 256:
-        (raw,) = U32.unpack_from(data, at)
-        at += 4
-        time = Time(raw & 0x3FF, raw >> 10 & 0x3F, raw >> 16 & 0x3F, raw >> 22 & 0x1F, raw >> 27)
-        if time.milliseconds > 999 or time.seconds > 59 or time.minutes > 59 or time.hour > 23 or not time.day:
-            raise ValueError(time)
-    if at != len(data):
-        raise ValueError(at)
-    return Velocity(*values, time)  # type: ignore[call-arg, arg-type]  # eight numbers
+def head(title: str, theirs: str) -> None:
+    """What the columns are."""
+    print(f"\n{title:34}{'generated':>12}{theirs:>12}{'ratio':>8}  goal")
 
 
-def _raw(value: float, lower: float, upper: float, step: float) -> int:
-    if not lower <= value <= upper:
-        raise ValueError(value)
-    return int((value - lower) / step + 0.5)
+def against_hand(seconds: float) -> None:
+    """Three messages for which the code is written by hand."""
+    velocity = bytes.fromhex("0444ff01" + "78563412" * 4 + "3412" * 4 + "e7effbfd")
+    uri = b"urn:jaus:jss:mobility:PrimitiveDriver"
+    component = b"\x01\x00\x04" + (bytes([len(uri)]) + uri + b"\x01\x01") * 4
+    services = b"\x03\x4b\x02" + (b"\x01\x03" + component * 3) * 2
+    efforts = b"\x01\x06\x06" + bytes.fromhex("000034127856bc9adef0ffff")
+    set_efforts = _models.registry().by_name("SetEfforts")
+    rows: tuple[tuple[type[Message], bytes, Callable[[bytes], Any], Callable[[Any], bytes]], ...] = (
+        (ReportVelocityState, velocity, hand.velocity_decode, hand.velocity_encode),
+        (set_efforts, efforts, hand.efforts_decode, hand.efforts_encode),
+        (ReportServices, services, hand.services_decode, hand.services_encode),
+    )
+    head("against code written by hand", "by hand")
+    for cls, data, decode, encode in rows:
+        own, theirs = cls.decode(data), decode(data)
+        assert own.encode() == encode(theirs) == data
+        for verb, mine, other in (
+            ("decode", partial(cls.decode, data), partial(decode, data)),
+            ("encode", own.encode, partial(encode, theirs)),
+        ):
+            a, b = compare(mine, other, seconds)
+            show(f"{cls.NAME} {verb}", a, b, a / b, "at most 1.2")
 
 
-def velocity_encode(v: Velocity) -> bytes:
-    """The same in the other direction."""
-    mask, parts = 0, [b""]
-    for bit, value in ((1, v.velocity_x), (2, v.velocity_y), (4, v.velocity_z)):
-        if value is not None:
-            mask |= bit
-            parts.append(U32.pack(_raw(value, -327.68, 327.67, LINEAR)))
-    if v.velocity_rms is not None:
-        mask |= 8
-        parts.append(U32.pack(_raw(v.velocity_rms, 0.0, 100.0, RMS)))
-    for bit, value in ((16, v.roll_rate), (32, v.pitch_rate), (64, v.yaw_rate)):
-        if value is not None:
-            mask |= bit
-            parts.append(U16.pack(_raw(value, -32.768, 32.767, RATE)))
-    if v.rate_rms is not None:
-        mask |= 128
-        parts.append(U16.pack(_raw(v.rate_rms, 0.0, 3.141592653589793, RATE_RMS)))
-    if v.time_stamp is not None:
-        t = v.time_stamp
-        mask |= 256
-        if t.milliseconds > 999 or t.seconds > 59 or t.minutes > 59 or t.hour > 23 or not t.day:
-            raise ValueError(t)
-        parts.append(U32.pack(t.milliseconds | t.seconds << 10 | t.minutes << 16 | t.hour << 22 | t.day << 27))
-    parts[0] = struct.pack("<HH", 0x4404, mask)
-    return b"".join(parts)
+def golden(most: int) -> Iterator[tuple[type[Message], bytes]]:
+    """Messages of the committed golden rows: of each kind the longest ones."""
+    found: dict[type[Message], set[bytes]] = {}
+    for file in sorted((ROOT / "tests" / "golden").glob("*-*.jsonl")):
+        for line in file.read_text("utf-8").splitlines():
+            row = json.loads(line)
+            for cls in registry.by_code(int(row["code"], 16)):
+                if (row["message"], row["version"]) == (cls.NAME, cls.VERSION):
+                    found.setdefault(cls, set()).add(bytes.fromhex(row["hex"]))
+    for cls, messages in found.items():
+        for data in sorted(messages, key=lambda data: (-len(data), data))[:most]:
+            yield cls, data
 
 
-@dataclass(slots=True)
-class Service:
-    """A service as one would write it by hand; so the next two."""
-
-    uri: str
-    major: int
-    minor: int
-
-
-@dataclass(slots=True)
-class Component:
-    """A component and its services."""
-
-    component: int
-    instance: int
-    services: list[Service]
-
-
-@dataclass(slots=True)
-class Node:
-    """A node and its components."""
-
-    node: int
-    components: list[Component]
+def against_construct(seconds: float, most: int) -> None:
+    """The mix of all messages, with the same values, and without scaling, names, strings and bit fields."""
+    models = {(s.id, s.version, msg.name): msg for s in load_builtin().services for msg in s.messages}
+    rows = list(golden(most))
+    head(f"{len(rows)} golden messages, median", "construct")
+    for values in (True, False):
+        times: dict[str, list[tuple[float, float]]] = {"decode": [], "encode": []}
+        for cls, data in rows:
+            peer = compiled(models[cls.SERVICE, cls.VERSION, cls.NAME], values=values)
+            own, theirs = cls.decode(data), peer.parse(data)
+            assert peer.build(theirs) == own.encode() == data
+            for verb, mine, other in (
+                ("decode", partial(cls.decode, data), partial(peer.parse, data)),
+                ("encode", own.encode, partial(peer.build, theirs)),
+            ):
+                times[verb].append(compare(mine, other, seconds))
+        for verb, found in times.items():
+            a, b = (statistics.median(column) for column in zip(*found, strict=True))
+            ratios = [theirs / mine for mine, theirs in found]
+            what = "the same values" if values else "raw structure only"
+            goal = f"{'at least 8 ' if values else ''}(here {min(ratios):.1f} to {max(ratios):.1f})"
+            show(f"{verb}, {what}", a, b, statistics.median(ratios), goal)
 
 
-def services_decode(data: bytes) -> list[Node]:
-    """Lists in lists."""
-    nodes: list[Node] = []
-    at = 3
-    for _ in range(data[2]):
-        node, count = data[at], data[at + 1]
-        at += 2
-        components: list[Component] = []
-        for _ in range(count):
-            component, instance, listed = data[at], data[at + 1], data[at + 2]
-            at += 3
-            services: list[Service] = []
-            for _ in range(listed):
-                end = at + 1 + data[at]
-                services.append(Service(data[at + 1 : end].decode("latin-1"), data[end], data[end + 1]))
-                at = end + 2
-            components.append(Component(component, instance, services))
-        nodes.append(Node(node, components))
-    if at != len(data):
-        raise ValueError(at)
-    return nodes
+def against_mavlink(seconds: float) -> None:
+    """The same fields in both formats."""
+    mav = mavlink.MAVLink(None)
+    six = (1.0, 2.0, 3.0, 4.0, 5.0, 6.0)
+    covariance = [float(number) for number in range(21)]
+    attitude = mav.attitude_encode(1000, *six).pack(mav)
+    pose = (10**15, 1, 2, 0.5, 1.5, 2.5, [1.0, 0.0, 0.0, 0.0])
+    odometry = mav.odometry_encode(*pose, *six, covariance, covariance, 3, 1, 90).pack(mav)
+    models = _models.registry()
+    own_attitude = models.by_name("Attitude").from_dict(
+        dict(
+            zip(
+                ("time_boot_ms", "roll", "pitch", "yaw", "roll_speed", "pitch_speed", "yaw_speed"),
+                (1000, *six),
+                strict=True,
+            )
+        )
+    )
+    own_odometry = models.by_name("Odometry").from_dict(
+        {
+            **dict(zip(("time_usec", "frame_id", "child_frame_id", "x", "y", "z", "q"), pose, strict=True)),
+            **dict(zip(("vx", "vy", "vz", "roll_speed", "pitch_speed", "yaw_speed"), six, strict=True)),
+            "pose_covariance": covariance,
+            "velocity_covariance": covariance,
+            "reset_counter": 3,
+            "estimator_type": 1,
+            "quality": 90,
+        }
+    )
+    velocity = ReportVelocityState.decode(bytes.fromhex("0444ff01" + "78563412" * 4 + "3412" * 4 + "e7effbfd"))
+    head("decoding against pymavlink", "pymavlink")
+    for name, packed, message in (
+        ("ATTITUDE, the same fields", attitude, own_attitude),
+        ("ATTITUDE, ReportVelocityState", attitude, velocity),
+        ("ODOMETRY, the same fields", odometry, own_odometry),
+    ):
+        data, cls = message.encode(), type(message)
+        assert mav.decode(bytearray(packed)) is not None
+        a, b = compare(partial(cls.decode, data), partial(mav.decode, bytearray(packed)), seconds)
+        show(name, a, b, b / a, "at least 2")
 
 
-def services_encode(nodes: list[Node]) -> bytes:
-    """The same in the other direction."""
-    out = bytearray(b"\x03\x4b")
-    out.append(len(nodes))
-    for node in nodes:
-        out += bytes((node.node, len(node.components)))
-        for component in node.components:
-            out += bytes((component.component, component.instance, len(component.services)))
-            for service in component.services:
-                raw = service.uri.encode("latin-1")
-                out.append(len(raw))
-                out += raw
-                out += bytes((service.major, service.minor))
-    return bytes(out)
+def start(code: str) -> float:
+    """Milliseconds that Python takes for some code, in a process of its own; the best of five."""
+    timed = f"import time; start = time.perf_counter(); {code}; print(time.perf_counter() - start)"
+    runs = [subprocess.run([sys.executable, "-c", timed], check=True, capture_output=True, text=True) for _ in range(5)]
+    return min(float(run.stdout) for run in runs) * 1e3
 
 
-def measure(call: Callable[[], object], seconds: float) -> float:
-    """Nanoseconds per call, the median of several runs."""
-    timer = timeit.Timer(call)
-    number = max(1, int(seconds / 7 / max(timer.timeit(100) / 100, 1e-9)))
-    return statistics.median(timer.repeat(7, number)) / number * 1e9
+def starting() -> None:
+    """What it costs to get going, and how much source there is."""
+    print(f"\n{'starting':34}{'':>12}{'':>12}{'':>8}  goal")
+    rows = (
+        ("import jauspy", "import jauspy", "under 150 ms"),
+        ("first message", "from jauspy.messages.mobility import SetWrenchEffort", ""),
+        ("all messages", "from jauspy.messages import registry; list(registry)", ""),
+        ("load all schemas", "from jauspy.schema import load_builtin; load_builtin()", "under 1000 ms"),
+    )
+    for name, code, goal in rows:
+        print(f"{name:34}{start(code):9.0f} ms{'':>20}  {goal}")
+    files = sorted((ROOT / "src" / "jauspy" / "messages").rglob("*.py"))
+    size = sum(file.stat().st_size for file in files)
+    each = f"{size / len(registry):.0f} bytes for each of {len(registry)} messages"
+    print(f"{'generated source':34}{size / 1e3:9.0f} kB, {each}")
 
 
 def main() -> None:
-    """Print one line per message and direction."""
+    """Print one line per figure."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--seconds", type=float, default=0.5, help="time for each figure (%(default)s s)")
-    seconds = parser.parse_args().seconds
-    velocity = bytes.fromhex("0444ff01" + "78563412" * 4 + "3412" * 4 + "e7effbfd")
-    uri = b"urn:jaus:jss:mobility:PrimitiveDriver"
-    service = bytes([len(uri)]) + uri + b"\x01\x01"
-    component = b"\x01\x00\x04" + service * 4
-    services = b"\x03\x4b\x02" + (b"\x01\x03" + component * 3) * 2
-    own_velocity, hand_velocity = ReportVelocityState.decode(velocity), velocity_decode(velocity)
-    own_services, hand_services = ReportServices.decode(services), services_decode(services)
-    pairs: dict[str, tuple[Callable[[], object], Callable[[], object]]] = {
-        "ReportVelocityState decode": (lambda: ReportVelocityState.decode(velocity), lambda: velocity_decode(velocity)),
-        "ReportVelocityState encode": (own_velocity.encode, lambda: velocity_encode(hand_velocity)),
-        "ReportServices decode": (lambda: ReportServices.decode(services), lambda: services_decode(services)),
-        "ReportServices encode": (own_services.encode, lambda: services_encode(hand_services)),
-    }
-    print(f"{'':30}{'generated':>10}{'by hand':>10}{'ratio':>8}")
-    for name, (own, hand) in pairs.items():
-        mine, theirs = measure(own, seconds), measure(hand, seconds)
-        print(f"{name:30}{mine:8.0f}ns{theirs:8.0f}ns{mine / theirs:8.2f}")
+    parser.add_argument("--rows", type=int, default=2, help="golden messages of each kind (%(default)s)")
+    options = parser.parse_args()
+    against_hand(options.seconds)
+    against_construct(options.seconds / 10, options.rows)
+    against_mavlink(options.seconds)
+    starting()
 
 
 if __name__ == "__main__":

@@ -165,11 +165,11 @@ class Message(Struct):
         if data.__class__ is not bytes:
             data = bytes(data)
         try:
-            message = cls._unpack(data, 0)
+            if strict:
+                return cls._unpack(data, 0)
+            return cls._unpack(data, 0), []
         except FAST_ERRORS:
             pass
-        else:
-            return message if strict else (message, [])
         from jauspy.codec import careful  # noqa: PLC0415 - off the fast road
 
         return careful.decode(cls, data) if strict else careful.decode_tolerant(cls, data)

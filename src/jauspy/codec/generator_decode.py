@@ -17,6 +17,7 @@ from jauspy.codec.generator_fixed import (
     runs,
     size_of,
 )
+from jauspy.codec.generator_grid import grid_codes, grid_values, is_plain
 from jauspy.codec.generator_locals import Locals, Position
 from jauspy.codec.generator_raw import Raw, RawReader, one_expression, reject_if
 from jauspy.codec.generator_text import indent
@@ -226,6 +227,8 @@ class _Decoder:
                 return [*self._number(item.code, "tag"), *self.position.settle(), read]
             case RepeatPlan():
                 return self._repeat(item, hint, target)
+            case GridPlan() if is_plain(item):
+                return self._grid(item, hint, target)
             case GridPlan():
                 inner = GridPlan(item.item, item.sizes[1:]) if len(item.sizes) > 1 else item.item
                 return self._loop(inner, hint, str(item.sizes[0]), target)
@@ -295,6 +298,13 @@ class _Decoder:
         before = self.position.settle()
         body = [*self._item(item, "item", one), *self.position.settle(), f"{made}.append({one})"]
         return [*before, f"{made} = []", f"for _ in range({counted}):", *indent(body), f"{target} = {made}"]
+
+    def _grid(self, item: GridPlan, hint: str, target: str) -> list[str]:
+        """Numbers: one call unpacks them all."""
+        raw, here = self.locals.name(hint), self.position.here()
+        self.position.skip(size_of(grid_codes(item)))
+        packer = self.constants.packer("".join(grid_codes(item)))
+        return [f"{raw} = {packer}.unpack_from(data, {here})", *grid_values(item, raw, target)]
 
     def _choice(self) -> list[str]:
         lines = ["choice = data[at]"]

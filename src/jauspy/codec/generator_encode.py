@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from jauspy.codec.generator_checked import CheckedWriter
 from jauspy.codec.generator_fixed import Constants, bits_by_name, class_codes, fixed_codes, is_fixed_run, runs
+from jauspy.codec.generator_grid import finite, grid_codes, is_plain
 from jauspy.codec.generator_locals import Locals
 from jauspy.codec.generator_raw import reject_if
 from jauspy.codec.generator_text import indent
@@ -133,8 +134,8 @@ class _Encoder:
         return [*lines, *self._append(codes, values)]
 
     def _append(self, codes: list[str], values: list[str]) -> list[str]:
-        if codes == ["B"]:
-            return [f"out.append({values[0]})"]
+        if len(codes) <= 3 and set(codes) == {"B"}:  # costs less than to pack them
+            return [f"out.append({value})" for value in values]
         return [f"out += {self.constants.packer(''.join(codes))}.pack({', '.join(values)})"] if values else []
 
     def _single(self, slot: SlotPlan) -> list[str]:
@@ -156,6 +157,10 @@ class _Encoder:
             case BlobPlan():
                 kind = "message" if item.is_message else "plain"
                 return self._bytes(item.count, f"rt.{kind}_bytes({source})", hint)
+            case GridPlan() if is_plain(item) and len(item.sizes) == 1:
+                lines, name = self.checked.local(source, hint)
+                checks = reject_if(f"type({name}) is not list or len({name}) != {item.sizes[0]}")
+                return [*lines, *checks, *finite(item, name), *self._append(grid_codes(item), [f"*{name}"])]
             case GridPlan():
                 inner = GridPlan(item.item, item.sizes[1:]) if len(item.sizes) > 1 else item.item
                 return self._grid(inner, item.sizes[0], *self.checked.local(source, hint))

@@ -61,7 +61,7 @@ class RawReader:
             case TextPlan():
                 return [name], [], f'{name}.rstrip(b"\\0").decode("latin-1")'
             case ObjectPlan():
-                return [name], self._bit_checks(item.cls, name), self._bits_value(item.cls, name)
+                return [name], *self._bits(item.cls, name)
             case _:
                 raise AssertionError(item)
 
@@ -98,23 +98,22 @@ class RawReader:
         members = self._constants.members(enum)
         return f"{members}.get({name}, {name})" if number.allowed.intervals or free(number) else f"{members}[{name}]"
 
-    def _bit_checks(self, plan: ClassPlan, name: str) -> list[str]:
+    def _bits(self, plan: ClassPlan, name: str) -> tuple[list[str], str]:
+        """Lines that check the parts of a bit field, and its value."""
         lines: list[str] = []
-        for bit in plan.bits:
-            if not covers(bit.allowed, 0, bit.mask):
-                part = _part(name, bit.shift, bit.mask)
-                lines += [f"part = {part}", *reject_if(outside(bit.allowed, "part", self._constants, 0, bit.mask))]
-        return lines
-
-    def _bits_value(self, plan: ClassPlan, name: str) -> str:
         parts = []
         for bit in plan.bits:
             part = _part(name, bit.shift, bit.mask)
+            if not covers(bit.allowed, 0, bit.mask):
+                checked = self._locals.name(bit.name)
+                lines += [f"{checked} = {part}"]
+                lines += reject_if(outside(bit.allowed, checked, self._constants, 0, bit.mask))
+                part = checked
             members = self._constants.members(bit.allowed.enum) if bit.allowed.enum else ""
             parts.append(f"{members}.get({part}, {part})" if members else part)
         if undefined_bits(plan):
             parts.append(f"{name} & 0x{undefined_bits(plan):X}")
-        return f"{plan.path}({', '.join(parts)})"
+        return lines, f"{plan.path}({', '.join(parts)})"
 
 
 def _part(name: str, shift: int, mask: int) -> str:

@@ -12,7 +12,7 @@ from typing import Any
 
 from jauspy.codec.item import Item, integer_of, number_of
 from jauspy.codec.scaling import Rounding, Scaling, exact_raw
-from jauspy.codec.streams import Reader, Writer
+from jauspy.codec.streams import Reader, Writer, codec_of
 from jauspy.codec.wire import FLOATS, SIZES, limits
 from jauspy.errors import EncodeError
 
@@ -88,7 +88,9 @@ class Number(Item):
         if value is None:
             return 0.0 if self.code in FLOATS else 0
         if not math.isfinite(value):
-            reader.report(f"{value} is not a finite number", path, offset)
+            # a signalling NaN of four bytes becomes a quiet one, as a float of Python has eight
+            kept = codec_of(self.code).pack(value) == reader.data[offset : reader.at]
+            reader.report(f"{value} is not a finite number", path, offset, lost=not kept)
         elif not self.values.allows(value):
             reader.report(f"{value} is none of {self.values}", path, offset)
         return self.values.named(value)

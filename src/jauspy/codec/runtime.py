@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import isfinite
 from struct import Struct as Packer
 from typing import Final
 
@@ -56,6 +57,7 @@ __all__ = [
     "Values",
     "composite",
     "exact_raw",
+    "isfinite",
     "members",
     "message_bytes",
     "new",

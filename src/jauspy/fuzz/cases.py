@@ -8,6 +8,7 @@ from random import Random
 from typing import Final
 
 from jauspy.codec.registry import Registry
+from jauspy.errors import ConfigError
 from jauspy.fuzz.checks import MEMORY_EVERY, Checks
 from jauspy.fuzz.effort import Effort
 from jauspy.fuzz.findings import Finding, Problem
@@ -93,16 +94,13 @@ class Fuzzer:
 
     def replay(self, finding: Finding) -> Finding | None:
         """What the bytes of a finding show now; `None` when nothing is wrong with them any more."""
+        wanted = (finding.message, finding.service, finding.version)
         for target in self.targets:
-            if (
-                finding.message,
-                finding.service,
-                finding.version,
-            ) == (target.cls.NAME, target.cls.SERVICE, target.cls.VERSION):
+            if wanted == (target.cls.NAME, target.cls.SERVICE, target.cls.VERSION):
                 case = Case(finding.case, target, finding.data, valid=finding.check == "valid")
                 problem = self.checks.problem(target, case.data, valid=case.valid)
                 return self._finding(case, problem) if problem else None
-        return None
+        raise ConfigError(f"there is no {finding.message} of {finding.service} {finding.version}")
 
     def _finding(self, case: Case, problem: Problem) -> Finding:
         cls = case.target.cls
@@ -132,6 +130,6 @@ class Fuzzer:
                 found = finding.smaller(data, problem.seen)
             return same
 
-        minimise(finding.data, shows, SLOW_TRIES if slow else MOST_TRIES)
+        minimise(finding.data, shows, target.layout, SLOW_TRIES if slow else MOST_TRIES)
         self.checks.accepted = accepted
         return found

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import math
 import statistics
 import sys
 import time
 import tracemalloc
 from collections.abc import Callable, Iterable
 
-from jauspy.errors import DecodeError
 from jauspy.fuzz.seeds import Seed
 from jauspy.fuzz.targets import Target
 
@@ -18,6 +16,12 @@ TIMES = 100
 
 SMALLEST = 512
 """Inputs below this many bytes are measured as if they had so many."""
+
+USUAL_RATE = 250.0
+"""Nanoseconds per byte where nothing can be measured."""
+
+LONGEST = 50
+"""Seeds that show what is normal; the shortest ones show what a call costs."""
 
 BLOCKS_PER_BYTE = 100
 PEAK_PER_BYTE = 5000
@@ -28,8 +32,9 @@ class Effort:
     """Measures with the processor time of this thread, which others on the machine do not change."""
 
     def __init__(self, normal: Iterable[tuple[Target, Seed]]) -> None:
-        self._rate = statistics.median(_time_per_byte(target, seed.data) for target, seed in normal)
-        self._rate = max(self._rate, 1.0)
+        samples = sorted(normal, key=lambda pair: len(pair[1].data))[-LONGEST:]
+        rates = [rate for target, seed in samples for rate in _time_per_byte(target, seed.data)]
+        self._rate = max(1.0, statistics.median(rates)) if rates else USUAL_RATE
 
     def limit(self, size: int) -> float:
         """The nanoseconds that an input of this size may take."""
@@ -74,9 +79,9 @@ def memory_complaint(size: int, call: Callable[[], object]) -> str | None:
     return None
 
 
-def _time_per_byte(target: Target, data: bytes) -> float:
+def _time_per_byte(target: Target, data: bytes) -> list[float]:
+    """Nothing for a message that cannot be decoded: why that is so, the checks will say."""
     try:
-        target.cls.decode(data)
-    except DecodeError:
-        return math.inf
-    return min(spent_on(lambda: target.cls.decode(data)) for _ in range(5)) / len(data)
+        return [min(spent_on(lambda: target.cls.decode(data)) for _ in range(5)) / len(data)]
+    except Exception:  # noqa: BLE001 - see above
+        return []

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import struct
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from enum import Enum
 from random import Random
 from typing import Final
@@ -69,7 +69,7 @@ class Maker:
             case Bits():
                 self._pack(item.code, self._bits(item))
             case Choice():
-                chosen = self._pick(list(item.items))
+                chosen = self._pick(item.items)
                 self._out.append(chosen)
                 self._item(item.items[chosen])
             case Formatted():
@@ -81,9 +81,10 @@ class Maker:
             case Repeat():
                 self._repeat(item)
             case Union():
-                tag = self._pick(range(len(item.arms)))
+                arms = dict(enumerate(item.arms.values()))
+                tag = self._pick(arms)
                 self._pack(item.code, tag)
-                self._composite(list(item.arms.values())[tag])
+                self._composite(arms[tag])
             case Grid():
                 for _ in range(math.prod(item.sizes)):
                     self._item(item.item)
@@ -93,8 +94,10 @@ class Maker:
     def _pack(self, code: str, value: float) -> None:
         self._out += struct.pack(f"<{code}", value)
 
-    def _pick(self, options: Sequence[int]) -> int:
-        return options[0] if self._style is Style.SHORTEST else self._rng.choice(options)
+    def _pick(self, options: Mapping[int, Item]) -> int:
+        if self._style is Style.SHORTEST:
+            return min(options, key=lambda number: options[number].minimum)
+        return self._rng.choice(list(options))
 
     def _composite(self, item: Composite) -> None:
         present = self._presence(item)

@@ -30,7 +30,11 @@ Kind = Literal["number", "count", "tag", "presence"]
 
 @dataclass(frozen=True, slots=True)
 class Spot:
-    """`size` bytes at `at`. `cuts` are the borders between the elements that a count counts, both ends included."""
+    """`size` bytes at `at`.
+
+    `cuts` are, for a count, the borders between the elements that it counts, both ends included; for a presence vector,
+    the start and the end of the field of each bit.
+    """
 
     kind: Kind
     at: int
@@ -103,15 +107,19 @@ class _Scanner:
                 raise TypeError(item)
 
     def _composite(self, item: Composite, at: int) -> int:
-        mask = 0
+        mask, place, vector = 0, len(self.spots), at
         if item.presence:
             mask = self._add("presence", at, item.presence, item)
             at += SIZES[item.presence]
-        bit = 1
+        cuts: list[int] = []
         for slot in item.slots:
-            if not slot.optional or mask & bit:
+            start = at
+            if not slot.optional or mask >> len(cuts) // 2 & 1:
                 at = self.item(slot.item, at)
-            bit <<= slot.optional
+            if slot.optional:
+                cuts += [start, at]
+        if item.presence:
+            self.spots[place] = Spot("presence", vector, SIZES[item.presence], item, tuple(cuts))
         return at
 
     def _counted(self, count: Count, at: int, cuts: list[int], *, nested: bool = False) -> None:

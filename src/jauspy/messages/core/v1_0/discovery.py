@@ -264,7 +264,8 @@ class RegisterServices(rt.Message):
             uri_raw_ = item_.uri.encode("latin-1")
             out.append(len(uri_raw_))
             out += uri_raw_
-            out += _S_2B.pack(item_.major_version_number, item_.minor_version_number)
+            out.append(item_.major_version_number)
+            out.append(item_.minor_version_number)
         return bytes(out)
 
 
@@ -437,7 +438,8 @@ class ReportConfiguration(rt.Message):
             out.append(len(component_list_))
             for item_2_ in component_list_:
                 if type(item_2_) is not core_v1_0_types.ComponentRec: raise rt.Reject
-                out += _S_2B.pack(item_2_.component_id, item_2_.instance_id)
+                out.append(item_2_.component_id)
+                out.append(item_2_.instance_id)
         return bytes(out)
 
 
@@ -625,7 +627,8 @@ class ReportServices(rt.Message):
                 if type(item_2_) is not ReportServices.ComponentSeq: raise rt.Reject
                 component_rec_ = item_2_.component_rec
                 if type(component_rec_) is not core_v1_0_types.ComponentRec: raise rt.Reject
-                out += _S_2B.pack(component_rec_.component_id, component_rec_.instance_id)
+                out.append(component_rec_.component_id)
+                out.append(component_rec_.instance_id)
                 service_list_ = item_2_.service_list
                 if type(service_list_) is not list: raise rt.Reject
                 out.append(len(service_list_))
@@ -634,7 +637,8 @@ class ReportServices(rt.Message):
                     uri_raw_ = item_3_.uri.encode("latin-1")
                     out.append(len(uri_raw_))
                     out += uri_raw_
-                    out += _S_2B.pack(item_3_.major_version_number, item_3_.minor_version_number)
+                    out.append(item_3_.major_version_number)
+                    out.append(item_3_.minor_version_number)
         return bytes(out)
 
 
@@ -645,8 +649,8 @@ _S_H = rt.Packer("<H")
 _E_QueriedNodeRec_NodeID = rt.members(core_v1_0_types.QueriedNodeRec.NodeID)
 _E_QueriedComponentRec_ComponentID = rt.members(core_v1_0_types.QueriedComponentRec.ComponentID)
 _S_B = rt.Packer("<B")
-_S_2B = rt.Packer("<2B")
 _E_ReportIdentification_QueryType = rt.members(ReportIdentification.QueryType)
 _E_ReportIdentification_Type = rt.members(ReportIdentification.Type)
 _S_BH = rt.Packer("<BH")
+_S_2B = rt.Packer("<2B")
 _S_H2B = rt.Packer("<H2B")

@@ -481,7 +481,8 @@ class ReportEvents(rt.Message):
             if type(item_) is not ReportEvents.ReportEventRec: raise rt.Reject
             event_type_ = item_.event_type
             if event_type_ not in _E_ReportEvents_EventType: raise rt.Reject
-            out += _S_2B.pack(event_type_, item_.event_id)
+            out.append(event_type_)
+            out.append(item_.event_id)
             query_message_raw_ = rt.message_bytes(item_.query_message)
             out += _S_I.pack(len(query_message_raw_))
             out += query_message_raw_
@@ -531,7 +532,8 @@ class Event(rt.Message):
 
     def _pack(self) -> bytes:
         out = bytearray(b"\xf1\x41")
-        out += _S_2B.pack(self.event_id, self.sequence_number)
+        out.append(self.event_id)
+        out.append(self.sequence_number)
         report_message_raw_ = rt.message_bytes(self.report_message)
         out += _S_I.pack(len(report_message_raw_))
         out += report_message_raw_
@@ -554,4 +556,3 @@ _M_RejectEventRequest = rt.Masks("3x", ((0, "B"), (1, "B"), (2, "80s")))
 _E_RejectEventRequest_ResponseCode = rt.members(RejectEventRequest.ResponseCode)
 _M_RejectEventRequest_pack = rt.Masks("HB", ((0, "B"), (1, "B"), (2, "80s")))
 _E_ReportEvents_EventType = rt.members(ReportEvents.EventType)
-_S_2B = rt.Packer("<2B")

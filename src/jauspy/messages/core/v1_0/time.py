@@ -46,25 +46,25 @@ class SetTime(rt.Message):
         self = rt.new(cls)
         if mask & 1:
             time_stamp_ = raw()
-            part = time_stamp_ & 0x3FF
-            if part > 999: raise rt.Reject
-            part = time_stamp_ >> 10 & 0x3F
-            if part > 59: raise rt.Reject
-            part = time_stamp_ >> 16 & 0x3F
-            if part > 59: raise rt.Reject
-            part = time_stamp_ >> 22 & 0x1F
-            if part > 23: raise rt.Reject
-            part = time_stamp_ >> 27 & 0x1F
-            if part < 1: raise rt.Reject
-            self.time_stamp = core_v1_0_types.TimeStamp(time_stamp_ & 0x3FF, time_stamp_ >> 10 & 0x3F, time_stamp_ >> 16 & 0x3F, time_stamp_ >> 22 & 0x1F, time_stamp_ >> 27 & 0x1F)
+            milliseconds_ = time_stamp_ & 0x3FF
+            if milliseconds_ > 999: raise rt.Reject
+            seconds_ = time_stamp_ >> 10 & 0x3F
+            if seconds_ > 59: raise rt.Reject
+            minutes_ = time_stamp_ >> 16 & 0x3F
+            if minutes_ > 59: raise rt.Reject
+            hour_ = time_stamp_ >> 22 & 0x1F
+            if hour_ > 23: raise rt.Reject
+            day_ = time_stamp_ >> 27 & 0x1F
+            if day_ < 1: raise rt.Reject
+            self.time_stamp = core_v1_0_types.TimeStamp(milliseconds_, seconds_, minutes_, hour_, day_)
         else: self.time_stamp = None
         if mask & 2:
             date_stamp_ = raw()
-            part = date_stamp_ & 0x1F
-            if part < 1: raise rt.Reject
-            part = date_stamp_ >> 5 & 0xF
-            if not 1 <= part <= 12: raise rt.Reject
-            self.date_stamp = core_v1_0_types.DateStamp(date_stamp_ & 0x1F, date_stamp_ >> 5 & 0xF, date_stamp_ >> 9 & 0x7F)
+            day_2_ = date_stamp_ & 0x1F
+            if day_2_ < 1: raise rt.Reject
+            month_ = date_stamp_ >> 5 & 0xF
+            if not 1 <= month_ <= 12: raise rt.Reject
+            self.date_stamp = core_v1_0_types.DateStamp(day_2_, month_, date_stamp_ >> 9 & 0x7F)
         else: self.date_stamp = None
         self.reserved_presence = mask & 0xFC
         return self
@@ -172,25 +172,25 @@ class ReportTime(rt.Message):
         self = rt.new(cls)
         if mask & 1:
             time_stamp_ = raw()
-            part = time_stamp_ & 0x3FF
-            if part > 999: raise rt.Reject
-            part = time_stamp_ >> 10 & 0x3F
-            if part > 59: raise rt.Reject
-            part = time_stamp_ >> 16 & 0x3F
-            if part > 59: raise rt.Reject
-            part = time_stamp_ >> 22 & 0x1F
-            if part > 23: raise rt.Reject
-            part = time_stamp_ >> 27 & 0x1F
-            if part < 1: raise rt.Reject
-            self.time_stamp = core_v1_0_types.TimeStamp(time_stamp_ & 0x3FF, time_stamp_ >> 10 & 0x3F, time_stamp_ >> 16 & 0x3F, time_stamp_ >> 22 & 0x1F, time_stamp_ >> 27 & 0x1F)
+            milliseconds_ = time_stamp_ & 0x3FF
+            if milliseconds_ > 999: raise rt.Reject
+            seconds_ = time_stamp_ >> 10 & 0x3F
+            if seconds_ > 59: raise rt.Reject
+            minutes_ = time_stamp_ >> 16 & 0x3F
+            if minutes_ > 59: raise rt.Reject
+            hour_ = time_stamp_ >> 22 & 0x1F
+            if hour_ > 23: raise rt.Reject
+            day_ = time_stamp_ >> 27 & 0x1F
+            if day_ < 1: raise rt.Reject
+            self.time_stamp = core_v1_0_types.TimeStamp(milliseconds_, seconds_, minutes_, hour_, day_)
         else: self.time_stamp = None
         if mask & 2:
             date_stamp_ = raw()
-            part = date_stamp_ & 0x1F
-            if part < 1: raise rt.Reject
-            part = date_stamp_ >> 5 & 0xF
-            if not 1 <= part <= 12: raise rt.Reject
-            self.date_stamp = core_v1_0_types.DateStamp(date_stamp_ & 0x1F, date_stamp_ >> 5 & 0xF, date_stamp_ >> 9 & 0x7F)
+            day_2_ = date_stamp_ & 0x1F
+            if day_2_ < 1: raise rt.Reject
+            month_ = date_stamp_ >> 5 & 0xF
+            if not 1 <= month_ <= 12: raise rt.Reject
+            self.date_stamp = core_v1_0_types.DateStamp(day_2_, month_, date_stamp_ >> 9 & 0x7F)
         else: self.date_stamp = None
         self.reserved_presence = mask & 0xFC
         return self

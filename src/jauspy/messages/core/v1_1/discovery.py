@@ -483,7 +483,8 @@ class ReportServiceList(rt.Message):
                     if type(item_3_) is not ReportServiceList.ComponentSeq: raise rt.Reject
                     component_rec_ = item_3_.component_rec
                     if type(component_rec_) is not core_v1_0_types.ComponentRec: raise rt.Reject
-                    out += _S_2B.pack(component_rec_.component_id, component_rec_.instance_id)
+                    out.append(component_rec_.component_id)
+                    out.append(component_rec_.instance_id)
                     service_list_ = item_3_.service_list
                     if type(service_list_) is not list: raise rt.Reject
                     out.append(len(service_list_))
@@ -492,7 +493,8 @@ class ReportServiceList(rt.Message):
                         uri_raw_ = item_4_.uri.encode("latin-1")
                         out.append(len(uri_raw_))
                         out += uri_raw_
-                        out += _S_2B.pack(item_4_.major_version_number, item_4_.minor_version_number)
+                        out.append(item_4_.major_version_number)
+                        out.append(item_4_.minor_version_number)
         return bytes(out)
 
 
@@ -501,4 +503,3 @@ _S_B = rt.Packer("<B")
 _S_H = rt.Packer("<H")
 _E_QueryServiceList_SubsystemID = rt.members(QueryServiceList.SubsystemID)
 _E_QueriedNodeRec_NodeID = rt.members(core_v1_0_types.QueriedNodeRec.NodeID)
-_S_2B = rt.Packer("<2B")

@@ -318,7 +318,8 @@ class ReportEvents(rt.Message):
             if type(item_) is not core_v1_0_types.ReportEventRec: raise rt.Reject
             event_type_ = item_.event_type
             if event_type_ not in _E_ReportEventRec_EventType: raise rt.Reject
-            out += _S_2B.pack(event_type_, item_.event_id)
+            out.append(event_type_)
+            out.append(item_.event_id)
             query_message_raw_ = rt.message_bytes(item_.query_message)
             if len(query_message_raw_) > 2147483647: raise rt.Reject
             out += _S_I.pack(len(query_message_raw_))
@@ -370,7 +371,8 @@ class Event(rt.Message):
 
     def _pack(self) -> bytes:
         out = bytearray(b"\xf1\x41")
-        out += _S_2B.pack(self.event_id, self.sequence_number)
+        out.append(self.event_id)
+        out.append(self.sequence_number)
         report_message_raw_ = rt.message_bytes(self.report_message)
         if len(report_message_raw_) > 2147483647: raise rt.Reject
         out += _S_I.pack(len(report_message_raw_))
@@ -471,7 +473,6 @@ _E_UpdateEvent_EventType = rt.members(UpdateEvent.EventType)
 _S_2BHB = rt.Packer("<2BHB")
 _S_H = rt.Packer("<H")
 _E_ReportEventRec_EventType = rt.members(core_v1_0_types.ReportEventRec.EventType)
-_S_2B = rt.Packer("<2B")
 _E_CommandEvent_CommandResult = rt.members(CommandEvent.CommandResult)
 _S_H2B = rt.Packer("<H2B")
 _E_ReportEventTimeout_Timeout = rt.members(ReportEventTimeout.Timeout)

@@ -1397,17 +1397,17 @@ class ReportRangeSensorData(rt.Message):
             size = len(data)
             self = rt.new(cls)
             sensor_id_, report_coordinate_system_, time_stamp_ = _S_HBI.unpack_from(data, at)
-            part = time_stamp_ & 0x3FF
-            if part > 999: raise rt.Reject
-            part = time_stamp_ >> 10 & 0x3F
-            if part > 59: raise rt.Reject
-            part = time_stamp_ >> 16 & 0x3F
-            if part > 59: raise rt.Reject
-            part = time_stamp_ >> 22 & 0x1F
-            if part > 23: raise rt.Reject
-            part = time_stamp_ >> 27 & 0x1F
-            if part < 1: raise rt.Reject
-            self.range_sensor_data_rec = ReportRangeSensorData.RangeSensorDataRec(sensor_id_, _E_ReportRangeSensorData_ReportCoordinateSystem[report_coordinate_system_], core_v1_0_types.TimeStamp(time_stamp_ & 0x3FF, time_stamp_ >> 10 & 0x3F, time_stamp_ >> 16 & 0x3F, time_stamp_ >> 22 & 0x1F, time_stamp_ >> 27 & 0x1F))
+            milliseconds_ = time_stamp_ & 0x3FF
+            if milliseconds_ > 999: raise rt.Reject
+            seconds_ = time_stamp_ >> 10 & 0x3F
+            if seconds_ > 59: raise rt.Reject
+            minutes_ = time_stamp_ >> 16 & 0x3F
+            if minutes_ > 59: raise rt.Reject
+            hour_ = time_stamp_ >> 22 & 0x1F
+            if hour_ > 23: raise rt.Reject
+            day_ = time_stamp_ >> 27 & 0x1F
+            if day_ < 1: raise rt.Reject
+            self.range_sensor_data_rec = ReportRangeSensorData.RangeSensorDataRec(sensor_id_, _E_ReportRangeSensorData_ReportCoordinateSystem[report_coordinate_system_], core_v1_0_types.TimeStamp(milliseconds_, seconds_, minutes_, hour_, day_))
             (range_sensor_data_point_list_count_,) = _S_H.unpack_from(data, at + 7)
             if range_sensor_data_point_list_count_ * 14 > size - (at + 9): raise rt.Reject
             at += 9
@@ -1589,17 +1589,17 @@ class ReportRangeSensorCompressedData(rt.Message):
             self = rt.new(cls)
             self.sensor_id, report_coordinate_system_, time_stamp_, data_compression_ = _S_HBIB.unpack_from(data, at)
             self.report_coordinate_system = _E_ReportRangeSensorCompressedData_ReportCoordinateSystem[report_coordinate_system_]
-            part = time_stamp_ & 0x3FF
-            if part > 999: raise rt.Reject
-            part = time_stamp_ >> 10 & 0x3F
-            if part > 59: raise rt.Reject
-            part = time_stamp_ >> 16 & 0x3F
-            if part > 59: raise rt.Reject
-            part = time_stamp_ >> 22 & 0x1F
-            if part > 23: raise rt.Reject
-            part = time_stamp_ >> 27 & 0x1F
-            if part < 1: raise rt.Reject
-            self.time_stamp = core_v1_0_types.TimeStamp(time_stamp_ & 0x3FF, time_stamp_ >> 10 & 0x3F, time_stamp_ >> 16 & 0x3F, time_stamp_ >> 22 & 0x1F, time_stamp_ >> 27 & 0x1F)
+            milliseconds_ = time_stamp_ & 0x3FF
+            if milliseconds_ > 999: raise rt.Reject
+            seconds_ = time_stamp_ >> 10 & 0x3F
+            if seconds_ > 59: raise rt.Reject
+            minutes_ = time_stamp_ >> 16 & 0x3F
+            if minutes_ > 59: raise rt.Reject
+            hour_ = time_stamp_ >> 22 & 0x1F
+            if hour_ > 23: raise rt.Reject
+            day_ = time_stamp_ >> 27 & 0x1F
+            if day_ < 1: raise rt.Reject
+            self.time_stamp = core_v1_0_types.TimeStamp(milliseconds_, seconds_, minutes_, hour_, day_)
             self.data_compression = _E_ReportRangeSensorCompressedData_DataCompression[data_compression_]
             (compressed_data_end_,) = _S_I.unpack_from(data, at + 8)
             compressed_data_end_ += at + 12

@@ -496,17 +496,17 @@ class ReportStillImageData(rt.Message):
             self.report_coordinate_system = _E_ReportStillImageData_ReportCoordinateSystem[report_coordinate_system_]
             if mask & 1:
                 time_stamp_ = raw()
-                part = time_stamp_ & 0x3FF
-                if part > 999: raise rt.Reject
-                part = time_stamp_ >> 10 & 0x3F
-                if part > 59: raise rt.Reject
-                part = time_stamp_ >> 16 & 0x3F
-                if part > 59: raise rt.Reject
-                part = time_stamp_ >> 22 & 0x1F
-                if part > 23: raise rt.Reject
-                part = time_stamp_ >> 27 & 0x1F
-                if part < 1: raise rt.Reject
-                self.time_stamp = core_v1_0_types.TimeStamp(time_stamp_ & 0x3FF, time_stamp_ >> 10 & 0x3F, time_stamp_ >> 16 & 0x3F, time_stamp_ >> 22 & 0x1F, time_stamp_ >> 27 & 0x1F)
+                milliseconds_ = time_stamp_ & 0x3FF
+                if milliseconds_ > 999: raise rt.Reject
+                seconds_ = time_stamp_ >> 10 & 0x3F
+                if seconds_ > 59: raise rt.Reject
+                minutes_ = time_stamp_ >> 16 & 0x3F
+                if minutes_ > 59: raise rt.Reject
+                hour_ = time_stamp_ >> 22 & 0x1F
+                if hour_ > 23: raise rt.Reject
+                day_ = time_stamp_ >> 27 & 0x1F
+                if day_ < 1: raise rt.Reject
+                self.time_stamp = core_v1_0_types.TimeStamp(milliseconds_, seconds_, minutes_, hour_, day_)
             else: self.time_stamp = None
             self.image_frame, at = ReportStillImageData.ImageFrame._read(data, at, depth)
             self.reserved_presence = mask & 0xFE

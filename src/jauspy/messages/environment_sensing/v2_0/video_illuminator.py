@@ -572,11 +572,11 @@ class ReportVideoIlluminatorCapabilities(rt.Message):
             raw = iter(packer.unpack_from(data, illuminator_name_end_)).__next__
             at = illuminator_name_end_ + packer.size
             supported_illumination_modes_ = raw()
-            part = supported_illumination_modes_ >> 4 & 0x1FFFF
-            if part > 1: raise rt.Reject
-            part = supported_illumination_modes_ >> 21 & 0x7FF
-            if part > 1: raise rt.Reject
-            self.supported_illumination_modes = ReportVideoIlluminatorCapabilities.SupportedIlluminationModes(_E_ReportVideoIlluminatorCapabilities_Visible.get(supported_illumination_modes_ & 0x1, supported_illumination_modes_ & 0x1), _E_ReportVideoIlluminatorCapabilities_Infrared.get(supported_illumination_modes_ >> 1 & 0x1, supported_illumination_modes_ >> 1 & 0x1), _E_ReportVideoIlluminatorCapabilities_GreyScale.get(supported_illumination_modes_ >> 2 & 0x1, supported_illumination_modes_ >> 2 & 0x1), _E_ReportVideoIlluminatorCapabilities_LowLight.get(supported_illumination_modes_ >> 3 & 0x1, supported_illumination_modes_ >> 3 & 0x1), supported_illumination_modes_ >> 4 & 0x1FFFF, supported_illumination_modes_ >> 21 & 0x7FF)
+            reserved_for_future_use_ = supported_illumination_modes_ >> 4 & 0x1FFFF
+            if reserved_for_future_use_ > 1: raise rt.Reject
+            reserved_for_program_or_implementation_specific_use_ = supported_illumination_modes_ >> 21 & 0x7FF
+            if reserved_for_program_or_implementation_specific_use_ > 1: raise rt.Reject
+            self.supported_illumination_modes = ReportVideoIlluminatorCapabilities.SupportedIlluminationModes(_E_ReportVideoIlluminatorCapabilities_Visible.get(supported_illumination_modes_ & 0x1, supported_illumination_modes_ & 0x1), _E_ReportVideoIlluminatorCapabilities_Infrared.get(supported_illumination_modes_ >> 1 & 0x1, supported_illumination_modes_ >> 1 & 0x1), _E_ReportVideoIlluminatorCapabilities_GreyScale.get(supported_illumination_modes_ >> 2 & 0x1, supported_illumination_modes_ >> 2 & 0x1), _E_ReportVideoIlluminatorCapabilities_LowLight.get(supported_illumination_modes_ >> 3 & 0x1, supported_illumination_modes_ >> 3 & 0x1), reserved_for_future_use_, reserved_for_program_or_implementation_specific_use_)
             self.minimum_intensity = raw() if mask & 1 else None
             self.maximum_intensity = raw() if mask & 2 else None
             self.minimum_supported_beam_width = raw() * 0.005493247882810712 if mask & 4 else None

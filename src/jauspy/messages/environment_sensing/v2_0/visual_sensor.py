@@ -1186,9 +1186,9 @@ class ReportVisualSensorCapabilities(rt.Message):
             else: self.white_balance = None
             if mask & 16:
                 imaging_modes_ = raw()
-                part = imaging_modes_ >> 7 & 0x1
-                if part not in _E_ReportVisualSensorCapabilities_ReservedForFutureUse: raise rt.Reject
-                self.imaging_modes = ReportVisualSensorCapabilities.ImagingModes(_E_ReportVisualSensorCapabilities_Color.get(imaging_modes_ & 0x1, imaging_modes_ & 0x1), _E_ReportVisualSensorCapabilities_Greyscale.get(imaging_modes_ >> 1 & 0x1, imaging_modes_ >> 1 & 0x1), _E_ReportVisualSensorCapabilities_Infrared.get(imaging_modes_ >> 2 & 0x1, imaging_modes_ >> 2 & 0x1), _E_ReportVisualSensorCapabilities_Lowlight.get(imaging_modes_ >> 3 & 0x1, imaging_modes_ >> 3 & 0x1), _E_ReportVisualSensorCapabilities_ThermalWhiteHot.get(imaging_modes_ >> 4 & 0x1, imaging_modes_ >> 4 & 0x1), _E_ReportVisualSensorCapabilities_ThermalBlackHot.get(imaging_modes_ >> 5 & 0x1, imaging_modes_ >> 5 & 0x1), _E_ReportVisualSensorCapabilities_ThermalRainbow.get(imaging_modes_ >> 6 & 0x1, imaging_modes_ >> 6 & 0x1), _E_ReportVisualSensorCapabilities_ReservedForFutureUse.get(imaging_modes_ >> 7 & 0x1, imaging_modes_ >> 7 & 0x1))
+                reserved_for_future_use_ = imaging_modes_ >> 7 & 0x1
+                if reserved_for_future_use_ not in _E_ReportVisualSensorCapabilities_ReservedForFutureUse: raise rt.Reject
+                self.imaging_modes = ReportVisualSensorCapabilities.ImagingModes(_E_ReportVisualSensorCapabilities_Color.get(imaging_modes_ & 0x1, imaging_modes_ & 0x1), _E_ReportVisualSensorCapabilities_Greyscale.get(imaging_modes_ >> 1 & 0x1, imaging_modes_ >> 1 & 0x1), _E_ReportVisualSensorCapabilities_Infrared.get(imaging_modes_ >> 2 & 0x1, imaging_modes_ >> 2 & 0x1), _E_ReportVisualSensorCapabilities_Lowlight.get(imaging_modes_ >> 3 & 0x1, imaging_modes_ >> 3 & 0x1), _E_ReportVisualSensorCapabilities_ThermalWhiteHot.get(imaging_modes_ >> 4 & 0x1, imaging_modes_ >> 4 & 0x1), _E_ReportVisualSensorCapabilities_ThermalBlackHot.get(imaging_modes_ >> 5 & 0x1, imaging_modes_ >> 5 & 0x1), _E_ReportVisualSensorCapabilities_ThermalRainbow.get(imaging_modes_ >> 6 & 0x1, imaging_modes_ >> 6 & 0x1), _E_ReportVisualSensorCapabilities_ReservedForFutureUse.get(reserved_for_future_use_, reserved_for_future_use_))
             else: self.imaging_modes = None
             if mask & 32:
                 exposure_modes_ = raw()
@@ -1678,11 +1678,11 @@ class ReportVisualSensorCapabilitiesExt(rt.Message):
             else: self.white_balance = None
             if mask & 16:
                 imaging_modes_ = raw()
-                part = imaging_modes_ >> 7 & 0x3FFF
-                if part not in _E_ReportVisualSensorCapabilitiesExt_ReservedForFutureUse: raise rt.Reject
-                part = imaging_modes_ >> 21 & 0x7FF
-                if part not in _E_ReportVisualSensorCapabilitiesExt_ReservedForProgramSpecificUse: raise rt.Reject
-                self.imaging_modes = ReportVisualSensorCapabilitiesExt.ImagingModes(_E_ReportVisualSensorCapabilitiesExt_Color.get(imaging_modes_ & 0x1, imaging_modes_ & 0x1), _E_ReportVisualSensorCapabilitiesExt_Greyscale.get(imaging_modes_ >> 1 & 0x1, imaging_modes_ >> 1 & 0x1), _E_ReportVisualSensorCapabilitiesExt_Infrared.get(imaging_modes_ >> 2 & 0x1, imaging_modes_ >> 2 & 0x1), _E_ReportVisualSensorCapabilitiesExt_Lowlight.get(imaging_modes_ >> 3 & 0x1, imaging_modes_ >> 3 & 0x1), _E_ReportVisualSensorCapabilitiesExt_ThermalWhiteHot.get(imaging_modes_ >> 4 & 0x1, imaging_modes_ >> 4 & 0x1), _E_ReportVisualSensorCapabilitiesExt_ThermalBlackHot.get(imaging_modes_ >> 5 & 0x1, imaging_modes_ >> 5 & 0x1), _E_ReportVisualSensorCapabilitiesExt_ThermalRainbow.get(imaging_modes_ >> 6 & 0x1, imaging_modes_ >> 6 & 0x1), _E_ReportVisualSensorCapabilitiesExt_ReservedForFutureUse.get(imaging_modes_ >> 7 & 0x3FFF, imaging_modes_ >> 7 & 0x3FFF), _E_ReportVisualSensorCapabilitiesExt_ReservedForProgramSpecificUse.get(imaging_modes_ >> 21 & 0x7FF, imaging_modes_ >> 21 & 0x7FF))
+                reserved_for_future_use_ = imaging_modes_ >> 7 & 0x3FFF
+                if reserved_for_future_use_ not in _E_ReportVisualSensorCapabilitiesExt_ReservedForFutureUse: raise rt.Reject
+                reserved_for_program_specific_use_ = imaging_modes_ >> 21 & 0x7FF
+                if reserved_for_program_specific_use_ not in _E_ReportVisualSensorCapabilitiesExt_ReservedForProgramSpecificUse: raise rt.Reject
+                self.imaging_modes = ReportVisualSensorCapabilitiesExt.ImagingModes(_E_ReportVisualSensorCapabilitiesExt_Color.get(imaging_modes_ & 0x1, imaging_modes_ & 0x1), _E_ReportVisualSensorCapabilitiesExt_Greyscale.get(imaging_modes_ >> 1 & 0x1, imaging_modes_ >> 1 & 0x1), _E_ReportVisualSensorCapabilitiesExt_Infrared.get(imaging_modes_ >> 2 & 0x1, imaging_modes_ >> 2 & 0x1), _E_ReportVisualSensorCapabilitiesExt_Lowlight.get(imaging_modes_ >> 3 & 0x1, imaging_modes_ >> 3 & 0x1), _E_ReportVisualSensorCapabilitiesExt_ThermalWhiteHot.get(imaging_modes_ >> 4 & 0x1, imaging_modes_ >> 4 & 0x1), _E_ReportVisualSensorCapabilitiesExt_ThermalBlackHot.get(imaging_modes_ >> 5 & 0x1, imaging_modes_ >> 5 & 0x1), _E_ReportVisualSensorCapabilitiesExt_ThermalRainbow.get(imaging_modes_ >> 6 & 0x1, imaging_modes_ >> 6 & 0x1), _E_ReportVisualSensorCapabilitiesExt_ReservedForFutureUse.get(reserved_for_future_use_, reserved_for_future_use_), _E_ReportVisualSensorCapabilitiesExt_ReservedForProgramSpecificUse.get(reserved_for_program_specific_use_, reserved_for_program_specific_use_))
             else: self.imaging_modes = None
             if mask & 32:
                 exposure_modes_ = raw()
@@ -2028,7 +2028,6 @@ _E_SupportedWhiteBalance_Shade = rt.members(environment_sensing_v1_0_types.Suppo
 _E_SupportedWhiteBalance_Tungsten = rt.members(environment_sensing_v1_0_types.SupportedWhiteBalance.Tungsten)
 _E_SupportedWhiteBalance_Flurescent = rt.members(environment_sensing_v1_0_types.SupportedWhiteBalance.Flurescent)
 _E_SupportedWhiteBalance_Flash = rt.members(environment_sensing_v1_0_types.SupportedWhiteBalance.Flash)
-_E_ReportVisualSensorCapabilities_ReservedForFutureUse = rt.members(ReportVisualSensorCapabilities.ReservedForFutureUse)
 _E_ReportVisualSensorCapabilities_Color = rt.members(ReportVisualSensorCapabilities.Color)
 _E_ReportVisualSensorCapabilities_Greyscale = rt.members(ReportVisualSensorCapabilities.Greyscale)
 _E_ReportVisualSensorCapabilities_Infrared = rt.members(ReportVisualSensorCapabilities.Infrared)
@@ -2036,6 +2035,7 @@ _E_ReportVisualSensorCapabilities_Lowlight = rt.members(ReportVisualSensorCapabi
 _E_ReportVisualSensorCapabilities_ThermalWhiteHot = rt.members(ReportVisualSensorCapabilities.ThermalWhiteHot)
 _E_ReportVisualSensorCapabilities_ThermalBlackHot = rt.members(ReportVisualSensorCapabilities.ThermalBlackHot)
 _E_ReportVisualSensorCapabilities_ThermalRainbow = rt.members(ReportVisualSensorCapabilities.ThermalRainbow)
+_E_ReportVisualSensorCapabilities_ReservedForFutureUse = rt.members(ReportVisualSensorCapabilities.ReservedForFutureUse)
 _E_ExposureModes_Auto = rt.members(environment_sensing_v1_0_types.ExposureModes.Auto)
 _E_ExposureModes_Manual = rt.members(environment_sensing_v1_0_types.ExposureModes.Manual)
 _E_ExposureModes_ShutterPriority = rt.members(environment_sensing_v1_0_types.ExposureModes.ShutterPriority)
@@ -2053,8 +2053,6 @@ _E_LightSensitivityLevels_ISO3200 = rt.members(environment_sensing_v1_0_types.Li
 _E_ReportVisualSensorCapabilities_ImageStabilization = rt.members(ReportVisualSensorCapabilities.ImageStabilization)
 _S_I = rt.Packer("<I")
 _M_ReportVisualSensorCapabilitiesExt_VisualSensorCapabilitiesRec_2 = rt.Masks("", ((1, "B"), (2, "B"), (4, "B"), (8, "B"), (16, "I"), (32, "B"), (64, "B"), (128, "H"), (256, "H"), (512, "H"), (1024, "H"), (2048, "I"), (4096, "I"), (8192, "B"), (16384, "B"), (32768, "I"), (65536, "I"), (131072, "I"), (262144, "I")))
-_E_ReportVisualSensorCapabilitiesExt_ReservedForFutureUse = rt.members(ReportVisualSensorCapabilitiesExt.ReservedForFutureUse)
-_E_ReportVisualSensorCapabilitiesExt_ReservedForProgramSpecificUse = rt.members(ReportVisualSensorCapabilitiesExt.ReservedForProgramSpecificUse)
 _E_ReportVisualSensorCapabilitiesExt_Color = rt.members(ReportVisualSensorCapabilitiesExt.Color)
 _E_ReportVisualSensorCapabilitiesExt_Greyscale = rt.members(ReportVisualSensorCapabilitiesExt.Greyscale)
 _E_ReportVisualSensorCapabilitiesExt_Infrared = rt.members(ReportVisualSensorCapabilitiesExt.Infrared)
@@ -2062,4 +2060,6 @@ _E_ReportVisualSensorCapabilitiesExt_Lowlight = rt.members(ReportVisualSensorCap
 _E_ReportVisualSensorCapabilitiesExt_ThermalWhiteHot = rt.members(ReportVisualSensorCapabilitiesExt.ThermalWhiteHot)
 _E_ReportVisualSensorCapabilitiesExt_ThermalBlackHot = rt.members(ReportVisualSensorCapabilitiesExt.ThermalBlackHot)
 _E_ReportVisualSensorCapabilitiesExt_ThermalRainbow = rt.members(ReportVisualSensorCapabilitiesExt.ThermalRainbow)
+_E_ReportVisualSensorCapabilitiesExt_ReservedForFutureUse = rt.members(ReportVisualSensorCapabilitiesExt.ReservedForFutureUse)
+_E_ReportVisualSensorCapabilitiesExt_ReservedForProgramSpecificUse = rt.members(ReportVisualSensorCapabilitiesExt.ReservedForProgramSpecificUse)
 _E_ReportVisualSensorCapabilitiesExt_ImageStabilization = rt.members(ReportVisualSensorCapabilitiesExt.ImageStabilization)

@@ -153,7 +153,8 @@ class ReportUGVSummary(rt.Message):
             if type(severity_rec_) is not exp_v1_0_types.SeverityRec: raise rt.Reject
             severity_2_ = severity_rec_.severity
             if severity_2_ not in _E_SeverityRec_Severity: raise rt.Reject
-            out += _S_2B.pack(node_id_.node_id, severity_2_)
+            out.append(node_id_.node_id)
+            out.append(severity_2_)
         return bytes(out)
 
 

@@ -404,7 +404,8 @@ class ReportCostMap2D(rt.Message):
                 near = confidence_ * 2.55 + 0.5
                 confidence_raw_ = int(near)
                 if not 1.52587890625e-05 < near - confidence_raw_ < 0.9999847412109375: confidence_raw_ = rt.exact_raw(confidence_, _R_13)
-                out += _S_2B.pack(cost_, confidence_raw_)
+                out.append(cost_)
+                out.append(confidence_raw_)
 
     @dataclass(slots=True, repr=False)
     class RunLengthEncodedDataList(rt.Struct):

@@ -182,7 +182,8 @@ class ConfirmReleaseControl(rt.Message):
             if type(item_) is not iop_v1_0_types.ReleaseControlRec: raise rt.Reject
             response_code_ = item_.response_code
             if response_code_ not in _E_ReleaseControlRec_ResponseCode: raise rt.Reject
-            out += _S_2B.pack(item_.id, response_code_)
+            out.append(item_.id)
+            out.append(response_code_)
         return bytes(out)
 
 

@@ -163,13 +163,13 @@ class SpoolMission(rt.Message):
         size = len(data)
         self = rt.new(cls)
         mission_id_, source_id_ = _S_HI.unpack_from(data, 2)
-        part = source_id_ & 0xFF
-        if part < 1: raise rt.Reject
-        part = source_id_ >> 8 & 0xFF
-        if part < 1: raise rt.Reject
-        part = source_id_ >> 16 & 0xFFFF
-        if part < 1: raise rt.Reject
-        self.mission_info = SpoolMission.MissionInfo(mission_id_, core_v1_0_types.SourceID(source_id_ & 0xFF, source_id_ >> 8 & 0xFF, source_id_ >> 16 & 0xFFFF))
+        component_id_ = source_id_ & 0xFF
+        if component_id_ < 1: raise rt.Reject
+        node_id_ = source_id_ >> 8 & 0xFF
+        if node_id_ < 1: raise rt.Reject
+        subsystem_id_ = source_id_ >> 16 & 0xFFFF
+        if subsystem_id_ < 1: raise rt.Reject
+        self.mission_info = SpoolMission.MissionInfo(mission_id_, core_v1_0_types.SourceID(component_id_, node_id_, subsystem_id_))
         (mission_plan_count_,) = _S_H.unpack_from(data, 8)
         if mission_plan_count_ * 6 > size - 10: raise rt.Reject
         at = 10
@@ -186,13 +186,13 @@ class SpoolMission(rt.Message):
             for _ in range(jaus_messages_count_):
                 item_2_ = rt.new(SpoolMission.MessageData)
                 item_2_.uid, destination_id_ = _S_HI.unpack_from(data, at)
-                part = destination_id_ & 0xFF
-                if part < 1: raise rt.Reject
-                part = destination_id_ >> 8 & 0xFF
-                if part < 1: raise rt.Reject
-                part = destination_id_ >> 16 & 0xFFFF
-                if part < 1: raise rt.Reject
-                item_2_.destination_id = core_v1_0_types.DestinationID(destination_id_ & 0xFF, destination_id_ >> 8 & 0xFF, destination_id_ >> 16 & 0xFFFF)
+                component_id_2_ = destination_id_ & 0xFF
+                if component_id_2_ < 1: raise rt.Reject
+                node_id_2_ = destination_id_ >> 8 & 0xFF
+                if node_id_2_ < 1: raise rt.Reject
+                subsystem_id_2_ = destination_id_ >> 16 & 0xFFFF
+                if subsystem_id_2_ < 1: raise rt.Reject
+                item_2_.destination_id = core_v1_0_types.DestinationID(component_id_2_, node_id_2_, subsystem_id_2_)
                 (jaus_message_end_,) = _S_I.unpack_from(data, at + 6)
                 jaus_message_end_ += at + 10
                 item_2_.jaus_message = _registry.nested(data[at + 10:jaus_message_end_], depth)
@@ -627,13 +627,13 @@ class InsertMessages(rt.Message):
         for _ in range(insert_message_list_count_):
             item_ = rt.new(InsertMessages.InsertMessageInfo)
             item_.uid, destination_id_ = _S_HI.unpack_from(data, at)
-            part = destination_id_ & 0xFF
-            if part < 1: raise rt.Reject
-            part = destination_id_ >> 8 & 0xFF
-            if part < 1: raise rt.Reject
-            part = destination_id_ >> 16 & 0xFFFF
-            if part < 1: raise rt.Reject
-            item_.destination_id = core_v1_0_types.DestinationID(destination_id_ & 0xFF, destination_id_ >> 8 & 0xFF, destination_id_ >> 16 & 0xFFFF)
+            component_id_ = destination_id_ & 0xFF
+            if component_id_ < 1: raise rt.Reject
+            node_id_ = destination_id_ >> 8 & 0xFF
+            if node_id_ < 1: raise rt.Reject
+            subsystem_id_ = destination_id_ >> 16 & 0xFFFF
+            if subsystem_id_ < 1: raise rt.Reject
+            item_.destination_id = core_v1_0_types.DestinationID(component_id_, node_id_, subsystem_id_)
             (jaus_message_end_,) = _S_I.unpack_from(data, at + 6)
             jaus_message_end_ += at + 10
             item_.jaus_message = _registry.nested(data[at + 10:jaus_message_end_], depth)
@@ -928,13 +928,13 @@ class InsertMissionTask(rt.Message):
         for _ in range(task_messages_count_):
             item_ = rt.new(InsertMissionTask.MessageData)
             item_.uid, destination_id_ = _S_HI.unpack_from(data, at)
-            part = destination_id_ & 0xFF
-            if part < 1: raise rt.Reject
-            part = destination_id_ >> 8 & 0xFF
-            if part < 1: raise rt.Reject
-            part = destination_id_ >> 16 & 0xFFFF
-            if part < 1: raise rt.Reject
-            item_.destination_id = core_v1_0_types.DestinationID(destination_id_ & 0xFF, destination_id_ >> 8 & 0xFF, destination_id_ >> 16 & 0xFFFF)
+            component_id_ = destination_id_ & 0xFF
+            if component_id_ < 1: raise rt.Reject
+            node_id_ = destination_id_ >> 8 & 0xFF
+            if node_id_ < 1: raise rt.Reject
+            subsystem_id_ = destination_id_ >> 16 & 0xFFFF
+            if subsystem_id_ < 1: raise rt.Reject
+            item_.destination_id = core_v1_0_types.DestinationID(component_id_, node_id_, subsystem_id_)
             (jaus_message_end_,) = _S_I.unpack_from(data, at + 6)
             jaus_message_end_ += at + 10
             item_.jaus_message = _registry.nested(data[at + 10:jaus_message_end_], depth)
@@ -1374,13 +1374,13 @@ class ReportStoredMissions(rt.Message):
         mission_list_end_ = 4 + mission_list_count_ * 6
         mission_list_ = []
         for mission_id_, creator_id_ in _S_HI.iter_unpack(data[4:mission_list_end_]):
-            part = creator_id_ & 0xFF
-            if part < 1: raise rt.Reject
-            part = creator_id_ >> 8 & 0xFF
-            if part < 1: raise rt.Reject
-            part = creator_id_ >> 16 & 0xFFFF
-            if part < 1: raise rt.Reject
-            mission_list_.append(ReportStoredMissions.MissionInfo(mission_id_, ReportStoredMissions.CreatorID(creator_id_ & 0xFF, creator_id_ >> 8 & 0xFF, creator_id_ >> 16 & 0xFFFF)))
+            component_id_ = creator_id_ & 0xFF
+            if component_id_ < 1: raise rt.Reject
+            node_id_ = creator_id_ >> 8 & 0xFF
+            if node_id_ < 1: raise rt.Reject
+            subsystem_id_ = creator_id_ >> 16 & 0xFFFF
+            if subsystem_id_ < 1: raise rt.Reject
+            mission_list_.append(ReportStoredMissions.MissionInfo(mission_id_, ReportStoredMissions.CreatorID(component_id_, node_id_, subsystem_id_)))
         self.mission_list = mission_list_
         if mission_list_end_ != size: raise rt.Reject
         return self
@@ -1555,13 +1555,13 @@ class ReportMissionPlan(rt.Message):
         size = len(data)
         self = rt.new(cls)
         mission_id_, source_id_ = _S_HI.unpack_from(data, 2)
-        part = source_id_ & 0xFF
-        if part < 1: raise rt.Reject
-        part = source_id_ >> 8 & 0xFF
-        if part < 1: raise rt.Reject
-        part = source_id_ >> 16 & 0xFFFF
-        if part < 1: raise rt.Reject
-        self.mission_info = ReportMissionPlan.MissionInfo(mission_id_, core_v1_0_types.SourceID(source_id_ & 0xFF, source_id_ >> 8 & 0xFF, source_id_ >> 16 & 0xFFFF))
+        component_id_ = source_id_ & 0xFF
+        if component_id_ < 1: raise rt.Reject
+        node_id_ = source_id_ >> 8 & 0xFF
+        if node_id_ < 1: raise rt.Reject
+        subsystem_id_ = source_id_ >> 16 & 0xFFFF
+        if subsystem_id_ < 1: raise rt.Reject
+        self.mission_info = ReportMissionPlan.MissionInfo(mission_id_, core_v1_0_types.SourceID(component_id_, node_id_, subsystem_id_))
         self.task = task_ = rt.new(ReportMissionPlan.Task)
         task_.task_data = task_data_ = rt.new(ReportMissionPlan.TaskData)
         (task_id_,) = _S_H.unpack_from(data, 8)
@@ -1573,13 +1573,13 @@ class ReportMissionPlan(rt.Message):
         for _ in range(jaus_messages_count_):
             item_ = rt.new(ReportMissionPlan.MessageData)
             item_.uid, destination_id_ = _S_HI.unpack_from(data, at)
-            part = destination_id_ & 0xFF
-            if part < 1: raise rt.Reject
-            part = destination_id_ >> 8 & 0xFF
-            if part < 1: raise rt.Reject
-            part = destination_id_ >> 16 & 0xFFFF
-            if part < 1: raise rt.Reject
-            item_.destination_id = core_v1_0_types.DestinationID(destination_id_ & 0xFF, destination_id_ >> 8 & 0xFF, destination_id_ >> 16 & 0xFFFF)
+            component_id_2_ = destination_id_ & 0xFF
+            if component_id_2_ < 1: raise rt.Reject
+            node_id_2_ = destination_id_ >> 8 & 0xFF
+            if node_id_2_ < 1: raise rt.Reject
+            subsystem_id_2_ = destination_id_ >> 16 & 0xFFFF
+            if subsystem_id_2_ < 1: raise rt.Reject
+            item_.destination_id = core_v1_0_types.DestinationID(component_id_2_, node_id_2_, subsystem_id_2_)
             (jaus_message_end_,) = _S_I.unpack_from(data, at + 6)
             jaus_message_end_ += at + 10
             item_.jaus_message = _registry.nested(data[at + 10:jaus_message_end_], depth)

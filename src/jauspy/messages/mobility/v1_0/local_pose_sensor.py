@@ -74,17 +74,17 @@ class SetLocalPose(rt.Message):
         self.attitude_rms = raw() * 4.793763109162727e-05 if mask & 128 else None
         if mask & 256:
             time_stamp_ = raw()
-            part = time_stamp_ & 0x3FF
-            if part > 999: raise rt.Reject
-            part = time_stamp_ >> 10 & 0x3F
-            if part > 59: raise rt.Reject
-            part = time_stamp_ >> 16 & 0x3F
-            if part > 59: raise rt.Reject
-            part = time_stamp_ >> 22 & 0x1F
-            if part > 23: raise rt.Reject
-            part = time_stamp_ >> 27 & 0x1F
-            if part < 1: raise rt.Reject
-            self.time_stamp = core_v1_0_types.TimeStamp(time_stamp_ & 0x3FF, time_stamp_ >> 10 & 0x3F, time_stamp_ >> 16 & 0x3F, time_stamp_ >> 22 & 0x1F, time_stamp_ >> 27 & 0x1F)
+            milliseconds_ = time_stamp_ & 0x3FF
+            if milliseconds_ > 999: raise rt.Reject
+            seconds_ = time_stamp_ >> 10 & 0x3F
+            if seconds_ > 59: raise rt.Reject
+            minutes_ = time_stamp_ >> 16 & 0x3F
+            if minutes_ > 59: raise rt.Reject
+            hour_ = time_stamp_ >> 22 & 0x1F
+            if hour_ > 23: raise rt.Reject
+            day_ = time_stamp_ >> 27 & 0x1F
+            if day_ < 1: raise rt.Reject
+            self.time_stamp = core_v1_0_types.TimeStamp(milliseconds_, seconds_, minutes_, hour_, day_)
         else: self.time_stamp = None
         self.reserved_presence = mask & 0xFE00
         return self
@@ -273,17 +273,17 @@ class ReportLocalPose(rt.Message):
         self.attitude_rms = raw() * 4.793763109162727e-05 if mask & 128 else None
         if mask & 256:
             time_stamp_ = raw()
-            part = time_stamp_ & 0x3FF
-            if part > 999: raise rt.Reject
-            part = time_stamp_ >> 10 & 0x3F
-            if part > 59: raise rt.Reject
-            part = time_stamp_ >> 16 & 0x3F
-            if part > 59: raise rt.Reject
-            part = time_stamp_ >> 22 & 0x1F
-            if part > 23: raise rt.Reject
-            part = time_stamp_ >> 27 & 0x1F
-            if part < 1: raise rt.Reject
-            self.time_stamp = core_v1_0_types.TimeStamp(time_stamp_ & 0x3FF, time_stamp_ >> 10 & 0x3F, time_stamp_ >> 16 & 0x3F, time_stamp_ >> 22 & 0x1F, time_stamp_ >> 27 & 0x1F)
+            milliseconds_ = time_stamp_ & 0x3FF
+            if milliseconds_ > 999: raise rt.Reject
+            seconds_ = time_stamp_ >> 10 & 0x3F
+            if seconds_ > 59: raise rt.Reject
+            minutes_ = time_stamp_ >> 16 & 0x3F
+            if minutes_ > 59: raise rt.Reject
+            hour_ = time_stamp_ >> 22 & 0x1F
+            if hour_ > 23: raise rt.Reject
+            day_ = time_stamp_ >> 27 & 0x1F
+            if day_ < 1: raise rt.Reject
+            self.time_stamp = core_v1_0_types.TimeStamp(milliseconds_, seconds_, minutes_, hour_, day_)
         else: self.time_stamp = None
         self.reserved_presence = mask & 0xFE00
         return self

@@ -70,9 +70,9 @@ class SetAnnunciatorState(rt.Message):
         self = rt.new(cls)
         code, annunciator_ = _S_HI.unpack(data)
         if code != 0x0516: raise rt.Reject
-        part = annunciator_ >> 20 & 0xFFF
-        if part > 2047: raise rt.Reject
-        self.annunciator = SetAnnunciatorState.Annunciator(annunciator_ & 0xF, annunciator_ >> 4 & 0xF, annunciator_ >> 8 & 0xF, annunciator_ >> 12 & 0xF, annunciator_ >> 16 & 0xF, annunciator_ >> 20 & 0xFFF)
+        reserved_ = annunciator_ >> 20 & 0xFFF
+        if reserved_ > 2047: raise rt.Reject
+        self.annunciator = SetAnnunciatorState.Annunciator(annunciator_ & 0xF, annunciator_ >> 4 & 0xF, annunciator_ >> 8 & 0xF, annunciator_ >> 12 & 0xF, annunciator_ >> 16 & 0xF, reserved_)
         return self
 
     def _pack(self) -> bytes:
@@ -204,9 +204,9 @@ class ReportAnnunciatorState(rt.Message):
         self = rt.new(cls)
         code, annunciator_ = _S_HI.unpack(data)
         if code != 0x4516: raise rt.Reject
-        part = annunciator_ >> 20 & 0xFFF
-        if part > 2047: raise rt.Reject
-        self.annunciator = ReportAnnunciatorState.Annunciator(annunciator_ & 0xF, annunciator_ >> 4 & 0xF, annunciator_ >> 8 & 0xF, annunciator_ >> 12 & 0xF, annunciator_ >> 16 & 0xF, annunciator_ >> 20 & 0xFFF)
+        reserved_ = annunciator_ >> 20 & 0xFFF
+        if reserved_ > 2047: raise rt.Reject
+        self.annunciator = ReportAnnunciatorState.Annunciator(annunciator_ & 0xF, annunciator_ >> 4 & 0xF, annunciator_ >> 8 & 0xF, annunciator_ >> 12 & 0xF, annunciator_ >> 16 & 0xF, reserved_)
         return self
 
     def _pack(self) -> bytes:

@@ -1,0 +1,56 @@
+"""`jauspy fuzz`: exit status, progress and findings."""
+
+import json
+
+import pytest
+from typer.testing import CliRunner
+
+from jauspy.cli.main import app
+from jauspy.messages.core import ConfirmControl
+
+
+def run(*arguments):
+    return CliRunner().invoke(app, ["fuzz", *map(str, arguments)])
+
+
+def test_nothing_found(tmp_path):
+    result = run("codec", "--cases", 300, "--message", "ConfirmControl", "--out", tmp_path / "out")
+    assert result.exit_code == 0
+    assert result.stdout == "300 cases from 2 seeds of 1 messages: nothing found\n"
+    assert result.stderr.splitlines()[-1].startswith("300 of 300 cases, ")
+    assert not (tmp_path / "out").exists()
+
+
+def test_hex_files_are_seeds(tmp_path):
+    (tmp_path / "seeds.hex").write_text("0f0009\n02001000010a017e0014017e0002200200\n")
+    result = run("codec", tmp_path / "seeds.hex", "--cases", 10, "--message", "confirmcontrol")
+    assert "from 3 seeds of 1 messages" in result.stdout
+
+
+def test_findings_are_saved(tmp_path, monkeypatch):
+    def broken(data, depth):
+        raise ZeroDivisionError(depth)
+
+    monkeypatch.setattr(ConfirmControl, "_unpack", broken)
+    result = run("codec", "--cases", 20, "--message", "ConfirmControl", "--out", tmp_path)
+    assert result.exit_code == 1
+    (file,) = tmp_path.iterdir()
+    assert file.name == "decode-ConfirmControl-1.1-ZeroDivisionError.json"
+    assert json.loads(file.read_text())["hex"] == "0f00"
+    assert f"jauspy fuzz replay {file}" in result.stdout
+    assert run("replay", file).exit_code == 1
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("codec", "no-such-file"),
+        ("codec", "--message", "NoSuchMessage"),
+        ("codec", "--cases", "0"),
+        ("codec", __file__),
+        ("replay", "no-such-file"),
+        ("replay", __file__),
+    ],
+)
+def test_wrong_use(arguments):
+    assert run(*arguments).exit_code == 2

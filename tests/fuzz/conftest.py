@@ -1,0 +1,35 @@
+"""Campaigns against one message, in which bugs can be planted."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from jauspy.fuzz.campaign import Plan, run
+from jauspy.fuzz.findings import Finding
+from jauspy.messages.core import RegisterServices
+
+Decode = Callable[[bytes, int], Any]
+
+
+@pytest.fixture
+def plant(monkeypatch: pytest.MonkeyPatch) -> Callable[[Callable[[Decode, bytes], Any]], None]:
+    """Puts a function around the straight-line decoder of RegisterServices; it gets that decoder and the bytes."""
+
+    def put(bug: Callable[[Decode, bytes], Any]) -> None:
+        right = RegisterServices._unpack
+        monkeypatch.setattr(RegisterServices, "_unpack", lambda data, depth: bug(right, data))
+
+    return put
+
+
+@pytest.fixture
+def hunt() -> Callable[..., list[Finding]]:
+    """The findings of a campaign against RegisterServices."""
+
+    def find(cases: int = 400, seed: int = 1) -> list[Finding]:
+        return list(run(Plan(cases, seed, only=("RegisterServices",))).findings.values())
+
+    return find

@@ -1,0 +1,126 @@
+"""A short campaign over all messages, its seeds and its mutations."""
+
+from __future__ import annotations
+
+import random
+from pathlib import Path
+
+import pytest
+
+from jauspy.codec.base import Message
+from jauspy.errors import ConfigError, DecodeError
+from jauspy.fuzz.campaign import Plan, fuzzer, run
+from jauspy.fuzz.making import Maker, Style
+from jauspy.fuzz.minimise import minimise
+from jauspy.fuzz.mutation import LARGEST, mutate
+from jauspy.fuzz.seeds import file_payloads
+from jauspy.fuzz.spots import spots_of
+from jauspy.messages import registry
+
+CAPTURE = Path(__file__).parents[1] / "golden" / "sae_management.hex"
+
+
+def test_nothing_is_found() -> None:
+    outcome = run(Plan(2000, seed=1, payloads=tuple(file_payloads(CAPTURE))))
+    assert outcome.findings == {}
+    assert outcome.cases == 2000
+    assert 1000 < outcome.accepted < 1900  # half are valid by construction, some stay valid when damaged
+    assert outcome.messages == len(registry)
+
+
+def test_several_processes_do_the_same() -> None:
+    plan = Plan(1000, seed=3)
+    alone = run(plan)
+    assert run(Plan(1000, seed=3, jobs=2)) == alone
+
+
+def test_cases_depend_on_seed_and_number_only() -> None:
+    first, again, other = (fuzzer(Plan(0, seed=seed)) for seed in (5, 5, 6))
+    assert [first.case(n) for n in range(200)] == [again.case(n) for n in range(200)]
+    assert [first.case(n) for n in range(200)] != [other.case(n) for n in range(200)]
+
+
+def test_made_messages_are_valid_and_use_everything() -> None:
+    targets = fuzzer(Plan(0)).targets
+    rng = random.Random(1)
+    for target in targets:
+        made = [Maker(rng, style, targets).message(target) for style in (*Style, Style.ANY)]
+        for data in made:
+            assert target.cls.decode(data).encode() == data
+        assert len(made[0]) == min(map(len, made)) >= 2 + target.layout.minimum
+        full = target.cls.decode(made[1])
+        assert all(getattr(full, slot.name) is not None for slot in target.layout.slots)
+
+
+def test_spots_say_where_counts_and_tags_are() -> None:
+    services = registry.by_name("RegisterServices")
+    data = bytes.fromhex("000b02" + "01410102" + "0203040506")
+    spots = [spot for spot in spots_of(services.layout(), data) if spot.kind == "count"]
+    assert [(spot.at, spot.cuts) for spot in spots] == [(2, (3, 7, 12)), (3, (4, 5)), (7, (8, 10))]
+    assert spots_of(services.layout(), data[:5])[0].at == 2
+
+
+def test_mutations_of_every_kind_happen() -> None:
+    made = fuzzer(Plan(0))
+    rng = random.Random(1)
+    sizes = set()
+    changed = 0
+    for number in range(4000):
+        seed = made.seeds[number % len(made.seeds)]
+        data = mutate(rng, seed, made.seeds)
+        assert data[:2] == seed.data[:2]
+        assert len(data) <= LARGEST
+        sizes.add((len(data) > len(seed.data)) - (len(data) < len(seed.data)))
+        changed += data != seed.data
+    assert sizes == {-1, 0, 1}
+    assert changed > 3000
+
+
+def test_minimise_finds_the_byte_that_matters() -> None:
+    tried = []
+
+    def shows(data: bytes) -> bool:
+        tried.append(data)
+        return b"\x07" in data[2:]
+
+    assert minimise(b"\1\2" + bytes(range(100, 200)) + b"\x07" + bytes(50), shows) == b"\1\2\x07"
+    assert minimise(b"\1\2" + bytes(range(200)), shows, tries=3) != b"\1\2\x07"
+    assert len(tried) < 200
+
+
+def test_minimise_knows_counts_and_presence_vectors() -> None:
+    services = registry.by_name("RegisterServices")
+    data = bytes.fromhex("000b03" + "0341424301020441424344010200" + "0709")
+    assert services.decode(data)
+    assert (
+        minimise(data, lambda part: valid(services, part) and b"\7\t" in part, services.layout()).hex()
+        == "000b01000709"
+    )
+    state = registry.by_name("ReportVelocityState")
+    data = bytes.fromhex("0444ff01" + "78563412" * 4 + "3412" * 4 + "e7effbfd")
+    smallest = minimise(
+        data, lambda part: valid(state, part) and state.decode(part).yaw_rate is not None, state.layout()
+    )  # type: ignore[attr-defined]
+    assert smallest.hex() == "044440000000"
+
+
+def valid(cls: type[Message], data: bytes) -> bool:
+    try:
+        cls.decode(data)
+    except DecodeError:
+        return False
+    return True
+
+
+def test_seeds_come_from_captures(shared: Path) -> None:
+    hexed = file_payloads(CAPTURE)
+    captured = file_payloads(shared / "captures" / "sae_management.pcap")
+    assert set(hexed) == set(captured)
+    assert b"\x02\x20" in captured
+
+
+@pytest.mark.parametrize("content", [b"", b"# nothing", b"zz", b"\xff\xfe", b"\xd4\xc3\xb2\xa1"])
+def test_files_that_are_no_seeds(content: bytes, tmp_path: Path) -> None:
+    (tmp_path / "file").write_bytes(content)
+    with pytest.raises(ConfigError, match="file"):
+        file_payloads(tmp_path / "file")
