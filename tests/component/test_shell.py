@@ -13,6 +13,7 @@ from jauspy.component.shell import MAX_PER_WAKEUP
 from jauspy.errors import EncodeError, TransportError
 from jauspy.ids import EVERYONE, JausID
 from jauspy.messages.core import (
+    QueryControl,
     QueryHeartbeatPulse,
     RegisterServices,
     RejectControl,
@@ -20,7 +21,6 @@ from jauspy.messages.core import (
     ReportTimeout,
     RequestControl,
     ServiceRec,
-    SetAuthority,
 )
 from jauspy.protocol.header import Ack, Packet
 from jauspy.protocol.judp import pack, unpack
@@ -271,7 +271,7 @@ async def test_control_that_ran_out_while_the_event_loop_hung_is_over():
         peer.send(RequestControl(authority_code=100))
         await peer.next()
         now[0] += 60.0
-        peer.send(SetAuthority(authority_code=1))
+        peer.send(QueryControl())
         assert (await peer.next()).payload == RejectControl(RejectControl.ResponseCode.CONTROL_RELEASED).encode()
         assert me.host.controller is None
 

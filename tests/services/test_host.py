@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import logging
 from collections import Counter
+from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, given, settings, strategies as st
@@ -21,7 +22,7 @@ from jauspy.messages.core import (
 )
 from jauspy.messages.mobility import QueryWrenchEffort, ReportWrenchEffort, SetWrenchEffort
 from jauspy.protocol.header import Broadcast, Priority
-from jauspy.schema import load_builtin
+from jauspy.schema import Schema, load_builtin, load_files, needed
 from jauspy.services.core import AccessControl, Liveness, Management
 from jauspy.services.mobility import PrimitiveDriver
 from jauspy.services.outbox import Outbox, Outgoing
@@ -264,6 +265,20 @@ def test_read_takes_inputs_of_the_component_only(robot) -> None:
         b"\x02\x20\x00",
     ):
         assert robot.host.read(other) is None
+
+
+def test_only_the_definitions_that_are_needed_are_read(monkeypatch, request) -> None:
+    read: list[Path] = []
+
+    def count(paths: list[Path]) -> Schema:
+        read.extend(paths)
+        return load_files(paths)
+
+    needed.load_needed.cache_clear()
+    monkeypatch.setattr(needed, "load_files", count)
+    robot = request.getfixturevalue("robot")
+    types = 2
+    assert len(read) == len(robot.host.services) + types
 
 
 def test_without_management_there_is_no_status(make) -> None:

@@ -14,7 +14,13 @@ if TYPE_CHECKING:
 def _console(*, stderr: bool) -> Console:
     from rich.console import Console
 
-    return Console(stderr=stderr, highlight=False, emoji=False, soft_wrap=True)
+    class Piped(Console):
+        """Leaves a closed pipe to `main`; rich itself would end with status 1."""
+
+        def on_broken_pipe(self) -> None:
+            raise  # noqa: PLE0704 - rich calls this while it handles the error
+
+    return Piped(stderr=stderr, highlight=False, emoji=False, soft_wrap=True)
 
 
 def stdout() -> Console:

@@ -244,11 +244,9 @@ class Subscription(Generic[R]):
             if self.received > seen:
                 seen_at = clock()
             try:
-                if (
-                    clock() - max(seen_at, renewed) >= most
-                    or (lifetime and clock() - renewed >= lifetime / 3)
-                    or not await self._is_known()
-                ):
+                dried_up = clock() - max(seen_at, renewed) >= most
+                is_due = lifetime and clock() - renewed >= lifetime / 3
+                if dried_up or is_due or not await self._is_known():
                     await self._renew()
                     renewed = clock()
             except (ResponseTimeout, EventRejected, TransportError) as error:

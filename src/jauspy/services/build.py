@@ -9,8 +9,8 @@ from jauspy import messages
 from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
-from jauspy.schema import load_builtin
 from jauspy.schema.model import Schema, Service as Definition
+from jauspy.schema.needed import load_needed
 from jauspy.services.bind import Binder, Reply
 from jauspy.services.core.defaults import DEFAULTS
 from jauspy.services.isolation import Containment
@@ -43,7 +43,9 @@ def build(
 ) -> Built:
     """Everything bound and checked; raises `ConfigError` with all that is missing."""
     given = _by_urn(services)
-    definitions = definitions_of(given.values(), schema or load_builtin())
+    if schema is None:
+        schema = load_needed(frozenset((service.urn, service.version) for service in given.values()))
+    definitions = definitions_of(given.values(), schema)
     all_services = {urn: given.get(urn) or _default(urn) for urn in definitions}
     binder = Binder(definitions, all_services, reply)
     roots = merge(list(definitions.values()))

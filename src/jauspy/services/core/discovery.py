@@ -47,7 +47,7 @@ _RECORDS: Final = 8
 
 @dataclass(frozen=True, slots=True)
 class Identity:
-    """A name (Latin-1, at most 255 bytes), and the type number of AS5710: 10001 vehicle, 40001 node, 60001 component."""
+    """A name (Latin-1, at most 255 bytes), and the type of AS5710: 10001 vehicle, 40001 node, 60001 component."""
 
     name: str
     type: int
