@@ -32,11 +32,13 @@ def children() -> list[psutil.Process]:
     return psutil.Process().children()
 
 
-async def test_one_that_was_running_is_replaced_when_it_ends(root: Path, free_port: int, capsys: pytest.CaptureFixture[str]) -> None:
+async def test_one_that_was_running_is_replaced_when_it_ends(
+    root: Path, free_port: int, capsys: pytest.CaptureFixture[str]
+) -> None:
     other = NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root))
     await other.open()
-    async with local_node.node_manager(root, free_port) as where:
-        assert where == f"was running, local sockets in {root}"
+    async with local_node.node_manager(root, free_port) as node:
+        assert node.where == f"was running, local sockets in {root}"
         assert children() == []
         await other.close()
         await until(lambda: is_there(root))
@@ -50,20 +52,22 @@ async def test_one_that_was_running_is_replaced_when_it_ends(root: Path, free_po
 
 
 async def test_a_child_is_stopped_even_when_its_keeper_never_ran(root: Path, free_port: int) -> None:
-    async with local_node.node_manager(root, free_port) as where:
-        assert where == f"UDP port {free_port}, local sockets in {root}"
+    async with local_node.node_manager(root, free_port) as node:
+        assert node.where == f"UDP port {free_port}, local sockets in {root}"
         assert len(children()) == 1
     assert children() == []
 
 
-async def test_what_is_wrong_with_the_next_one_is_told_once(root: Path, free_port: int, capsys: pytest.CaptureFixture[str]) -> None:
+async def test_what_is_wrong_with_the_next_one_is_told_once(
+    root: Path, free_port: int, capsys: pytest.CaptureFixture[str]
+) -> None:
     """The port is taken, so none can be started; when it is free, one is."""
     with_port = NodeManager(NodeConfig(address="127.0.0.1", port=free_port, local_root=root / "elsewhere"))
     other = NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root))
     await with_port.open()
     await other.open()
     told = ""
-    async with local_node.node_manager(root: Path, free_port: int) -> None:
+    async with local_node.node_manager(root, free_port):
         await other.close()
         async with asyncio.timeout(20):
             while "--port" not in told:
