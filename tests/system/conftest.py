@@ -9,7 +9,7 @@ from contextlib import ExitStack
 
 import pytest
 
-Start = Callable[..., "subprocess.Popen[str]"]
+Start = Callable[..., subprocess.Popen[str]]
 
 
 @pytest.fixture

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import asyncio
 import signal
+import subprocess
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -13,12 +16,13 @@ from jauspy.messages.mobility import QueryLocalPose, ReportLocalPose
 from jauspy.modules.robot import RobotRunner
 from jauspy.modules.robots import load
 from jauspy.ocu import OCU
+from jauspy.ocu.subscription import Subscription
 from jauspy.transport import LocalTransport
 
 INC1 = Path(__file__).parents[2] / "src" / "jauspy" / "robots" / "inc1.toml"
 
 
-async def silence(poses) -> None:
+async def silence(poses: Subscription[Any]) -> None:
     """Until what was under way has arrived and no more comes."""
     received = -1
     while poses.received > received:
@@ -28,7 +32,7 @@ async def silence(poses) -> None:
 
 @pytest.mark.parametrize("connect", ["local:{root}", "udp://127.0.0.1:{port}"], ids=["local", "udp"])
 async def test_a_killed_node_manager_comes_back_and_a_subscription_goes_on(
-    root: Path, free_port: int, start, connect: str
+    root: Path, free_port: int, start: Callable[..., subprocess.Popen[str]], connect: str
 ) -> None:
     node = ("node-manager", "--address", "127.0.0.1", "--port", str(free_port), "--local-root", str(root))
     first = await asyncio.to_thread(start, *node, ready="ready")
@@ -50,7 +54,7 @@ async def test_a_killed_node_manager_comes_back_and_a_subscription_goes_on(
 
 
 async def test_a_robot_outlives_the_other_robot_that_started_the_node_manager(
-    root: Path, free_port: int, start
+    root: Path, free_port: int, start: Callable[..., subprocess.Popen[str]]
 ) -> None:
     second_robot = root / "second.toml"
     second_robot.write_text(INC1.read_text().replace("subsystem = 101", "subsystem = 102"))

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import asyncio
 import shutil
+from collections.abc import Callable
 from contextlib import AsyncExitStack
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -14,6 +16,7 @@ from jauspy.modules.robot import RobotRunner
 from jauspy.modules.robots import load
 from jauspy.node import NodeConfig, NodeManager
 from jauspy.ocu import OCU
+from jauspy.ocu.service import ServiceClient
 from jauspy.transport import LocalTransport
 
 EFFORTS = {101: 60.0, 102: -60.0}
@@ -41,10 +44,10 @@ async def drive_both(ocu: OCU) -> None:
                     await asyncio.sleep(0.05)
 
 
-async def x_of(sensor) -> float:
+async def x_of(sensor: ServiceClient) -> float:
     report = await sensor.query(QueryLocalPose(presence_vector=1), expects=ReportLocalPose)
     assert report.x is not None
-    return report.x
+    return float(report.x)
 
 
 async def test_on_two_loopback_addresses(root: Path, free_port: int) -> None:
@@ -56,14 +59,12 @@ async def test_on_two_loopback_addresses(root: Path, free_port: int) -> None:
             if node.counters["multicast.not_joined"]:
                 pytest.skip("this kernel does not multicast on its loopback interface")
             robot = load("inc1").model_copy(update={"subsystem": subsystem})
-            runner = RobotRunner(
-                robot, lambda own, folder=folder: LocalTransport(own, folder), backend="kinematic", world="empty"
-            )
+            runner = RobotRunner(robot, partial(LocalTransport, root=folder), backend="kinematic", world="empty")
             await stack.enter_async_context(runner)
         await drive_both(await stack.enter_async_context(OCU(connect=f"local:{root / '101'}")))
 
 
-async def test_on_two_hosts(cable: tuple[str, str], root: Path, start) -> None:
+async def test_on_two_hosts(cable: tuple[str, str], root: Path, start: Callable[..., object]) -> None:
     """Each in a network namespace with `jauspy up`; the OCU is on the first, by its local socket."""
     inc1 = Path(__file__).parents[2] / "src" / "jauspy" / "robots" / "inc1.toml"
     for namespace, subsystem in zip(cable, EFFORTS, strict=True):
