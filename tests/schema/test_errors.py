@@ -184,6 +184,17 @@ BEHAVIORS = {
         f'<start state_machine_name="M" state_name="B"/>{HERE}\n{MACHINE}',
         "start state 'B': no state 'B'; known: A",
     ),
+    "no such message": (
+        '<state_machine name="M"><state name="A">\n'
+        f'<transition name="transport.Receive">{HERE}<parameter type="Mgs" value="msg"/><internal/></transition>'
+        "</state></state_machine>",
+        "a transition receives 'Mgs', which is no message here; did you mean Msg",
+    ),
+    "guard that nobody can read": (
+        '<state_machine name="M"><state name="A">\n'
+        f'<transition name="T">{HERE}<guard condition="isReady(msg"/><internal/></transition></state></state_machine>',
+        r"guard 'isReady\(msg': expected",
+    ),
     "no such initial state": (
         f'<state_machine name="M">\n<state name="A" initial_state="C">{HERE}<state name="B"/></state></state_machine>',
         "initial state 'A.C': no state 'C'; known: B",

@@ -23,18 +23,18 @@ from jauspy.schema.states import check_states
 from jauspy.schema.values import read_value_set
 
 
-def load_files(paths: Iterable[Path], *, base: Schema | None = None, states: bool = True) -> Schema:
+def load_files(paths: Iterable[str | Path], *, base: Schema | None = None, states: bool = True) -> Schema:
     """Read JSIDL files that may refer to each other, in any order; `SchemaError` says what is wrong where.
 
     New services may inherit from those of `base`, which are part of the result except where a file defines the
-    same id and version. Type sets are those of the files alone. Without `states`, start, initial and end states are
+    same id and version. Type sets are those of the files alone. Without `states`, what behaviour refers to is
     not checked: for whoever wants messages, and would lose them all to one misspelt state.
     """
     library = Library()
     versions: dict[Key, str] = {}
     roots: dict[Key, Element] = {}
     for path in paths:
-        root, jsidl = read(path)
+        root, jsidl = read(Path(path))
         key = identity(root)
         if library.add(root) and root.tag == "service_def":
             roots[key] = root

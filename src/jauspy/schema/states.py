@@ -1,10 +1,11 @@
-"""State names that behaviour refers to: they are in the machine itself or in the one it inherits."""
+"""What behaviour refers to: states, messages that trigger transitions, and guards that can be read."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from jauspy.errors import SchemaError
+from jauspy.schema import guards
 from jauspy.schema.library import Key
 from jauspy.schema.model import Behavior, Location, Service, State, StateMachine, Transition
 from jauspy.schema.reading import suggestion
@@ -22,17 +23,20 @@ class _Tree(dict[str, "_Tree"]):
         tree = self
         for name in path.split("."):
             if name not in tree:
-                message = f"{what} '{path}': no state '{name}'{suggestion(name, tree)}"
-                raise SchemaError(message, file=where.file if where else None, line=where.line if where else None)
+                raise _error(f"{what} '{path}': no state '{name}'{suggestion(name, tree)}", where)
             tree = tree[name]
 
 
 def check_states(services: Sequence[Service], known: Sequence[Service]) -> None:
-    """Check start, initial and end states of services; their parents are resolved, some of them `known` before."""
+    """Check states, triggers and guards of services; their parents are resolved, some of them `known` before."""
     by_key = {service.key: service for service in (*services, *known)}
     for service in services:
         if service.behavior is not None:
             _check_behavior(service.behavior, _trees(service, by_key))
+            messages = {message.name for member in _lineage(service, by_key) for message in member.messages}
+            for transition in _transitions(service.behavior):
+                _check_trigger(transition, messages)
+                _check_guard(transition)
 
 
 def _trees(service: Service, by_key: Mapping[Key, Service]) -> dict[str, _Tree]:
@@ -75,6 +79,35 @@ def _check_ends(transitions: Sequence[Transition], tree: _Tree) -> None:
     for transition in transitions:
         if transition.end_state is not None:
             tree.check(transition.end_state, "end state", transition.where)
+
+
+def _transitions(behavior: Behavior) -> Iterator[Transition]:
+    for machine in behavior.machines:
+        yield from machine.default_transitions
+        for _, state in _walk(machine.states, ""):
+            yield from state.transitions
+            yield from state.default_transitions
+
+
+def _check_trigger(transition: Transition, messages: Collection[str]) -> None:
+    """What is received is a message of the service or of one that it inherits from."""
+    if transition.trigger.rpartition(".")[2] == "Receive" and transition.parameters:
+        received = transition.parameters[0].type
+        if received not in messages and "." not in received:
+            reason = f"a transition receives '{received}', which is no message here{suggestion(received, messages)}"
+            raise _error(reason, transition.where)
+
+
+def _check_guard(transition: Transition) -> None:
+    if transition.guard:
+        try:
+            guards.parse(transition.guard)
+        except SchemaError as error:
+            raise _error(error.reason, transition.where) from None
+
+
+def _error(reason: str, where: Location | None) -> SchemaError:
+    return SchemaError(reason, file=where.file if where else None, line=where.line if where else None)
 
 
 def _walk(states: Sequence[State], parent: str) -> Iterator[tuple[str, State]]:
