@@ -185,14 +185,18 @@ BEHAVIORS = {
         "start state 'B': no state 'B'; known: A",
     ),
     "no such message": (
-        '<state_machine name="M"><state name="A">\n'
-        f'<transition name="transport.Receive">{HERE}<parameter type="Mgs" value="msg"/><internal/></transition>'
-        "</state></state_machine>",
+        (
+            '<state_machine name="M"><state name="A">\n'
+            f'<transition name="transport.Receive">{HERE}<parameter type="Mgs" value="msg"/><internal/></transition>'
+            "</state></state_machine>"
+        ),
         "a transition receives 'Mgs', which is no message here; did you mean Msg",
     ),
     "guard that nobody can read": (
-        '<state_machine name="M"><state name="A">\n'
-        f'<transition name="T">{HERE}<guard condition="isReady(msg"/><internal/></transition></state></state_machine>',
+        (
+            '<state_machine name="M"><state name="A">\n'
+            f'<transition name="T">{HERE}<guard condition="isReady(msg"/><internal/></transition></state></state_machine>'
+        ),
         r"guard 'isReady\(msg': expected",
     ),
     "no such initial state": (

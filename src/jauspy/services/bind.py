@@ -8,8 +8,7 @@ from typing import Final, TypeAlias
 
 from jauspy.codec.names import snake
 from jauspy.errors import ConfigError
-from jauspy.schema import model
-from jauspy.schema import guards
+from jauspy.schema import guards, model
 from jauspy.services.machine import BoundState, Rule, Step
 from jauspy.services.service import Service
 from jauspy.services.tree import Owned, StateNode
