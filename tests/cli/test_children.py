@@ -41,17 +41,22 @@ async def test_lines_of_any_length_are_read(monkeypatch, tmp_path):
     heard = []
     say = tmp_path / "say"
     say.write_text(
-        "#!/bin/sh\nhead -c 200000 /dev/zero | tr '\\0' x; echo; sleep 0.2\n"
+        "#!/bin/sh\ntrap go=1 USR1\nhead -c 200000 /dev/zero | tr '\\0' x; echo\n"
+        "until [ $go ]; do sleep 0.05; done\n"
         "head -c 200000 /dev/zero | tr '\\0' y >&2; echo >&2; echo last >&2; exit 3\n"
     )
     say.chmod(0o755)
     monkeypatch.setattr(sys, "executable", str(say))
     async with Child("talker", [], heard=heard.append) as child:
+        child.signal(signal.SIGUSR1)
         assert str(await child.ended()) == "talker: ended with exit status 3"
     assert heard[-1] == "last"
     assert "".join(heard[:-1]) == "y" * 200000
     async with Child("talker", []) as child:
-        assert str(await child.ended()).endswith("y  last")
+        child.signal(signal.SIGUSR1)
+        told = str(await child.ended())
+    assert told.startswith("talker: yyy")
+    assert told.endswith(" last")
 
 
 PARENT = """
