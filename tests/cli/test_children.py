@@ -9,13 +9,14 @@ import psutil
 import pytest
 
 from jauspy.cli.children import Child, ChildFailed
+from jauspy.transport.local_socket import is_alive
 
 
 async def test_a_child_is_ready_when_it_says_so_and_gone_afterwards(free_port, local_root):
     async with Child(
         "node manager", ["node-manager", "--port", str(free_port), "--local-root", str(local_root)]
     ) as child:
-        assert child.first_line.startswith("node manager ready")
+        assert is_alive(local_root / "JuniorRTE")
         assert psutil.pid_exists(child.pid)
     assert not psutil.pid_exists(child.pid)
     await child.stop()  # twice is fine
@@ -33,7 +34,29 @@ async def test_a_child_that_ends_is_noticed(free_port, local_root):
     async with Child("node manager", arguments) as child:
         os.kill(child.pid, signal.SIGKILL)
         error = await child.ended()
-    assert "node manager" in str(error)
+    assert str(error) == "node manager: ended by signal 9"
+
+
+async def test_lines_of_any_length_are_read(monkeypatch, tmp_path):
+    heard = []
+    say = tmp_path / "say"
+    say.write_text(
+        "#!/bin/sh\ntrap go=1 USR1\nhead -c 200000 /dev/zero | tr '\\0' x; echo\n"
+        "until [ $go ]; do sleep 0.05; done\n"
+        "head -c 200000 /dev/zero | tr '\\0' y >&2; echo >&2; echo last >&2; exit 3\n"
+    )
+    say.chmod(0o755)
+    monkeypatch.setattr(sys, "executable", str(say))
+    async with Child("talker", [], heard=heard.append) as child:
+        child.signal(signal.SIGUSR1)
+        assert str(await child.ended()) == "talker: ended with exit status 3"
+    assert heard[-1] == "last"
+    assert "".join(heard[:-1]) == "y" * 200000
+    async with Child("talker", []) as child:
+        child.signal(signal.SIGUSR1)
+        told = str(await child.ended())
+    assert told.startswith("talker: yyy")
+    assert told.endswith(" last")
 
 
 PARENT = """

@@ -67,6 +67,8 @@ def test_a_presence_vector_left_out_asks_for_all_there_is():
         (["QueryStatus", "x=1"], "QueryStatus has no fields"),
         (["SetTime", "time_stamp=[1"], "neither a number, a name, nor JSON or YAML"),
         (["SetTime", "time_stamp=1", "time_stamp.day=1"], "set twice"),
+        (["SetTime", "time_stamp.day=1", "time_stamp={day: 1}"], "set twice"),
+        (["QueryLocalPose", "presence_vector=3", "presence_vector=4"], "'presence_vector' is set twice"),
     ],
 )
 def test_what_is_wrong_is_said(arguments, what):

@@ -1,7 +1,9 @@
 """`jauspy node-manager` as a process."""
 
+import os
 import signal
 import socket
+import stat
 import subprocess
 import sys
 
@@ -66,3 +68,16 @@ def test_wrong_settings_get_a_sentence():
     )
     assert done.returncode == 1
     assert "write an IPv4 multicast address" in done.stderr
+
+
+def test_the_mode_of_the_socket(free_port, local_root):
+    arguments = ["--port", str(free_port), "--local-root", str(local_root), "--socket-mode"]
+    wide = {**os.environ, "COLUMNS": "200"}
+    wrong = subprocess.run([*COMMAND, *arguments, "999"], capture_output=True, text=True, check=False, env=wide)
+    assert wrong.returncode == 2
+    assert "three octal digits" in wrong.stderr
+    with subprocess.Popen([*COMMAND, *arguments, "600"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as process:
+        process.stdout.readline()
+        mode = stat.S_IMODE((local_root / "JuniorRTE").stat().st_mode)
+        process.terminate()
+    assert mode == 0o600

@@ -4,6 +4,7 @@ import json
 import signal
 import subprocess
 import sys
+from itertools import takewhile
 from pathlib import Path
 
 import psutil
@@ -121,6 +122,48 @@ def test_a_killed_up_leaves_no_process(robot):
     assert_gone(robot.family)
 
 
+def test_up_passes_on_what_concerns_the_node_manager_and_prints_all_counters(free_port, local_root):
+    process = start(
+        *("up", "inc1", "--backend", "kinematic", "--port", str(free_port), "--local-root", str(local_root)),
+        *("--address", "127.0.0.1", "--interface", "127.0.0.1", "--multicast-group", "239.255.0.77"),
+        *("--socket-mode", "600", "--verbose"),
+    )
+    try:
+        [child] = wait_for(process, "stop it")
+        assert child.cmdline()[-1] == "--with-parent"
+        assert {"127.0.0.1", "239.255.0.77", "600", "--verbose"} <= set(child.cmdline())
+        jauspy("query", "101.1.102", "QueryStatus", "--connect", f"udp://127.0.0.1:{free_port}")
+        process.send_signal(signal.SIGUSR1)
+        said = list(takewhile(lambda line: line != "node manager: counters:\n", process.stderr))
+        assert "counters of inc1:\n" in said
+        assert process.stderr.readline().startswith("node manager:   ")
+    finally:
+        process.terminate()
+        process.communicate()
+
+
+def test_up_refuses_a_world_that_the_backend_has_not(local_root):
+    arguments = ("up", "inc1", "--backend", "kinematic", "--world", "moon", "--local-root", str(local_root))
+    assert "has no worlds" in jauspy(*arguments, status=1).stderr
+
+
+def test_up_names_only_what_can_be_done(robot, local_root):
+    copy = Path(local_root) / "other.toml"
+    source = Path(__file__).parents[2] / "src" / "jauspy" / "robots" / "inc1.toml"
+    text = source.read_text().replace("subsystem = 101", "subsystem = 102")
+    copy.write_text(text.replace("[[modules]]", "[[modules]]\nservices = []"))
+    process = start("up", str(copy), "--backend", "kinematic", "--local-root", str(local_root))
+    lines = []
+    for line in process.stdout:
+        lines.append(line)
+        if "stop it" in line:
+            break
+    process.terminate()
+    process.communicate(timeout=20)
+    copy.unlink()
+    assert not [line for line in lines if "drive it" in line or "see it" in line]
+
+
 def test_up_uses_the_node_manager_that_runs(robot, local_root):
     copy = Path(local_root) / "other.toml"
     source = Path(__file__).parents[2] / "src" / "jauspy" / "robots" / "inc1.toml"
@@ -134,7 +177,7 @@ def test_up_uses_the_node_manager_that_runs(robot, local_root):
 
 def test_a_dead_node_manager_is_started_again(robot, local_root):
     robot.family[0].kill()
-    assert "node manager" in robot.stderr.readline()
+    assert robot.stderr.readline() == "node manager: ended by signal 9; starting it again\n"
     found = jauspy("ls", "--connect", f"local:{local_root}", "--timeout", "4", "--json").stdout
     assert json.loads(found)["subsystem"] == 101
     robot.family += psutil.Process(robot.pid).children()
@@ -160,17 +203,26 @@ def test_the_demo(free_port):
     assert "\x1b" not in text
 
 
-@pytest.mark.parametrize(("number", "status"), [(signal.SIGINT, 130), (signal.SIGTERM, 1), (signal.SIGKILL, -9)])
-def test_a_stopped_demo_leaves_no_process(free_port, local_root, monkeypatch, number, status):
-    monkeypatch.setenv("TMPDIR", str(local_root))  # nobody can clean up after SIGKILL
+@pytest.mark.parametrize(
+    ("number", "status"), [(signal.SIGINT, 130), (signal.SIGTERM, 1), (signal.SIGHUP, 1), (signal.SIGKILL, -9)]
+)
+def test_a_stopped_demo_says_so_and_leaves_nothing(free_port, local_root, monkeypatch, number, status):
+    monkeypatch.setenv("TMPDIR", str(local_root))
     demo = start("demo", "--backend", "kinematic", "--port", str(free_port))
     family = wait_for(demo, "Drive 2 m forward")
     assert len(family) == 2
     demo.send_signal(number)
     _, err = demo.communicate(timeout=20)
-    assert (demo.returncode, err) == (status, "")
+    said = "" if number == signal.SIGKILL else "stopped; control was given back\n"
+    assert (demo.returncode, err) == (status, said)
     assert_gone(family)
-    assert number == signal.SIGKILL or not list(local_root.iterdir())
+    assert not list(local_root.iterdir())
+
+
+def test_the_demo_has_one_default_backend():
+    text = jauspy("demo", "--help").stdout
+    assert "[default: sim]" in text
+    assert "the robot's own" not in text
 
 
 def test_a_taken_port_names_who_has_it(robot, free_port):

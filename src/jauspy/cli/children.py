@@ -7,7 +7,7 @@ import os
 import signal
 import sys
 from collections import deque
-from collections.abc import Sequence
+from collections.abc import AsyncIterator, Callable, Sequence
 from types import TracebackType
 from typing import Final, Self
 
@@ -16,6 +16,7 @@ from jauspy.errors import JausError
 START_TIMEOUT: Final = 30.0  # seconds; a cold start of the physics is the slowest
 STOP_TIMEOUT: Final = 5.0
 _KEPT_LINES: Final = 50
+_LONGEST_LINE: Final = 1 << 16  # bytes; the rest of a longer line is another one
 
 
 class ChildFailed(JausError):
@@ -29,9 +30,10 @@ class Child:
     killed. It gets its own session: Ctrl-C reaches only the parent, which stops its children in order.
     """
 
-    def __init__(self, name: str, arguments: Sequence[str]) -> None:
+    def __init__(self, name: str, arguments: Sequence[str], *, heard: Callable[[str], None] | None = None) -> None:
+        """`heard` gets what it says on standard error once it is ready; without it, the error at its end tells."""
         self.name = name
-        self.first_line = ""
+        self._heard = heard
         self._arguments = tuple(arguments)
         self._process: asyncio.subprocess.Process | None = None
         self._readers: list[asyncio.Task[None]] = []
@@ -73,8 +75,16 @@ class Child:
         assert self._process is not None
         status = await self._process.wait()
         await asyncio.gather(*self._readers)
-        said = " ".join(self._lines).removeprefix("Error: ") or f"it said nothing, exit status {status}"
-        return ChildFailed(f"{self.name}: {said}")
+        how = f"ended by signal {-status}" if status < 0 else f"ended with exit status {status}"
+        said = " ".join(self._lines).removeprefix("Error: ")
+        if said and status < 0:
+            how += f"; it said: {said}"
+        return ChildFailed(f"{self.name}: {said if said and status > 0 else how}")
+
+    def signal(self, number: signal.Signals) -> None:
+        """Send it a signal, if it runs."""
+        if self._process is not None and self._process.returncode is None:
+            self._process.send_signal(number)
 
     async def stop(self) -> None:
         """Ask the child to end; make it end if it does not within `STOP_TIMEOUT`. Twice is fine."""
@@ -97,8 +107,8 @@ class Child:
         assert self._process.stdout is not None
         assert self._process.stderr is not None
         self._readers = [
-            asyncio.create_task(self._read(self._process.stdout, says_ready=True)),
-            asyncio.create_task(self._read(self._process.stderr, says_ready=False)),
+            asyncio.create_task(self._await_first_line(self._process.stdout)),
+            asyncio.create_task(self._listen(self._process.stderr)),
         ]
         ready = asyncio.create_task(self._ready.wait())
         ended = asyncio.create_task(self.ended())
@@ -113,10 +123,27 @@ class Child:
             ready.cancel()
             ended.cancel()
 
-    async def _read(self, stream: asyncio.StreamReader, *, says_ready: bool) -> None:
-        async for raw in stream:
-            line = raw.decode(errors="replace").rstrip()
-            self._lines.append(line)
-            if says_ready and not self._ready.is_set():
-                self.first_line = line
-                self._ready.set()
+    async def _await_first_line(self, stream: asyncio.StreamReader) -> None:
+        """What it says first on standard output says that it is ready; the rest is for people who start it alone."""
+        async for _ in _lines(stream):
+            self._ready.set()
+
+    async def _listen(self, stream: asyncio.StreamReader) -> None:
+        async for line in _lines(stream):
+            if self._ready.is_set() and self._heard is not None:
+                self._heard(line)
+            else:
+                self._lines.append(line)
+
+
+async def _lines(stream: asyncio.StreamReader) -> AsyncIterator[str]:
+    """Lines of any length, the longest in pieces; the stream's own iteration ends with an error at 64 KiB."""
+    rest = b""
+    while data := await stream.read(_LONGEST_LINE):
+        *whole, rest = (rest + data).split(b"\n")
+        if len(rest) > _LONGEST_LINE:
+            whole, rest = [*whole, rest], b""
+        for line in whole:
+            yield line.decode(errors="replace").rstrip()
+    if rest:
+        yield rest.decode(errors="replace").rstrip()

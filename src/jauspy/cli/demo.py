@@ -7,13 +7,16 @@ from typing import Annotated
 import typer
 
 from jauspy.cli.options import DEFAULT_PORT, Port
-from jauspy.cli.up import Backend, BackendName
+from jauspy.cli.up import BackendName
 
 
 def demo(
     *,
     port: Port = DEFAULT_PORT,
-    backend: Backend = BackendName.SIM,
+    backend: Annotated[
+        BackendName,
+        typer.Option("--backend", help="sim: MuJoCo physics (extra 'sim'); kinematic: pure Python, without obstacles."),
+    ] = BackendName.SIM,
     plain: Annotated[
         bool, typer.Option("--plain", "--headless", help="Plain lines instead of a live table, as in a pipe.")
     ] = False,
@@ -31,9 +34,13 @@ def demo(
     from jauspy.cli.demo_view import LiveView, PlainView, summary
     from jauspy.cli.run import run
 
-    name = (backend or BackendName.SIM).value
     view = PlainView() if plain or not console.is_terminal() else LiveView()
-    result = run(play(port, name, view))
+    try:
+        result = run(play(port, backend.value, view))
+    except KeyboardInterrupt:
+        console.note(view.farewell())
+        raise typer.Exit(130) from None
     if result is None:  # told to stop
+        console.note(view.farewell())
         raise typer.Exit(1)
-    console.stdout().print(summary(result, name))
+    console.stdout().print(summary(result, backend.value))

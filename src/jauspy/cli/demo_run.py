@@ -34,15 +34,15 @@ async def play(port: int, backend: str, view: View) -> script.Result:
         view.step(f"Start a node manager on UDP 127.0.0.1:{port}")
         manager = await _node_manager(stack, port, root)
         view.step(f"Start the robot {ROBOT} ({backend})")
-        robot = await stack.enter_async_context(
-            Child("robot", ["up", ROBOT, "--no-node-manager", "--local-root", str(root), "--backend", backend])
-        )
+        arguments = ["up", ROBOT, "--no-node-manager", "--local-root", str(root), "--own-root", "--backend", backend]
+        robot = await stack.enter_async_context(Child("robot", arguments))
         ocu = await stack.enter_async_context(OCU(connect=f"udp://127.0.0.1:{port}"))
         return await _drive(ocu, view, manager, robot)
 
 
 async def _node_manager(stack: AsyncExitStack, port: int, root: Path) -> Child:
     arguments = ["node-manager", "--address", "127.0.0.1", "--port", str(port), "--local-root", str(root)]
+    arguments.append("--own-root")  # should this process be killed, the last of its children removes the folder
     try:
         return await stack.enter_async_context(Child("node manager", arguments))
     except ChildFailed as error:

@@ -36,6 +36,7 @@ class View(script.Observer):
         self.left = ""
         self.status = ""
         self.holder = ""
+        self._had_control = False
         self._began = time.monotonic()
         self._arrivals: deque[float] = deque(maxlen=_RATE_OVER)
 
@@ -59,6 +60,10 @@ class View(script.Observer):
             return 0.0
         return (len(self._arrivals) - 1) / (self._arrivals[-1] - self._arrivals[0])
 
+    def farewell(self) -> str:
+        """What there is to say when somebody stopped it."""
+        return "stopped; control was given back" if self._had_control else "stopped"
+
     def step(self, text: str) -> None:
         """The next thing is being done."""
         self.phase = text
@@ -73,6 +78,10 @@ class View(script.Observer):
             f"subsystem {robot.id} {robot.name}: {nodes} node{'s' * (nodes != 1)}, "
             f"{components} component{'s' * (components != 1)}, {services} services"
         )
+
+    def controlled(self) -> None:
+        """Remember it for the end."""
+        self._had_control = True
 
     def moved(self, motion: Motion, left: float, unit: str) -> None:
         """A report came in."""

@@ -82,6 +82,8 @@ def _assign(data: dict[str, Any], path: str, text: str, layout: Item, cls: type[
         data = data.setdefault(name, {})
         if not isinstance(data, dict):
             raise ConfigError(f"{path!r} is set twice")
+    if last in data:
+        raise ConfigError(f"{path!r} is set twice")
     data[last] = _value(_inside(layout, last, cls), text, path)
 
 

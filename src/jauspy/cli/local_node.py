@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import AsyncIterator, Callable
+import signal
+import sys
+from collections.abc import AsyncIterator, Sequence
 from contextlib import asynccontextmanager
 from pathlib import Path
 from typing import Final
@@ -17,48 +19,60 @@ RESTART_DELAY: Final = 1.0  # seconds
 
 
 @asynccontextmanager
-async def node_manager(root: Path, port: int) -> AsyncIterator[str]:
-    """Make sure that one runs in this local root, and goes on running; yields where, for people.
+async def node_manager(root: Path, port: int, options: Sequence[str] = ()) -> AsyncIterator[Keeper]:
+    """Make sure that one runs in this local root, and goes on running.
 
-    When it dies, whoever started it, one is started here; components find it by themselves.
+    When it dies, whoever started it, one is started here; components find it by themselves. `options` are more of
+    `jauspy node-manager`.
     """
-    keeper = _Keeper(root, lambda: _child(root, port))
-    if keeper.is_there():
-        where = f"was running, local sockets in {root}"
-    else:
+    keeper = Keeper(root, port, options)
+    if not keeper.is_there():
         await keeper.start()
-        where = f"UDP port {port}, local sockets in {root}"
     keeping = asyncio.create_task(keeper.keep())
     try:
-        yield where
+        yield keeper
     finally:
         keeping.cancel()
         await asyncio.gather(keeping, return_exceptions=True)
         await keeper.stop()
 
 
-class _Keeper:
+class Keeper:
     """Watches the node manager of a local root, and starts one when there is none."""
 
-    def __init__(self, root: Path, make: Callable[[], Child]) -> None:
+    def __init__(self, root: Path, port: int, options: Sequence[str] = ()) -> None:
+        self.where = f"was running, local sockets in {root}"
+        """For people."""
+        self._root = root
+        self._port = port
+        self._options = tuple(options)
         self._socket = root / junior.SOCKET_NAME
-        self._make = make
         self._child: Child | None = None
 
+    def print_counters(self) -> None:
+        """Have one that was started here print its counters; another's has a terminal of its own."""
+        if self._child is not None:
+            self._child.signal(signal.SIGUSR1)
+
     def is_there(self) -> bool:
+        """True while one runs, whoever started it."""
         return local_socket.is_alive(self._socket)
 
     async def start(self) -> None:
         """Raises `ChildFailed` when it does not start."""
-        child = self._make()
+        arguments = ["node-manager", "--port", str(self._port), "--local-root", str(self._root), *self._options]
+        child = Child("node manager", arguments, heard=_forward)
         await child.__aenter__()
         self._child = child
+        self.where = f"UDP port {self._port}, local sockets in {self._root}"
 
     async def stop(self) -> None:
+        """End the one that was started here."""
         if self._child is not None:
             await self._child.stop()
 
     async def keep(self) -> None:
+        """Until cancelled."""
         if self._child is None:
             await self._absence()
             console.note("the node manager that was running has ended; starting one")
@@ -82,5 +96,5 @@ class _Keeper:
             await asyncio.sleep(RESTART_DELAY)
 
 
-def _child(root: Path, port: int) -> Child:
-    return Child("node manager", ["node-manager", "--port", str(port), "--local-root", str(root)])
+def _forward(line: str) -> None:
+    print(f"node manager: {line}", file=sys.stderr, flush=True)

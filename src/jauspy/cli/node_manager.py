@@ -2,14 +2,30 @@
 
 from __future__ import annotations
 
+import re
 import signal
 import sys
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING
 
 import typer
 
-from jauspy.cli.options import DEFAULT_PORT, DEFAULT_ROOT, LocalRoot, Port, WithParent
+from jauspy.cli.options import (
+    DEFAULT_ADDRESS,
+    DEFAULT_GROUP,
+    DEFAULT_MODE,
+    DEFAULT_PORT,
+    DEFAULT_ROOT,
+    Address,
+    Interface,
+    LocalRoot,
+    MulticastGroup,
+    OwnRoot,
+    Port,
+    SocketMode,
+    Verbose,
+    WithParent,
+)
 
 if TYPE_CHECKING:
     from jauspy.node import NodeConfig
@@ -18,21 +34,14 @@ if TYPE_CHECKING:
 def node_manager(
     *,
     port: Port = DEFAULT_PORT,
-    address: Annotated[
-        str, typer.Option("--address", metavar="IP", help="Local address to receive on; 0.0.0.0 is all.")
-    ] = "0.0.0.0",  # noqa: S104  # what a node manager is for; README says how to narrow it
+    address: Address = DEFAULT_ADDRESS,
     local_root: LocalRoot = DEFAULT_ROOT,
-    multicast_group: Annotated[
-        str, typer.Option("--multicast-group", metavar="IP", help="Group that broadcasts are sent to.")
-    ] = "239.255.0.1",
-    interface: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--interface", metavar="IP", help="Address of an interface to join the group on; may be repeated."
-        ),
-    ] = None,
-    verbose: Annotated[bool, typer.Option("--verbose", "-v", help="Log what is dropped and why.")] = False,
+    socket_mode: SocketMode = DEFAULT_MODE,
+    multicast_group: MulticastGroup = DEFAULT_GROUP,
+    interface: Interface = None,
+    verbose: Verbose = False,
     with_parent: WithParent = False,
+    own_root: OwnRoot = False,
 ) -> None:
     """Route JAUS between the components of this machine and the network.
 
@@ -42,11 +51,11 @@ def node_manager(
     Example:
       jauspy node-manager --port 3795 --local-root /tmp/second
     """
-    from jauspy.cli.run import end_with_parent, run
+    from jauspy.cli.run import end_with_parent, remove_if_empty, run
     from jauspy.node import NodeConfig
 
     if verbose:
-        _log_everything()
+        log_everything()
     if with_parent:
         end_with_parent()
     run(
@@ -55,11 +64,23 @@ def node_manager(
                 address=address,
                 port=port,
                 local_root=local_root,
+                local_mode=mode_of(socket_mode),
                 multicast_group=multicast_group,
                 multicast_interfaces=tuple(interface or ()),
             ),
             quiet=with_parent,
         )
+    )
+    if own_root:
+        remove_if_empty(local_root)
+
+
+def mode_of(text: str) -> int:
+    """`0o660` of `660`."""
+    if re.fullmatch("0?[0-7]{3}", text):
+        return int(text, 8)
+    raise typer.BadParameter(
+        f"{text!r} is no file mode; write three octal digits, as in 660", param_hint="--socket-mode"
     )
 
 
@@ -81,15 +102,16 @@ async def serve(config: NodeConfig, *, quiet: bool) -> None:
                 print_counters(manager.counters)
 
 
-def print_counters(counters: Mapping[str, int]) -> None:
+def print_counters(counters: Mapping[str, int], title: str = "counters:") -> None:
     """The counters that are not zero, one per line, on stderr."""
     counted = {name: count for name, count in sorted(counters.items()) if count}
     width = max(map(len, counted), default=0)
     lines = [f"  {name:<{width}}  {count}" for name, count in counted.items()] or ["  nothing was received or sent"]
-    print("counters:", *lines, sep="\n", file=sys.stderr, flush=True)
+    print(title, *lines, sep="\n", file=sys.stderr, flush=True)
 
 
-def _log_everything() -> None:
+def log_everything() -> None:
+    """Every log line, on stderr."""
     import logging
 
     logging.basicConfig(level=logging.DEBUG, format="%(asctime)s %(levelname)s %(name)s: %(message)s")

@@ -14,6 +14,31 @@ Port = Annotated[int, typer.Option("--port", min=1, max=65535, help="UDP port; 3
 LocalRoot = Annotated[
     Path, typer.Option("--local-root", metavar="DIR", help="Directory of the local sockets (JuniorRTE).")
 ]
+Address = Annotated[
+    str, typer.Option("--address", metavar="IP", help="Local address to receive UDP on; 0.0.0.0 is all.")
+]
+DEFAULT_ADDRESS = "0.0.0.0"  # noqa: S104  # a node manager is there to be reached; --address narrows it
+MulticastGroup = Annotated[
+    str, typer.Option("--multicast-group", metavar="IP", help="Group that broadcasts are sent to.")
+]
+DEFAULT_GROUP = "239.255.0.1"
+Interface = Annotated[
+    list[str] | None,
+    typer.Option("--interface", metavar="IP", help="Address of an interface to join the group on; may be repeated."),
+]
+SocketMode = Annotated[
+    str,
+    typer.Option(
+        "--socket-mode",
+        metavar="OCTAL",
+        help="Permissions of the local socket: who on this machine may attach a component. 660: user and group.",
+    ),
+]
+DEFAULT_MODE = "660"
+Verbose = Annotated[bool, typer.Option("--verbose", "-v", help="Log what is dropped and why.")]
+OwnRoot = Annotated[
+    bool, typer.Option("--own-root", hidden=True, help="Remove the local root at the end, when it is empty.")
+]
 Connect = Annotated[
     str | None,
     typer.Option(

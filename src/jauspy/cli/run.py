@@ -8,6 +8,8 @@ import signal
 import sys
 import threading
 from collections.abc import Coroutine
+from contextlib import suppress
+from pathlib import Path
 from typing import Any, Final, TypeVar
 
 T = TypeVar("T")
@@ -58,3 +60,9 @@ def _wait_for_parent() -> None:
     os.kill(os.getpid(), signal.SIGTERM)
     threading.Event().wait(GRACE)
     os._exit(1)
+
+
+def remove_if_empty(root: Path) -> None:
+    """Remove a folder of sockets after the last of its users; the others find it in use and leave it."""
+    with suppress(OSError):
+        root.rmdir()

@@ -2,16 +2,32 @@
 
 from __future__ import annotations
 
-from contextlib import AsyncExitStack
+from contextlib import AbstractAsyncContextManager, AsyncExitStack
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
 
-from jauspy.cli.options import DEFAULT_PORT, DEFAULT_ROOT, LocalRoot, Port, WithParent
+from jauspy.cli.options import (
+    DEFAULT_ADDRESS,
+    DEFAULT_GROUP,
+    DEFAULT_MODE,
+    DEFAULT_PORT,
+    DEFAULT_ROOT,
+    Address,
+    Interface,
+    LocalRoot,
+    MulticastGroup,
+    OwnRoot,
+    Port,
+    SocketMode,
+    Verbose,
+    WithParent,
+)
 
 if TYPE_CHECKING:
+    from jauspy.cli.local_node import Keeper
     from jauspy.modules.robot import RobotRunner
 
 
@@ -41,27 +57,40 @@ def up(
     ],
     backend: Backend = None,
     port: Port = DEFAULT_PORT,
+    address: Address = DEFAULT_ADDRESS,
     local_root: LocalRoot = DEFAULT_ROOT,
+    socket_mode: SocketMode = DEFAULT_MODE,
+    multicast_group: MulticastGroup = DEFAULT_GROUP,
+    interface: Interface = None,
     world: Annotated[
         str | None, typer.Option("--world", metavar="NAME", help="The world it stands in. Default: the robot's own.")
     ] = None,
     no_node_manager: Annotated[
         bool, typer.Option("--no-node-manager", help="Start no node manager; wait for one in the local root.")
     ] = False,
+    verbose: Verbose = False,
     with_parent: WithParent = False,
+    own_root: OwnRoot = False,
 ) -> None:
     """Run a robot, and a node manager when none runs in the local root.
 
-    The robot stands in Standby until a client takes control and resumes it. Ctrl-C ends everything in order.
+    The robot stands in Standby until a client takes control and resumes it. The options on addresses and sockets are
+    those of the node manager that is started. SIGUSR1 prints all counters, Ctrl-C ends everything in order.
 
     Example:
       jauspy up inc1 --backend kinematic
     """
-    from jauspy.cli.run import end_with_parent, run
+    from jauspy.cli.local_node import node_manager
+    from jauspy.cli.node_manager import log_everything, mode_of
+    from jauspy.cli.run import end_with_parent, remove_if_empty, run
+    from jauspy.errors import ConfigError
     from jauspy.modules import robots
     from jauspy.modules.robot import RobotRunner
     from jauspy.transport import LocalTransport
 
+    mode_of(socket_mode)
+    if verbose:
+        log_everything()
     if with_parent:
         end_with_parent()
     runner = RobotRunner(
@@ -70,19 +99,36 @@ def up(
         backend=None if backend is None else backend.value,
         world=world,
     )
-    run(_up(runner, local_root, None if no_node_manager else port))
+    if world is not None and runner.config.backend == BackendName.KINEMATIC:
+        raise ConfigError("the backend kinematic is an empty plane and has no worlds; leave out --world, or use sim")
+    options = ["--address", address, "--multicast-group", multicast_group, "--socket-mode", socket_mode]
+    for each in interface or ():
+        options += ["--interface", each]
+    options += ["--verbose"] * verbose
+    node = None if no_node_manager else node_manager(local_root, port, options)
+    run(_up(runner, node, local_root))
+    if own_root:
+        remove_if_empty(local_root)
 
 
-async def _up(runner: RobotRunner, root: Path, port: int | None) -> None:
-    """Run the robot until cancelled; `port` is for the node manager, None for none."""
-    from jauspy.cli.local_node import node_manager
+async def _up(runner: RobotRunner, node: AbstractAsyncContextManager[Keeper] | None, root: Path) -> None:
+    """Run the robot until cancelled."""
+    import asyncio
+    import signal
+
+    from jauspy.cli.node_manager import print_counters
 
     async with AsyncExitStack() as stack:
-        where = f"none started, local sockets in {root}"
-        if port is not None:
-            where = await stack.enter_async_context(node_manager(root, port))
+        keeper = await stack.enter_async_context(node) if node else None
+
+        def tell_counters() -> None:
+            print_counters(runner.counters, f"counters of {runner.config.name}:")
+            if keeper is not None:
+                keeper.print_counters()
+
         async with runner:
-            _tell(runner, where, root)
+            asyncio.get_running_loop().add_signal_handler(signal.SIGUSR1, tell_counters)
+            _tell(runner, keeper.where if keeper else f"none started, local sockets in {root}", root)
             await runner.run()
 
 
@@ -90,17 +136,18 @@ def _tell(runner: RobotRunner, where: str, root: Path) -> None:
     """What runs, and how to talk to it."""
     config = runner.config
     first = runner.components[0].id
+    pairs = list(zip(runner.components, config.modules, strict=True))
+    found = any(module.offers("Discovery") for module in config.modules)
+    driven = [each.id for each, module in pairs if module.offers("Discovery") and module.offers("PrimitiveDriver")]
     connect = "" if root == DEFAULT_ROOT else f" --connect local:{root}"
+    world = "" if config.backend == BackendName.KINEMATIC else f", world {config.world}"
     lines = [
-        f"{config.name} is up: subsystem {config.subsystem}, backend {config.backend}, world {config.world}",
-        *(
-            f"  {component.id}  {module.type}"
-            for component, module in zip(runner.components, config.modules, strict=True)
-        ),
+        f"{config.name} is up: subsystem {config.subsystem}, backend {config.backend}{world}",
+        *(f"  {each.id}  {module.type}" for each, module in pairs),
         f"  node manager: {where}",
-        f"see it:    jauspy ls{connect}",
+        *[f"see it:    jauspy ls{connect}"] * found,
         f"ask it:    jauspy query {first} QueryStatus{connect}",
-        *([f"drive it:  {_DRIVE.format(first)}{connect}"] if config.modules[0].offers("PrimitiveDriver") else ()),
+        *(f"drive it:  {_DRIVE.format(id)}{connect}" for id in driven),
         "stop it:   Ctrl-C",
     ]
     print(*lines, sep="\n", flush=True)

@@ -44,6 +44,9 @@ class Observer:
     def discovered(self, robot: Subsystem) -> None:
         """It was found, and this is what it is."""
 
+    def controlled(self) -> None:
+        """Control was taken; it is given back however this ends."""
+
     def moved(self, motion: Motion, left: float, unit: str) -> None:
         """A report came in; `left` is what is left to the target, in `unit` (`m` or `rad`)."""
 
@@ -71,6 +74,7 @@ async def run(
 
     watch.step(f"Take control of {driver.id} with authority {authority}")
     async with driver.control(authority=authority) as control:
+        watch.controlled()
         watch.step("Resume")
         await driver.resume()
 
