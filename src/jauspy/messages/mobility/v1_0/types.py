@@ -79,35 +79,35 @@ class ZPosition(rt.Struct):
         if choice == 0:
             value_ = self.value
             if not -50000.0 <= value_ <= 50000.0: raise rt.Reject
-            near = (value_ + 50000.0) * 42949.67295 + 0.5
+            near = value_ * 42949.67295 + 2147483648.0
             value_raw_ = int(near)
             if not 1.52587890625e-05 < near - value_raw_ < 0.9999847412109375: value_raw_ = rt.exact_raw(value_, _R_2)
             out += _S_BI.pack(choice, value_raw_)
         elif choice == 1:
             value_2_ = self.value
             if not -50000.0 <= value_2_ <= 50000.0: raise rt.Reject
-            near = (value_2_ + 50000.0) * 42949.67295 + 0.5
+            near = value_2_ * 42949.67295 + 2147483648.0
             value_raw_2_ = int(near)
             if not 1.52587890625e-05 < near - value_raw_2_ < 0.9999847412109375: value_raw_2_ = rt.exact_raw(value_2_, _R_2)
             out += _S_BI.pack(choice, value_raw_2_)
         elif choice == 2:
             value_3_ = self.value
             if not -50000.0 <= value_3_ <= 50000.0: raise rt.Reject
-            near = (value_3_ + 50000.0) * 42949.67295 + 0.5
+            near = value_3_ * 42949.67295 + 2147483648.0
             value_raw_3_ = int(near)
             if not 1.52587890625e-05 < near - value_raw_3_ < 0.9999847412109375: value_raw_3_ = rt.exact_raw(value_3_, _R_2)
             out += _S_BI.pack(choice, value_raw_3_)
         elif choice == 3:
             value_4_ = self.value
             if not -50000.0 <= value_4_ <= 50000.0: raise rt.Reject
-            near = (value_4_ + 50000.0) * 42949.67295 + 0.5
+            near = value_4_ * 42949.67295 + 2147483648.0
             value_raw_4_ = int(near)
             if not 1.52587890625e-05 < near - value_raw_4_ < 0.9999847412109375: value_raw_4_ = rt.exact_raw(value_4_, _R_2)
             out += _S_BI.pack(choice, value_raw_4_)
         elif choice == 4:
             value_5_ = self.value
             if not -50000.0 <= value_5_ <= 50000.0: raise rt.Reject
-            near = (value_5_ + 50000.0) * 42949.67295 + 0.5
+            near = value_5_ * 42949.67295 + 2147483648.0
             value_raw_5_ = int(near)
             if not 1.52587890625e-05 < near - value_raw_5_ < 0.9999847412109375: value_raw_5_ = rt.exact_raw(value_5_, _R_2)
             out += _S_BI.pack(choice, value_raw_5_)
@@ -160,7 +160,7 @@ class VelocityVehicleXYZRec(rt.Struct):
         if velocity_x_ is not None:
             mask |= 1
             if not -327.68 <= velocity_x_ <= 327.67: raise rt.Reject
-            near = (velocity_x_ + 327.68) * 6553700.0 + 0.5
+            near = velocity_x_ * 6553700.0 + 2147516416.5
             velocity_x_raw_ = int(near)
             if not 1.52587890625e-05 < near - velocity_x_raw_ < 0.9999847412109375: velocity_x_raw_ = rt.exact_raw(velocity_x_, _R_5)
             raw.append(velocity_x_raw_)
@@ -168,7 +168,7 @@ class VelocityVehicleXYZRec(rt.Struct):
         if velocity_y_ is not None:
             mask |= 2
             if not -327.68 <= velocity_y_ <= 327.67: raise rt.Reject
-            near = (velocity_y_ + 327.68) * 6553700.0 + 0.5
+            near = velocity_y_ * 6553700.0 + 2147516416.5
             velocity_y_raw_ = int(near)
             if not 1.52587890625e-05 < near - velocity_y_raw_ < 0.9999847412109375: velocity_y_raw_ = rt.exact_raw(velocity_y_, _R_5)
             raw.append(velocity_y_raw_)
@@ -176,7 +176,7 @@ class VelocityVehicleXYZRec(rt.Struct):
         if velocity_z_ is not None:
             mask |= 4
             if not -327.68 <= velocity_z_ <= 327.67: raise rt.Reject
-            near = (velocity_z_ + 327.68) * 6553700.0 + 0.5
+            near = velocity_z_ * 6553700.0 + 2147516416.5
             velocity_z_raw_ = int(near)
             if not 1.52587890625e-05 < near - velocity_z_raw_ < 0.9999847412109375: velocity_z_raw_ = rt.exact_raw(velocity_z_, _R_5)
             raw.append(velocity_z_raw_)
@@ -230,7 +230,7 @@ class VelocityLocalXYZRec(rt.Struct):
         if velocity_x_ is not None:
             mask |= 1
             if not -327.68 <= velocity_x_ <= 327.67: raise rt.Reject
-            near = (velocity_x_ + 327.68) * 6553700.0 + 0.5
+            near = velocity_x_ * 6553700.0 + 2147516416.5
             velocity_x_raw_ = int(near)
             if not 1.52587890625e-05 < near - velocity_x_raw_ < 0.9999847412109375: velocity_x_raw_ = rt.exact_raw(velocity_x_, _R_5)
             raw.append(velocity_x_raw_)
@@ -238,7 +238,7 @@ class VelocityLocalXYZRec(rt.Struct):
         if velocity_y_ is not None:
             mask |= 2
             if not -327.68 <= velocity_y_ <= 327.67: raise rt.Reject
-            near = (velocity_y_ + 327.68) * 6553700.0 + 0.5
+            near = velocity_y_ * 6553700.0 + 2147516416.5
             velocity_y_raw_ = int(near)
             if not 1.52587890625e-05 < near - velocity_y_raw_ < 0.9999847412109375: velocity_y_raw_ = rt.exact_raw(velocity_y_, _R_5)
             raw.append(velocity_y_raw_)
@@ -246,7 +246,7 @@ class VelocityLocalXYZRec(rt.Struct):
         if velocity_z_ is not None:
             mask |= 4
             if not -327.68 <= velocity_z_ <= 327.67: raise rt.Reject
-            near = (velocity_z_ + 327.68) * 6553700.0 + 0.5
+            near = velocity_z_ * 6553700.0 + 2147516416.5
             velocity_z_raw_ = int(near)
             if not 1.52587890625e-05 < near - velocity_z_raw_ < 0.9999847412109375: velocity_z_raw_ = rt.exact_raw(velocity_z_, _R_5)
             raw.append(velocity_z_raw_)
@@ -300,7 +300,7 @@ class VelocityNEDRec(rt.Struct):
         if velocity_n_ is not None:
             mask |= 1
             if not -327.68 <= velocity_n_ <= 327.67: raise rt.Reject
-            near = (velocity_n_ + 327.68) * 6553700.0 + 0.5
+            near = velocity_n_ * 6553700.0 + 2147516416.5
             velocity_n_raw_ = int(near)
             if not 1.52587890625e-05 < near - velocity_n_raw_ < 0.9999847412109375: velocity_n_raw_ = rt.exact_raw(velocity_n_, _R_5)
             raw.append(velocity_n_raw_)
@@ -308,7 +308,7 @@ class VelocityNEDRec(rt.Struct):
         if velocity_e_ is not None:
             mask |= 2
             if not -327.68 <= velocity_e_ <= 327.67: raise rt.Reject
-            near = (velocity_e_ + 327.68) * 6553700.0 + 0.5
+            near = velocity_e_ * 6553700.0 + 2147516416.5
             velocity_e_raw_ = int(near)
             if not 1.52587890625e-05 < near - velocity_e_raw_ < 0.9999847412109375: velocity_e_raw_ = rt.exact_raw(velocity_e_, _R_5)
             raw.append(velocity_e_raw_)
@@ -316,7 +316,7 @@ class VelocityNEDRec(rt.Struct):
         if velocity_d_ is not None:
             mask |= 4
             if not -327.68 <= velocity_d_ <= 327.67: raise rt.Reject
-            near = (velocity_d_ + 327.68) * 6553700.0 + 0.5
+            near = velocity_d_ * 6553700.0 + 2147516416.5
             velocity_d_raw_ = int(near)
             if not 1.52587890625e-05 < near - velocity_d_raw_ < 0.9999847412109375: velocity_d_raw_ = rt.exact_raw(velocity_d_, _R_5)
             raw.append(velocity_d_raw_)
@@ -419,7 +419,7 @@ class ReportVelocityStateExtRec(rt.Struct):
         if roll_rate_ is not None:
             mask |= 2
             if not -32.768 <= roll_rate_ <= 32.767: raise rt.Reject
-            near = (roll_rate_ + 32.768) * 65537000.0 + 0.5
+            near = roll_rate_ * 65537000.0 + 2147516416.5
             roll_rate_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_rate_raw_ < 0.9999847412109375: roll_rate_raw_ = rt.exact_raw(roll_rate_, _R_10)
             raw.append(roll_rate_raw_)
@@ -427,7 +427,7 @@ class ReportVelocityStateExtRec(rt.Struct):
         if pitch_rate_ is not None:
             mask |= 4
             if not -32.768 <= pitch_rate_ <= 32.767: raise rt.Reject
-            near = (pitch_rate_ + 32.768) * 65537000.0 + 0.5
+            near = pitch_rate_ * 65537000.0 + 2147516416.5
             pitch_rate_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_rate_raw_ < 0.9999847412109375: pitch_rate_raw_ = rt.exact_raw(pitch_rate_, _R_10)
             raw.append(pitch_rate_raw_)
@@ -435,7 +435,7 @@ class ReportVelocityStateExtRec(rt.Struct):
         if yaw_rate_ is not None:
             mask |= 8
             if not -32.768 <= yaw_rate_ <= 32.767: raise rt.Reject
-            near = (yaw_rate_ + 32.768) * 65537000.0 + 0.5
+            near = yaw_rate_ * 65537000.0 + 2147516416.5
             yaw_rate_raw_ = int(near)
             if not 1.52587890625e-05 < near - yaw_rate_raw_ < 0.9999847412109375: yaw_rate_raw_ = rt.exact_raw(yaw_rate_, _R_10)
             raw.append(yaw_rate_raw_)
@@ -451,7 +451,7 @@ class ReportVelocityStateExtRec(rt.Struct):
         if speed_over_ground_ is not None:
             mask |= 32
             if not -327.68 <= speed_over_ground_ <= 327.67: raise rt.Reject
-            near = (speed_over_ground_ + 327.68) * 100.0 + 0.5
+            near = speed_over_ground_ * 100.0 + 32768.5
             speed_over_ground_raw_ = int(near)
             if not 1.52587890625e-05 < near - speed_over_ground_raw_ < 0.9999847412109375: speed_over_ground_raw_ = rt.exact_raw(speed_over_ground_, _R_12)
             raw.append(speed_over_ground_raw_)
@@ -459,7 +459,7 @@ class ReportVelocityStateExtRec(rt.Struct):
         if speed_relative_to_medium_ is not None:
             mask |= 64
             if not -327.68 <= speed_relative_to_medium_ <= 327.67: raise rt.Reject
-            near = (speed_relative_to_medium_ + 327.68) * 100.0 + 0.5
+            near = speed_relative_to_medium_ * 100.0 + 32768.5
             speed_relative_to_medium_raw_ = int(near)
             if not 1.52587890625e-05 < near - speed_relative_to_medium_raw_ < 0.9999847412109375: speed_relative_to_medium_raw_ = rt.exact_raw(speed_relative_to_medium_, _R_12)
             raw.append(speed_relative_to_medium_raw_)
@@ -467,7 +467,7 @@ class ReportVelocityStateExtRec(rt.Struct):
         if rotations_per_minute_ is not None:
             mask |= 128
             if not -1000.0 <= rotations_per_minute_ <= 1000.0: raise rt.Reject
-            near = (rotations_per_minute_ + 1000.0) * 32.7675 + 0.5
+            near = rotations_per_minute_ * 32.7675 + 32768.0
             rotations_per_minute_raw_ = int(near)
             if not 1.52587890625e-05 < near - rotations_per_minute_raw_ < 0.9999847412109375: rotations_per_minute_raw_ = rt.exact_raw(rotations_per_minute_, _R_13)
             raw.append(rotations_per_minute_raw_)
@@ -475,7 +475,7 @@ class ReportVelocityStateExtRec(rt.Struct):
         if indicated_speed_ is not None:
             mask |= 256
             if not -327.68 <= indicated_speed_ <= 327.67: raise rt.Reject
-            near = (indicated_speed_ + 327.68) * 100.0 + 0.5
+            near = indicated_speed_ * 100.0 + 32768.5
             indicated_speed_raw_ = int(near)
             if not 1.52587890625e-05 < near - indicated_speed_raw_ < 0.9999847412109375: indicated_speed_raw_ = rt.exact_raw(indicated_speed_, _R_12)
             raw.append(indicated_speed_raw_)

@@ -98,7 +98,7 @@ class SetLocalPose(rt.Message):
         if x_ is not None:
             mask |= 1
             if not -100000.0 <= x_ <= 100000.0: raise rt.Reject
-            near = (x_ + 100000.0) * 21474.836475 + 0.5
+            near = x_ * 21474.836475 + 2147483648.0
             x_raw_ = int(near)
             if not 1.52587890625e-05 < near - x_raw_ < 0.9999847412109375: x_raw_ = rt.exact_raw(x_, _R_2)
             raw.append(x_raw_)
@@ -106,7 +106,7 @@ class SetLocalPose(rt.Message):
         if y_ is not None:
             mask |= 2
             if not -100000.0 <= y_ <= 100000.0: raise rt.Reject
-            near = (y_ + 100000.0) * 21474.836475 + 0.5
+            near = y_ * 21474.836475 + 2147483648.0
             y_raw_ = int(near)
             if not 1.52587890625e-05 < near - y_raw_ < 0.9999847412109375: y_raw_ = rt.exact_raw(y_, _R_2)
             raw.append(y_raw_)
@@ -114,7 +114,7 @@ class SetLocalPose(rt.Message):
         if z_ is not None:
             mask |= 4
             if not -100000.0 <= z_ <= 100000.0: raise rt.Reject
-            near = (z_ + 100000.0) * 21474.836475 + 0.5
+            near = z_ * 21474.836475 + 2147483648.0
             z_raw_ = int(near)
             if not 1.52587890625e-05 < near - z_raw_ < 0.9999847412109375: z_raw_ = rt.exact_raw(z_, _R_2)
             raw.append(z_raw_)
@@ -130,7 +130,7 @@ class SetLocalPose(rt.Message):
         if roll_ is not None:
             mask |= 16
             if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = (roll_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = roll_ * 10430.219195527361 + 32768.0
             roll_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_4)
             raw.append(roll_raw_)
@@ -138,7 +138,7 @@ class SetLocalPose(rt.Message):
         if pitch_ is not None:
             mask |= 32
             if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = (pitch_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = pitch_ * 10430.219195527361 + 32768.0
             pitch_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_4)
             raw.append(pitch_raw_)
@@ -146,7 +146,7 @@ class SetLocalPose(rt.Message):
         if yaw_ is not None:
             mask |= 64
             if not -3.141592653589793 <= yaw_ <= 3.141592653589793: raise rt.Reject
-            near = (yaw_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = yaw_ * 10430.219195527361 + 32768.0
             yaw_raw_ = int(near)
             if not 1.52587890625e-05 < near - yaw_raw_ < 0.9999847412109375: yaw_raw_ = rt.exact_raw(yaw_, _R_4)
             raw.append(yaw_raw_)
@@ -271,7 +271,7 @@ class SetLocalPoseExt(rt.Message):
         if x_ is not None:
             mask |= 1
             if not -20000000.0 <= x_ <= 20000000.0: raise rt.Reject
-            near = (x_ + 20000000.0) * 107.374182375 + 0.5
+            near = x_ * 107.374182375 + 2147483648.0
             x_raw_ = int(near)
             if not 1.52587890625e-05 < near - x_raw_ < 0.9999847412109375: x_raw_ = rt.exact_raw(x_, _R_10)
             raw.append(x_raw_)
@@ -279,7 +279,7 @@ class SetLocalPoseExt(rt.Message):
         if y_ is not None:
             mask |= 2
             if not -20000000.0 <= y_ <= 20000000.0: raise rt.Reject
-            near = (y_ + 20000000.0) * 107.374182375 + 0.5
+            near = y_ * 107.374182375 + 2147483648.0
             y_raw_ = int(near)
             if not 1.52587890625e-05 < near - y_raw_ < 0.9999847412109375: y_raw_ = rt.exact_raw(y_, _R_10)
             raw.append(y_raw_)
@@ -310,7 +310,7 @@ class SetLocalPoseExt(rt.Message):
         if roll_ is not None:
             mask |= 32
             if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = (roll_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = roll_ * 10430.219195527361 + 32768.0
             roll_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_4)
             raw.append(roll_raw_)
@@ -318,7 +318,7 @@ class SetLocalPoseExt(rt.Message):
         if pitch_ is not None:
             mask |= 64
             if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = (pitch_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = pitch_ * 10430.219195527361 + 32768.0
             pitch_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_4)
             raw.append(pitch_raw_)
@@ -326,7 +326,7 @@ class SetLocalPoseExt(rt.Message):
         if heading_ is not None:
             mask |= 128
             if not -3.141592653589793 <= heading_ <= 3.141592653589793: raise rt.Reject
-            near = (heading_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = heading_ * 10430.219195527361 + 32768.0
             heading_raw_ = int(near)
             if not 1.52587890625e-05 < near - heading_raw_ < 0.9999847412109375: heading_raw_ = rt.exact_raw(heading_, _R_4)
             raw.append(heading_raw_)
@@ -505,7 +505,7 @@ class ReportLocalPose(rt.Message):
         if x_ is not None:
             mask |= 1
             if not -100000.0 <= x_ <= 100000.0: raise rt.Reject
-            near = (x_ + 100000.0) * 21474.836475 + 0.5
+            near = x_ * 21474.836475 + 2147483648.0
             x_raw_ = int(near)
             if not 1.52587890625e-05 < near - x_raw_ < 0.9999847412109375: x_raw_ = rt.exact_raw(x_, _R_2)
             raw.append(x_raw_)
@@ -513,7 +513,7 @@ class ReportLocalPose(rt.Message):
         if y_ is not None:
             mask |= 2
             if not -100000.0 <= y_ <= 100000.0: raise rt.Reject
-            near = (y_ + 100000.0) * 21474.836475 + 0.5
+            near = y_ * 21474.836475 + 2147483648.0
             y_raw_ = int(near)
             if not 1.52587890625e-05 < near - y_raw_ < 0.9999847412109375: y_raw_ = rt.exact_raw(y_, _R_2)
             raw.append(y_raw_)
@@ -521,7 +521,7 @@ class ReportLocalPose(rt.Message):
         if z_ is not None:
             mask |= 4
             if not -100000.0 <= z_ <= 100000.0: raise rt.Reject
-            near = (z_ + 100000.0) * 21474.836475 + 0.5
+            near = z_ * 21474.836475 + 2147483648.0
             z_raw_ = int(near)
             if not 1.52587890625e-05 < near - z_raw_ < 0.9999847412109375: z_raw_ = rt.exact_raw(z_, _R_2)
             raw.append(z_raw_)
@@ -537,7 +537,7 @@ class ReportLocalPose(rt.Message):
         if roll_ is not None:
             mask |= 16
             if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = (roll_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = roll_ * 10430.219195527361 + 32768.0
             roll_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_4)
             raw.append(roll_raw_)
@@ -545,7 +545,7 @@ class ReportLocalPose(rt.Message):
         if pitch_ is not None:
             mask |= 32
             if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = (pitch_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = pitch_ * 10430.219195527361 + 32768.0
             pitch_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_4)
             raw.append(pitch_raw_)
@@ -553,7 +553,7 @@ class ReportLocalPose(rt.Message):
         if yaw_ is not None:
             mask |= 64
             if not -3.141592653589793 <= yaw_ <= 3.141592653589793: raise rt.Reject
-            near = (yaw_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = yaw_ * 10430.219195527361 + 32768.0
             yaw_raw_ = int(near)
             if not 1.52587890625e-05 < near - yaw_raw_ < 0.9999847412109375: yaw_raw_ = rt.exact_raw(yaw_, _R_4)
             raw.append(yaw_raw_)
@@ -681,7 +681,7 @@ class ReportLocalPoseExt(rt.Message):
         if x_ is not None:
             mask |= 1
             if not -20000000.0 <= x_ <= 20000000.0: raise rt.Reject
-            near = (x_ + 20000000.0) * 107.374182375 + 0.5
+            near = x_ * 107.374182375 + 2147483648.0
             x_raw_ = int(near)
             if not 1.52587890625e-05 < near - x_raw_ < 0.9999847412109375: x_raw_ = rt.exact_raw(x_, _R_10)
             raw.append(x_raw_)
@@ -689,7 +689,7 @@ class ReportLocalPoseExt(rt.Message):
         if y_ is not None:
             mask |= 2
             if not -20000000.0 <= y_ <= 20000000.0: raise rt.Reject
-            near = (y_ + 20000000.0) * 107.374182375 + 0.5
+            near = y_ * 107.374182375 + 2147483648.0
             y_raw_ = int(near)
             if not 1.52587890625e-05 < near - y_raw_ < 0.9999847412109375: y_raw_ = rt.exact_raw(y_, _R_10)
             raw.append(y_raw_)
@@ -697,7 +697,7 @@ class ReportLocalPoseExt(rt.Message):
         if altitude_agl_ is not None:
             mask |= 4
             if not -50000.0 <= altitude_agl_ <= 50000.0: raise rt.Reject
-            near = (altitude_agl_ + 50000.0) * 42949.67295 + 0.5
+            near = altitude_agl_ * 42949.67295 + 2147483648.0
             altitude_agl_raw_ = int(near)
             if not 1.52587890625e-05 < near - altitude_agl_raw_ < 0.9999847412109375: altitude_agl_raw_ = rt.exact_raw(altitude_agl_, _R_12)
             raw.append(altitude_agl_raw_)
@@ -705,7 +705,7 @@ class ReportLocalPoseExt(rt.Message):
         if altitude_msl_ is not None:
             mask |= 8
             if not -50000.0 <= altitude_msl_ <= 50000.0: raise rt.Reject
-            near = (altitude_msl_ + 50000.0) * 42949.67295 + 0.5
+            near = altitude_msl_ * 42949.67295 + 2147483648.0
             altitude_msl_raw_ = int(near)
             if not 1.52587890625e-05 < near - altitude_msl_raw_ < 0.9999847412109375: altitude_msl_raw_ = rt.exact_raw(altitude_msl_, _R_12)
             raw.append(altitude_msl_raw_)
@@ -713,7 +713,7 @@ class ReportLocalPoseExt(rt.Message):
         if altitude_asf_ is not None:
             mask |= 16
             if not -50000.0 <= altitude_asf_ <= 50000.0: raise rt.Reject
-            near = (altitude_asf_ + 50000.0) * 42949.67295 + 0.5
+            near = altitude_asf_ * 42949.67295 + 2147483648.0
             altitude_asf_raw_ = int(near)
             if not 1.52587890625e-05 < near - altitude_asf_raw_ < 0.9999847412109375: altitude_asf_raw_ = rt.exact_raw(altitude_asf_, _R_12)
             raw.append(altitude_asf_raw_)
@@ -721,7 +721,7 @@ class ReportLocalPoseExt(rt.Message):
         if depth_ is not None:
             mask |= 32
             if not -50000.0 <= depth_ <= 50000.0: raise rt.Reject
-            near = (depth_ + 50000.0) * 42949.67295 + 0.5
+            near = depth_ * 42949.67295 + 2147483648.0
             depth_raw_ = int(near)
             if not 1.52587890625e-05 < near - depth_raw_ < 0.9999847412109375: depth_raw_ = rt.exact_raw(depth_, _R_12)
             raw.append(depth_raw_)
@@ -729,7 +729,7 @@ class ReportLocalPoseExt(rt.Message):
         if z_local_ is not None:
             mask |= 64
             if not -50000.0 <= z_local_ <= 50000.0: raise rt.Reject
-            near = (z_local_ + 50000.0) * 42949.67295 + 0.5
+            near = z_local_ * 42949.67295 + 2147483648.0
             z_local_raw_ = int(near)
             if not 1.52587890625e-05 < near - z_local_raw_ < 0.9999847412109375: z_local_raw_ = rt.exact_raw(z_local_, _R_12)
             raw.append(z_local_raw_)
@@ -753,7 +753,7 @@ class ReportLocalPoseExt(rt.Message):
         if roll_ is not None:
             mask |= 512
             if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = (roll_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = roll_ * 10430.219195527361 + 32768.0
             roll_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_4)
             raw.append(roll_raw_)
@@ -761,7 +761,7 @@ class ReportLocalPoseExt(rt.Message):
         if pitch_ is not None:
             mask |= 1024
             if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = (pitch_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = pitch_ * 10430.219195527361 + 32768.0
             pitch_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_4)
             raw.append(pitch_raw_)
@@ -769,7 +769,7 @@ class ReportLocalPoseExt(rt.Message):
         if heading_ is not None:
             mask |= 2048
             if not -3.141592653589793 <= heading_ <= 3.141592653589793: raise rt.Reject
-            near = (heading_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = heading_ * 10430.219195527361 + 32768.0
             heading_raw_ = int(near)
             if not 1.52587890625e-05 < near - heading_raw_ < 0.9999847412109375: heading_raw_ = rt.exact_raw(heading_, _R_4)
             raw.append(heading_raw_)
@@ -785,7 +785,7 @@ class ReportLocalPoseExt(rt.Message):
         if course_ is not None:
             mask |= 8192
             if not -3.141592653589793 <= course_ <= 3.141592653589793: raise rt.Reject
-            near = (course_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = course_ * 10430.219195527361 + 32768.0
             course_raw_ = int(near)
             if not 1.52587890625e-05 < near - course_raw_ < 0.9999847412109375: course_raw_ = rt.exact_raw(course_, _R_4)
             raw.append(course_raw_)
