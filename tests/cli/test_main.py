@@ -56,3 +56,16 @@ def test_errors_are_one_sentence_unless_debugged():
 
 def test_a_command_is_no_query():
     assert "use `jauspy send`" in run("query", "101.1.1", "Resume", status=1).stderr
+
+
+def test_a_query_is_not_sent():
+    assert "use `jauspy query`" in run("send", "101.1.1", "QueryStatus", status=1).stderr
+
+
+@pytest.mark.parametrize("verb", ["query", "send"])
+def test_ids_of_nobody_are_refused(verb):
+    assert "101.1.0 is nobody's id" in run(verb, "101.1.0", "QueryStatus", status=1).stderr
+
+
+def test_control_of_many_is_refused():
+    assert "one component at a time" in run("send", "101.1.255", "Resume", "--control", "9", status=1).stderr

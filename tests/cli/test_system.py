@@ -70,6 +70,41 @@ def test_list_query_and_send(robot, local_root, free_port):
     assert "101.1.99 was sent QueryStatus" in nobody.stderr
 
 
+def test_verbs_run_side_by_side_and_a_wildcard_names_who_answered(robot, local_root, free_port):
+    for where in (f"local:{local_root}", f"udp://127.0.0.1:{free_port}"):
+        asked = [start("query", "101.255.255", "QueryStatus", "--timeout", "1", "--connect", where) for _ in range(3)]
+        for each in asked:
+            out, err = each.communicate(timeout=20)
+            assert err == ""
+            assert [json.loads(line)["source"] for line in out.splitlines()] == ["101.1.102"]
+
+
+def test_send_says_what_speaks_against_an_effect(robot, local_root):
+    where = ("--connect", f"local:{local_root}")
+    effort = ("SetWrenchEffort", "propulsive_linear_effort_x=40")
+    assert "that is nobody: use --control" in jauspy("send", "101.1.102", *effort, *where).stderr
+    assert "does not answer" in jauspy("send", "101.1.99", "Resume", "--timeout", "0.3", *where).stderr
+    emergency = ("Emergency", "emergency_code=STOP")
+    assert jauspy("send", "101.1.102", f"Set{emergency[0]}", emergency[1], *where).stderr == ""
+    other = jauspy("send", "101.1.102", f"Clear{emergency[0]}", emergency[1], "--id", "42.1.77", *where).stderr
+    assert "still in EMERGENCY: whoever set it must clear it, and you are 42.1.77" in other
+    assert jauspy("send", "101.1.102", f"Clear{emergency[0]}", emergency[1], *where).stderr == ""
+
+
+def test_losing_control_while_holding_it_is_a_failure(robot, local_root):
+    where = ("--connect", f"local:{local_root}")
+    effort = ("SetWrenchEffort", "propulsive_linear_effort_x=10")
+    weak = start("send", "101.1.102", *effort, "--control", "100", "--hold", "30", *where)
+    for _ in range(20):
+        report = json.loads(jauspy("query", "101.1.102", "QueryControl", *where).stdout)
+        if report["fields"]["authority_code"] == 100:
+            break
+    jauspy("send", "101.1.102", "Resume", "--control", "200", *where)
+    _, err = weak.communicate(timeout=10)
+    assert weak.returncode == 1
+    assert err.startswith("Error: control of 101.1.102 was lost: 101.1.102 took it back")
+
+
 @pytest.mark.parametrize(("number", "status"), [(signal.SIGINT, 130), (signal.SIGTERM, 0)])
 def test_up_stops_in_order_and_leaves_nothing(robot, local_root, number, status):
     assert len(robot.family) == 1

@@ -13,6 +13,7 @@ from jauspy.messages import registry
 from jauspy.messages.core import (
     QueryHeartbeatPulse,
     QueryStatus,
+    RejectControl,
     ReportHeartbeatPulse,
     ReportStatus,
     RequestControl,
@@ -28,6 +29,7 @@ from jauspy.services.service import Service
 
 A = "42.1.1"
 SOURCE = JausID.parse(A)
+CONTROL_RELEASED = RejectControl.ResponseCode.CONTROL_RELEASED
 INPUTS = sorted({m.code for s in load_builtin().services for m in s.inputs})
 
 
@@ -131,6 +133,27 @@ def test_what_cannot_be_encoded_is_counted_and_not_sent(make) -> None:
     assert rig.host.counters["unencodable"] == 1
 
 
+# --- late callers
+
+
+def test_control_that_ran_out_is_over_before_a_late_message_acts(robot, drive) -> None:
+    robot.tell(A, RequestControl(100))
+    robot.tell(A, Resume())
+    robot.now = 100.0  # nobody called `handle_timeout` meanwhile
+    assert robot.tell(A, SetWrenchEffort(propulsive_linear_effort_x=50.0)) == [(A, RejectControl(CONTROL_RELEASED))]
+    assert robot.host.controller is None
+    assert drive.effort == (0.0, 0.0)
+
+
+def test_a_message_in_time_comes_before_what_is_due_at_the_same_moment(robot, drive) -> None:
+    robot.tell(A, RequestControl(100))
+    robot.tell(A, Resume())
+    robot.now = 5.0
+    robot.tell(A, RequestControl(100))
+    assert robot.run(4.9) == []
+    assert robot.host.controller == SOURCE
+
+
 # --- bugs of actions
 
 
@@ -224,7 +247,7 @@ def test_a_service_without_definition_or_given_twice_is_refused(make) -> None:
         ((Nameless(),), "names no definition"),
         ((Liveness(), Liveness()), "given twice"),
         ((Unknown(),), "no definition of urn:x:Unknown"),
-        ((OtherVersion(),), r"Liveness 7\.7 is loaded \(versions there: 1\.1\)"),
+        ((OtherVersion(),), r"Liveness 7\.7 is loaded \(versions there: 1\.0, 1\.1\)"),
     ):
         with pytest.raises(ConfigError, match=text):
             make(*services)

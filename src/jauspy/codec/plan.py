@@ -156,4 +156,3 @@ class ModulePlan:
     service: str = ""
     version: str = ""
     classes: list[ClassPlan] = field(default_factory=list)
-    imports: set[str] = field(default_factory=set)

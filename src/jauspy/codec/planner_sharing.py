@@ -55,7 +55,6 @@ def share_messages(modules: Iterable[ModulePlan], services: set[str]) -> None:
             owner, original = first[key]
             if owner is not module:
                 made.same_as = f"{module_alias(owner.name)}.{original.name}"
-                module.imports.add(owner.name)
 
 
 def _key(message: Message, services: set[str]) -> object:

@@ -17,7 +17,7 @@ from jauspy.node.sockets import UdpSockets, open_udp
 from jauspy.protocol import junior
 from jauspy.protocol.node import NodeCore
 from jauspy.protocol.ports import LocalPort, UdpPort
-from jauspy.transport import draining, local_socket
+from jauspy.transport import draining, local_socket, memberships
 from jauspy.transport.multicast import ANY
 
 _LOGGER = logging.getLogger(__name__)
@@ -33,11 +33,12 @@ class NodeManager:
 
     def __init__(self, config: NodeConfig | None = None) -> None:
         self.config = config or NodeConfig()
-        self._core = NodeCore(str(self.config.local_root))
+        self._core = NodeCore(str(self.config.local_root), is_dead=self._is_dead)
         self._udp: UdpSockets | None = None
         self._local: socket.socket | None = None
         self._mailboxes: dict[str, Mailbox] = {}
         self._timer: asyncio.TimerHandle | None = None
+        self._watch: asyncio.TimerHandle | None = None
         self._closed = asyncio.Event()
 
     async def __aenter__(self) -> Self:
@@ -83,6 +84,7 @@ class NodeManager:
         if not self._udp.joined:
             self._core.counters["multicast.not_joined"] += 1
         self._loop = asyncio.get_running_loop()
+        self._watch = self._loop.call_later(memberships.WATCH_INTERVAL, self._watch_interfaces)
         draining.attach(self._loop, self._local, self._from_component, self._socket_error, done=self._flush)
         for sock in self._udp.all():
             draining.attach(self._loop, sock, self._from_network, self._socket_error, done=self._flush)
@@ -93,9 +95,10 @@ class NodeManager:
         self._udp = self._local = None
         if udp is None or local is None:
             return
-        if self._timer is not None:
-            self._timer.cancel()
-            self._timer = None
+        for timer in (self._timer, self._watch):
+            if timer is not None:
+                timer.cancel()
+        self._timer = self._watch = None
         for mailbox in self._mailboxes.values():
             mailbox.close()
         self._mailboxes.clear()
@@ -143,6 +146,19 @@ class NodeManager:
     def _gone(self, path: str) -> None:
         self._mailboxes.pop(path, None)
         self._core.unreachable(path)
+        self._bury(path)
+
+    def _is_dead(self, path: str) -> bool:
+        if not local_socket.is_dead(Path(path)):
+            return False
+        self._bury(path)
+        return True
+
+    def _bury(self, path: str) -> None:
+        """Remove the socket that a component has left behind, when its name says that it is one's."""
+        socket_path = Path(path)
+        if socket_path.parent == self.config.local_root and socket_path.name.isdecimal():
+            local_socket.clean_up(socket_path)
 
     def _forget_cancelled(self) -> None:
         alive = {path for _, path in self._core.components}
@@ -159,9 +175,24 @@ class NodeManager:
 
     def _send_multicast(self, datagram: bytes) -> None:
         for interface in self.config.interfaces:
-            if interface != ANY and self._udp is not None:
-                self._udp.unicast.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_IF, socket.inet_aton(interface))
+            if self._udp is None or not self._leave_by(interface, self._udp.unicast):
+                continue
             self._send_udp(datagram, (self.config.multicast_group, self.port))
+
+    def _leave_by(self, interface: str, sender: socket.socket) -> bool:
+        """Let multicasts leave by this interface; false while it is not there."""
+        try:
+            if interface != ANY:
+                sender.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_IF, socket.inet_aton(interface))
+        except OSError as error:
+            self._core.counters.drop("udp_unreachable", error)
+            return False
+        return True
+
+    def _watch_interfaces(self) -> None:
+        if self._udp is not None and self._udp.memberships is not None:
+            self._udp.memberships.refresh()
+        self._watch = self._loop.call_later(memberships.WATCH_INTERVAL, self._watch_interfaces)
 
     # --- time ----------------------------------------------------------------------------------------------------
 

@@ -11,6 +11,7 @@ from jauspy.errors import TransportError
 from jauspy.node import owner
 from jauspy.node.config import NodeConfig
 from jauspy.transport import multicast
+from jauspy.transport.memberships import Memberships
 
 _LOGGER = logging.getLogger(__name__)
 
@@ -20,7 +21,12 @@ class UdpSockets(NamedTuple):
 
     unicast: socket.socket
     group: socket.socket | None
-    joined: int
+    memberships: Memberships | None
+
+    @property
+    def joined(self) -> int:
+        """On how many interfaces multicasts arrive."""
+        return self.memberships.joined if self.memberships else 0
 
     def all(self) -> list[socket.socket]:
         """The sockets to read from."""
@@ -36,13 +42,14 @@ def open_udp(config: NodeConfig) -> UdpSockets:
     unicast = _bind(config.address, config.port)
     multicast.prepare_sender(unicast, multicast.ANY, config.multicast_ttl)
     if config.address == multicast.ANY:
-        return UdpSockets(unicast, None, multicast.join(unicast, config.multicast_group, config.interfaces))
+        multicast.join(unicast, config.multicast_group, ())  # from now on it hears only what it joins itself
+        return UdpSockets(unicast, None, Memberships(unicast, config.multicast_group, config.interfaces))
     try:
-        group, joined = multicast.receiver((config.multicast_group, unicast.getsockname()[1]), config.interfaces)
+        group, _ = multicast.receiver((config.multicast_group, unicast.getsockname()[1]), ())
     except OSError as error:
         _LOGGER.warning("no multicasts will be received: %s", error.strerror)
-        return UdpSockets(unicast, None, 0)
-    return UdpSockets(unicast, group, joined)
+        return UdpSockets(unicast, None, None)
+    return UdpSockets(unicast, group, Memberships(group, config.multicast_group, config.interfaces))
 
 
 def _bind(address: str, port: int) -> socket.socket:

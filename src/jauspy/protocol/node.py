@@ -7,7 +7,7 @@ and packets that shared a datagram are sent one by one.
 from __future__ import annotations
 
 import logging
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Final
 
 from jauspy.errors import ProtocolError
@@ -31,13 +31,21 @@ _ACK_MASK: Final = 3 << 4
 class NodeCore:
     """Routing between the components of this machine (`LocalPort`) and the network (`UdpPort`, `GROUP`).
 
-    `local_root` is the folder of the components' sockets; `addresses` are entries that are never forgotten.
+    `local_root` is the folder of the components' sockets; `addresses` are entries that are never forgotten. `is_dead`
+    says whether nobody listens on a socket any more; it is asked when somebody else speaks as its component.
     """
 
-    def __init__(self, local_root: str, *, addresses: Mapping[JausID, Address] | None = None) -> None:
+    def __init__(
+        self,
+        local_root: str,
+        *,
+        addresses: Mapping[JausID, Address] | None = None,
+        is_dead: Callable[[str], bool] = lambda _: False,
+    ) -> None:
         self.counters = Counters(_LOGGER)
         self.components = Directory()
         self.address_book = AddressBook({int(id): address for id, address in (addresses or {}).items()})
+        self._is_dead = is_dead
         self._root = local_root.rstrip("/")
         self._waiting = WaitingRoom(self.counters)
         self._output: list[tuple[Port, bytes]] = []
@@ -76,6 +84,16 @@ class NodeCore:
             self.counters["components.lost"] += 1
             _LOGGER.info("component %s is gone", JausID.from_int(id))
 
+    def _is_taken(self, id: int, *, besides: str | None = None) -> bool:
+        """True when a component with this id lives on another socket; one that died without goodbye gives its id up."""
+        path = self.components.path(id)
+        if path is None or path == besides:
+            return False
+        if self._is_dead(path):
+            self.unreachable(path)
+            return False
+        return True
+
     # --- from components -----------------------------------------------------------------------------------------
 
     def _from_component(self, data: bytes, port: LocalPort, now: float) -> None:
@@ -85,7 +103,7 @@ class NodeCore:
             return
         for raw in judp.headers(data):
             path = port.path or f"{self._root}/{raw.source}"
-            if self.components.path(raw.source) not in (None, path):
+            if self._is_taken(raw.source, besides=path):
                 self.counters.drop("duplicate_id", f"{JausID.from_int(raw.source)} also speaks on {path}")
             elif self._register(raw.source, path):
                 self._route_from_component(raw, _single(data, raw), now)
@@ -135,7 +153,7 @@ class NodeCore:
             self.counters["echoes"] += 1
             return
         for raw in judp.headers(data):
-            if raw.source in self.components:
+            if self._is_taken(raw.source):
                 self.counters.drop("hijack", f"{JausID.from_int(raw.source)} from {port.host}:{port.port}")
                 continue
             self._learn(raw.source, port)

@@ -30,6 +30,8 @@ class Built:
     machines: Mapping[str, Machine]
     inputs: Mapping[int, type[Message]]
     events: Mapping[str, Machine]
+    queries: frozenset[int]
+    """Codes of messages that are answered without a change of state."""
 
     def route(self, key: Key) -> Machine | None:
         """The machine that a message or an internal event is for."""
@@ -49,15 +51,20 @@ def build(
     binder.raise_problems()
     starts = {name: start_of(root, name, list(definitions.values())) for name, root in roots.items()}
     machines = {name: Machine(states, starts[name], contain) for name, states in bound.items()}
-    keys = [(rule.key, name) for name, states in bound.items() for rule in _rules(states.values())]
-    events = {key: machines[name] for key, name in keys if isinstance(key, str)}
-    received = {key for key, _ in keys if isinstance(key, int)}
+    rules = [(rule, name) for name, states in bound.items() for rule in _rules(states.values())]
+    events = {rule.key: machines[name] for rule, name in rules if isinstance(rule.key, str)}
+    received = {rule.key for rule, _ in rules if isinstance(rule.key, int)}
+    queries = frozenset(rule.key for rule, _ in rules if isinstance(rule.key, int) and _answers(rule))
     inputs = _inputs(definitions.values(), received, registry or messages.registry)
-    return Built(all_services, definitions, machines, inputs, events)
+    return Built(all_services, definitions, machines, inputs, events, queries)
 
 
 def _rules(states: Iterable[BoundState]) -> Iterable[Rule]:
     return (rule for state in states for rule in state.transitions + state.defaults)
+
+
+def _answers(rule: Rule) -> bool:
+    return rule.kind == "internal" and any(step.sends for step in rule.steps)
 
 
 def _by_urn(services: Iterable[Service]) -> dict[str, Service]:

@@ -17,6 +17,7 @@ from jauspy.schema.model import Schema, Service as Definition
 from jauspy.services.build import Built, build
 from jauspy.services.core.access_control import AccessControl
 from jauspy.services.core.management import Management
+from jauspy.services.core.time import Time
 from jauspy.services.isolation import Attempt
 from jauspy.services.machine import Outcome
 from jauspy.services.outbox import Outbox, Outgoing
@@ -76,8 +77,14 @@ class Host:
     # --- what the shell calls -------------------------------------------------------------------------------------
 
     def receive(self, payload: bytes, source: JausID, now: float) -> None:
-        """Take one message (two id bytes, then the body). Never raises for what it contains."""
+        """Take one message (two id bytes, then the body). Never raises for what it contains.
+
+        Timers that are overdue come first: a late caller must not let a client act whose control has run out.
+        """
         self.now = now
+        due = self._timers.next()
+        if due is not None and due < now:
+            self.handle_timeout(now)
         message = self._decoded(payload, source)
         if message is not None:
             self.counters["received"] += 1
@@ -140,6 +147,12 @@ class Host:
         """The client in control, if any."""
         access = self.service(AccessControl)
         return access.controller if access else None
+
+    @property
+    def utc_time(self) -> datetime:
+        """The date and time as the component sees it: as a client set it, if there is the service Time."""
+        time = self.service(Time)
+        return time.current if time else self.utc_now()
 
     def service(self, kind: type[S]) -> S | None:
         """The service of this class, if the component has one."""
@@ -215,6 +228,10 @@ class Host:
             return kind.decode(content) if kind and len(content) >= 2 else None
         except DecodeError:
             return None
+
+    def is_query(self, message: Message) -> bool:
+        """True for an input that is no command and is answered, whatever its code: messages of users have any."""
+        return message.CODE in self._built.queries and not message.IS_COMMAND
 
     def count(self, reason: str, detail: str) -> None:
         """Count something dropped; logged at DEBUG the first time."""

@@ -11,11 +11,14 @@ if TYPE_CHECKING:
         AllEventsRec as AllEventsRec,
         ComponentRec as ComponentRec,
         DateStamp as DateStamp,
+        DestinationID as DestinationID,
         ElementRec as ElementRec,
         EventTypeRec as EventTypeRec,
         QueriedComponentRec as QueriedComponentRec,
         QueriedNodeRec as QueriedNodeRec,
+        ReportEventRec as ReportEventRec,
         ServiceRec as ServiceRec,
+        SourceID as SourceID,
         SubsystemRec as SubsystemRec,
         TimeStamp as TimeStamp,
     )
@@ -92,7 +95,7 @@ if TYPE_CHECKING:
     )
 
 _MODULES = exports({
-    "jauspy.messages.core.v1_0.types": "AllEventsRec ComponentRec DateStamp ElementRec EventTypeRec QueriedComponentRec QueriedNodeRec ServiceRec SubsystemRec TimeStamp",
+    "jauspy.messages.core.v1_0.types": "AllEventsRec ComponentRec DateStamp DestinationID ElementRec EventTypeRec QueriedComponentRec QueriedNodeRec ReportEventRec ServiceRec SourceID SubsystemRec TimeStamp",
     "jauspy.messages.core.v1_1.access_control": "ConfirmControl QueryAuthority QueryControl QueryTimeout RejectControl ReleaseControl ReportAuthority ReportControl ReportTimeout RequestControl SetAuthority",
     "jauspy.messages.core.v1_1.discovery": "QueryConfiguration QueryIdentification QueryServiceList QueryServices QuerySubsystemList RegisterServices ReportConfiguration ReportIdentification ReportServiceList ReportServices ReportSubsystemList",
     "jauspy.messages.core.v1_1.events": "CancelEvent CommandEvent ConfirmEventRequest CreateCommandEvent CreateEvent Event QueryEventTimeout QueryEvents RejectEventRequest ReportEventTimeout ReportEvents UpdateEvent",

@@ -188,6 +188,35 @@ class AllEventsRec(rt.Struct):
 
 
 @dataclass(slots=True, repr=False)
+class ReportEventRec(rt.Struct):
+    """ReportEventRec.
+
+    event_type: EventType. When the report is sent
+    event_id: Identifies the event; chosen by the service
+    query_message: JAUS MESSAGE. The query, with its message id, whose report is wanted
+    """
+
+    class EventType(IntEnum):
+        """Values of EventType."""
+
+        PERIODIC = 0
+        EVERY_CHANGE = 1
+
+    event_type: ReportEventRec.EventType | int
+    event_id: int
+    query_message: rt.Message | bytes
+
+    @classmethod
+    def _layout(cls) -> rt.Item:
+        return rt.composite(
+            cls, None,
+            ("EventType", rt.Number("B", rt.Values(ReportEventRec.EventType))),
+            ("EventID", rt.Number("B")),
+            ("QueryMessage", rt.Blob(rt.Count("I", 0, 2147483647), _registry)),
+        )
+
+
+@dataclass(slots=True, repr=False)
 class ElementRec(rt.Struct):
     """ElementRec.
 
@@ -302,6 +331,58 @@ class DateStamp(rt.Struct):
                 rt.Bit("day", 0, 0x1F, rt.Values(None, ((1, 31),))),
                 rt.Bit("month", 5, 0xF, rt.Values(None, ((1, 12),))),
                 rt.Bit("year", 9, 0x7F, rt.Values(None, ((0, 127),))),
+            ),
+        )
+
+
+@dataclass(slots=True, repr=False)
+class SourceID(rt.Struct):
+    """SourceID.
+
+    component_id: bits 0..7. Component number.
+    node_id: bits 8..15. Node number.
+    subsystem_id: bits 16..31. Subsystem number.
+    """
+
+    component_id: int
+    node_id: int
+    subsystem_id: int
+
+    @classmethod
+    def _layout(cls) -> rt.Item:
+        return rt.Bits(
+            cls,
+            "I",
+            (
+                rt.Bit("component_id", 0, 0xFF, rt.Values(None, ((1, 255),))),
+                rt.Bit("node_id", 8, 0xFF, rt.Values(None, ((1, 255),))),
+                rt.Bit("subsystem_id", 16, 0xFFFF, rt.Values(None, ((1, 65535),))),
+            ),
+        )
+
+
+@dataclass(slots=True, repr=False)
+class DestinationID(rt.Struct):
+    """DestinationID.
+
+    component_id: bits 0..7. Component number.
+    node_id: bits 8..15. Node number.
+    subsystem_id: bits 16..31. Subsystem number.
+    """
+
+    component_id: int
+    node_id: int
+    subsystem_id: int
+
+    @classmethod
+    def _layout(cls) -> rt.Item:
+        return rt.Bits(
+            cls,
+            "I",
+            (
+                rt.Bit("component_id", 0, 0xFF, rt.Values(None, ((1, 255),))),
+                rt.Bit("node_id", 8, 0xFF, rt.Values(None, ((1, 255),))),
+                rt.Bit("subsystem_id", 16, 0xFFFF, rt.Values(None, ((1, 65535),))),
             ),
         )
 

@@ -8,6 +8,7 @@ from typing import Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages import registry as _registry
+from jauspy.messages.core.v1_0 import events as core_v1_0_events
 from jauspy.messages.core.v1_0 import types as core_v1_0_types
 
 
@@ -203,134 +204,20 @@ class UpdateEvent(rt.Message):
         return bytes(out)
 
 
-@dataclass(slots=True, repr=False)
-class CancelEvent(rt.Message):
-    """CancelEvent (0x01F2): Ends an event.
+class CancelEvent(core_v1_0_events.CancelEvent):
+    """CancelEvent (0x01F2): Ends an event."""
 
-    request_id: Repeated in the answer, to match it with its request
-    event_id: Identifies the event; chosen by the service
-    """
-
-    CODE = 0x01F2
-    NAME = "CancelEvent"
+    __slots__ = ()
     SERVICE = "urn:jaus:jss:core:Events"
     VERSION = "1.1"
-    IS_COMMAND = True
-
-    request_id: int
-    event_id: int
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.composite(
-            cls, None,
-            ("RequestID", rt.Number("B")),
-            ("EventID", rt.Number("B")),
-        )
-
-    @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, self.request_id, self.event_id = _S_H2B.unpack(data)
-        if code != 0x01F2: raise rt.Reject
-        return self
-
-    def _pack(self) -> bytes:
-        return _S_H2B.pack(0x01F2, self.request_id, self.event_id)
 
 
-@dataclass(slots=True, repr=False)
-class QueryEvents(rt.Message):
-    """QueryEvents (0x21F0): Asks for the events of the component, selected by message, type or identifier.
+class QueryEvents(core_v1_0_events.QueryEvents):
+    """QueryEvents (0x21F0): Asks for the events of the component, selected by message, type or identifier."""
 
-    query_events_var: How to select the events
-    """
-
-    CODE = 0x21F0
-    NAME = "QueryEvents"
+    __slots__ = ()
     SERVICE = "urn:jaus:jss:core:Events"
     VERSION = "1.1"
-    IS_COMMAND = False
-
-    EventTypeRec = core_v1_0_types.EventTypeRec
-    AllEventsRec = core_v1_0_types.AllEventsRec
-
-    @dataclass(slots=True, repr=False)
-    class MessageIDRec(rt.Struct):
-        """Selects by message.
-
-        message_code: Message id of the query of the events
-        """
-
-        message_code: int
-
-        @classmethod
-        def _layout(cls) -> rt.Item:
-            return rt.composite(
-                cls, None,
-                ("MessageCode", rt.Number("H")),
-            )
-
-        @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
-            self = rt.new(cls)
-            (self.message_code,) = _S_H.unpack_from(data, at)
-            return self, at + 2
-
-        def _write(self, out: bytearray) -> None:
-            out += _S_H.pack(self.message_code)
-
-    @dataclass(slots=True, repr=False)
-    class EventIDRec(rt.Struct):
-        """Selects one event.
-
-        event_id: Identifies the event; chosen by the service
-        """
-
-        event_id: int
-
-        @classmethod
-        def _layout(cls) -> rt.Item:
-            return rt.composite(
-                cls, None,
-                ("EventID", rt.Number("B")),
-            )
-
-        @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
-            self = rt.new(cls)
-            self.event_id = data[at]
-            return self, at + 1
-
-        def _write(self, out: bytearray) -> None:
-            out.append(self.event_id)
-
-    query_events_var: QueryEvents.MessageIDRec | core_v1_0_types.EventTypeRec | QueryEvents.EventIDRec | core_v1_0_types.AllEventsRec
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.composite(
-            cls, None,
-            ("QueryEventsVar", rt.Union.of("B", message_id_rec=QueryEvents.MessageIDRec, event_type_rec=core_v1_0_types.EventTypeRec, event_id_rec=QueryEvents.EventIDRec, all_events_rec=core_v1_0_types.AllEventsRec)),
-        )
-
-    @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        if data[0] != 0xF0 or data[1] != 0x21: raise rt.Reject
-        size = len(data)
-        self = rt.new(cls)
-        tag = data[2]
-        at = 3
-        self.query_events_var, at = _U_9[tag]._read(data, at, depth)
-        if at != size: raise rt.Reject
-        return self
-
-    def _pack(self) -> bytes:
-        out = bytearray(b"\xf0\x21")
-        query_events_var_ = self.query_events_var
-        out.append(_T_10[type(query_events_var_)])
-        query_events_var_._write(out)
-        return bytes(out)
 
 
 @dataclass(slots=True, repr=False)
@@ -358,125 +245,20 @@ class QueryEventTimeout(rt.Message):
         return _S_H.pack(0x21F2)
 
 
-@dataclass(slots=True, repr=False)
-class ConfirmEventRequest(rt.Message):
-    """ConfirmEventRequest (0x01F3): Answers a request about an event that has been carried out.
+class ConfirmEventRequest(core_v1_0_events.ConfirmEventRequest):
+    """ConfirmEventRequest (0x01F3): Answers a request about an event that has been carried out."""
 
-    request_id: Repeated in the answer, to match it with its request
-    event_id: Identifies the event; chosen by the service
-    confirmed_periodic_rate: 0..1092 hertz. Rate that will be kept, in hertz; 0 for events on change
-    """
-
-    CODE = 0x01F3
-    NAME = "ConfirmEventRequest"
+    __slots__ = ()
     SERVICE = "urn:jaus:jss:core:Events"
     VERSION = "1.1"
-    IS_COMMAND = False
-
-    request_id: int
-    event_id: int
-    confirmed_periodic_rate: float
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.composite(
-            cls, None,
-            ("RequestID", rt.Number("B")),
-            ("EventID", rt.Number("B")),
-            ("ConfirmedPeriodicRate", rt.real("H", 0.0, 1092.0, "hertz")),
-        )
-
-    @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, self.request_id, self.event_id, confirmed_periodic_rate_ = _S_H2BH.unpack(data)
-        if code != 0x01F3: raise rt.Reject
-        self.confirmed_periodic_rate = confirmed_periodic_rate_ * 0.016662851911192492
-        return self
-
-    def _pack(self) -> bytes:
-        confirmed_periodic_rate_ = self.confirmed_periodic_rate
-        if not 0.0 <= confirmed_periodic_rate_ <= 1092.0: raise rt.Reject
-        near = confirmed_periodic_rate_ * 60.01373626373626 + 0.5
-        confirmed_periodic_rate_raw_ = int(near)
-        if not 1.52587890625e-05 < near - confirmed_periodic_rate_raw_ < 0.9999847412109375: confirmed_periodic_rate_raw_ = rt.exact_raw(confirmed_periodic_rate_, _R_3)
-        return _S_H2BH.pack(0x01F3, self.request_id, self.event_id, confirmed_periodic_rate_raw_)
 
 
-@dataclass(slots=True, repr=False)
-class RejectEventRequest(rt.Message):
-    """RejectEventRequest (0x01F4): Answers a request about an event that has been refused, and why.
+class RejectEventRequest(core_v1_0_events.RejectEventRequest):
+    """RejectEventRequest (0x01F4): Answers a request about an event that has been refused, and why."""
 
-    request_id: Repeated in the answer, to match it with its request
-    response_code: ResponseCode, optional. The reason
-    error_message: up to 80 characters, optional. An explanation for people
-    """
-
-    CODE = 0x01F4
-    NAME = "RejectEventRequest"
+    __slots__ = ()
     SERVICE = "urn:jaus:jss:core:Events"
     VERSION = "1.1"
-    IS_COMMAND = False
-
-    class ResponseCode(IntEnum):
-        """Values of ResponseCode."""
-
-        PERIODIC_NOT_SUPPORTED = 1
-        EVERY_CHANGE_NOT_SUPPORTED = 2
-        CONNECTION_REFUSED = 3
-        INVALID_EVENT_SETUP = 4
-        MESSAGE_NOT_SUPPORTED = 5
-        INVALID_EVENT_ID = 6
-
-    request_id: int
-    response_code: RejectEventRequest.ResponseCode | int | None = None
-    error_message: str | None = None
-    reserved_presence: int = 0
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.composite(
-            cls, "B",
-            ("RequestID", rt.Number("B")),
-            ("ResponseCode", rt.Number("B", rt.Values(RejectEventRequest.ResponseCode)), True),
-            ("ErrorMessage", rt.Text(80), True),
-        )
-
-    @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        code, mask = _S_HB.unpack_from(data)
-        if code != 0x01F4: raise rt.Reject
-        raw = iter(_M_RejectEventRequest[mask & 0x3].unpack(data)).__next__
-        self = rt.new(cls)
-        self.request_id = raw()
-        if mask & 1:
-            response_code_ = raw()
-            self.response_code = _E_RejectEventRequest_ResponseCode[response_code_]
-        else: self.response_code = None
-        if mask & 2:
-            error_message_ = raw()
-            self.error_message = error_message_.rstrip(b"\0").decode("latin-1")
-        else: self.error_message = None
-        self.reserved_presence = mask & 0xFC
-        return self
-
-    def _pack(self) -> bytes:
-        mask = self.reserved_presence
-        if mask & 0x3: raise rt.Reject
-        raw: list[int | float | bytes] = []
-        raw.append(self.request_id)
-        response_code_ = self.response_code
-        if response_code_ is not None:
-            mask |= 1
-            if response_code_ not in _E_RejectEventRequest_ResponseCode: raise rt.Reject
-            raw.append(response_code_)
-        error_message_ = self.error_message
-        if error_message_ is not None:
-            mask |= 2
-            error_message_raw_ = error_message_.encode("latin-1")
-            if len(error_message_raw_) > 80: raise rt.Reject
-            raw.append(error_message_raw_)
-        return _M_RejectEventRequest_pack[mask & 0x3].pack(0x01F4, mask, *raw)
 
 
 @dataclass(slots=True, repr=False)
@@ -492,41 +274,15 @@ class ReportEvents(rt.Message):
     VERSION = "1.1"
     IS_COMMAND = False
 
-    class EventType(IntEnum):
-        """Values of EventType."""
+    ReportEventRec = core_v1_0_types.ReportEventRec
 
-        PERIODIC = 0
-        EVERY_CHANGE = 1
-
-    @dataclass(slots=True, repr=False)
-    class ReportEventRec(rt.Struct):
-        """One event.
-
-        event_type: EventType. When the report is sent
-        event_id: Identifies the event; chosen by the service
-        query_message: JAUS MESSAGE. The query, with its message id, whose report is wanted
-        """
-
-        event_type: ReportEvents.EventType | int
-        event_id: int
-        query_message: rt.Message | bytes
-
-        @classmethod
-        def _layout(cls) -> rt.Item:
-            return rt.composite(
-                cls, None,
-                ("EventType", rt.Number("B", rt.Values(ReportEvents.EventType))),
-                ("EventID", rt.Number("B")),
-                ("QueryMessage", rt.Blob(rt.Count("I", 0, 2147483647), _registry)),
-            )
-
-    event_list: list[ReportEvents.ReportEventRec]
+    event_list: list[core_v1_0_types.ReportEventRec]
 
     @classmethod
     def _layout(cls) -> rt.Item:
         return rt.composite(
             cls, None,
-            ("EventList", rt.Repeat(rt.Count("B", 0, 255), ReportEvents.ReportEventRec.layout())),
+            ("EventList", rt.Repeat(rt.Count("B", 0, 255), core_v1_0_types.ReportEventRec.layout())),
         )
 
     @classmethod
@@ -539,10 +295,10 @@ class ReportEvents(rt.Message):
         at = 3
         event_list_ = []
         for _ in range(event_list_count_):
-            item_ = rt.new(ReportEvents.ReportEventRec)
+            item_ = rt.new(core_v1_0_types.ReportEventRec)
             event_type_ = data[at]
             item_.event_id = data[at + 1]
-            item_.event_type = _E_ReportEvents_EventType[event_type_]
+            item_.event_type = _E_ReportEventRec_EventType[event_type_]
             (query_message_end_,) = _S_I.unpack_from(data, at + 2)
             if query_message_end_ > 2147483647: raise rt.Reject
             query_message_end_ += at + 6
@@ -559,9 +315,9 @@ class ReportEvents(rt.Message):
         if type(event_list_) is not list: raise rt.Reject
         out.append(len(event_list_))
         for item_ in event_list_:
-            if type(item_) is not ReportEvents.ReportEventRec: raise rt.Reject
+            if type(item_) is not core_v1_0_types.ReportEventRec: raise rt.Reject
             event_type_ = item_.event_type
-            if event_type_ not in _E_ReportEvents_EventType: raise rt.Reject
+            if event_type_ not in _E_ReportEventRec_EventType: raise rt.Reject
             out.append(event_type_)
             out.append(item_.event_id)
             query_message_raw_ = rt.message_bytes(item_.query_message)
@@ -715,15 +471,9 @@ _R_3 = rt.Scaling(0.0, 1092.0, 65535)
 _S_BI = rt.Packer("<BI")
 _E_UpdateEvent_EventType = rt.members(UpdateEvent.EventType)
 _S_2BHB = rt.Packer("<2BHB")
-_S_H2B = rt.Packer("<H2B")
 _S_H = rt.Packer("<H")
-_U_9: tuple[type[QueryEvents.MessageIDRec] | type[core_v1_0_types.EventTypeRec] | type[QueryEvents.EventIDRec] | type[core_v1_0_types.AllEventsRec], ...] = (QueryEvents.MessageIDRec, core_v1_0_types.EventTypeRec, QueryEvents.EventIDRec, core_v1_0_types.AllEventsRec)
-_T_10: dict[type[rt.Struct], int] = {QueryEvents.MessageIDRec: 0, core_v1_0_types.EventTypeRec: 1, QueryEvents.EventIDRec: 2, core_v1_0_types.AllEventsRec: 3}
-_S_H2BH = rt.Packer("<H2BH")
-_S_HB = rt.Packer("<HB")
-_M_RejectEventRequest = rt.Masks("3x", ((0, "B"), (1, "B"), (2, "80s")))
-_E_RejectEventRequest_ResponseCode = rt.members(RejectEventRequest.ResponseCode)
-_M_RejectEventRequest_pack = rt.Masks("HB", ((0, "B"), (1, "B"), (2, "80s")))
-_E_ReportEvents_EventType = rt.members(ReportEvents.EventType)
+_E_ReportEventRec_EventType = rt.members(core_v1_0_types.ReportEventRec.EventType)
 _E_CommandEvent_CommandResult = rt.members(CommandEvent.CommandResult)
+_S_H2B = rt.Packer("<H2B")
 _E_ReportEventTimeout_Timeout = rt.members(ReportEventTimeout.Timeout)
+_S_HB = rt.Packer("<HB")

@@ -15,7 +15,7 @@ from jauspy.messages.core.v1_0 import types as core_v1_0_types
 class SetElement(rt.Message):
     """SetElement (0x041A): Inserts elements into the list, or replaces them.
 
-    request_id_rec: Which request is answered
+    request_id_rec: The number of the request
     element_list: 0..255 items. The elements
     """
 
@@ -29,7 +29,7 @@ class SetElement(rt.Message):
 
     @dataclass(slots=True, repr=False)
     class RequestIDRec(rt.Struct):
-        """Which request is answered.
+        """The number of the request.
 
         request_id: Repeated in the answer, to match it with its request
         """
@@ -96,7 +96,7 @@ class SetElement(rt.Message):
 class DeleteElement(rt.Message):
     """DeleteElement (0x041B): Deletes elements from the list.
 
-    request_id_rec: Which request is answered
+    request_id_rec: The number of the request
     delete_element_list: 0..255 items. The elements to delete
     """
 
@@ -108,7 +108,7 @@ class DeleteElement(rt.Message):
 
     @dataclass(slots=True, repr=False)
     class RequestIDRec(rt.Struct):
-        """Which request is answered.
+        """The number of the request.
 
         request_id: Repeated in the answer, to match it with its request
         """
