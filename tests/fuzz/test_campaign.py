@@ -30,13 +30,13 @@ def test_nothing_is_found() -> None:
 
 
 def test_several_processes_do_the_same() -> None:
-    plan = Plan(1000, seed=3)
-    alone = run(plan)
-    assert run(Plan(1000, seed=3, jobs=2)) == alone
+    names = ("ReportServices", "CreateEvent", "ReportVelocityState")
+    alone = run(Plan(1000, seed=3, only=names))
+    assert run(Plan(1000, seed=3, only=names, jobs=2)) == alone
 
 
 def test_cases_depend_on_seed_and_number_only() -> None:
-    first, again, other = (fuzzer(Plan(0, seed=seed)) for seed in (5, 5, 6))
+    first, again, other = (fuzzer(Plan(0, seed=seed, only=("ReportServices", "CreateEvent"))) for seed in (5, 5, 6))
     assert [first.case(n) for n in range(200)] == [again.case(n) for n in range(200)]
     assert [first.case(n) for n in range(200)] != [other.case(n) for n in range(200)]
 
