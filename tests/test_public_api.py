@@ -58,3 +58,22 @@ def test_what_is_not_used_is_not_loaded(statement, unwanted):
     code = f"import sys; {statement}; print(*sys.modules)"
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert not set(unwanted.split()) & set(run.stdout.split())
+
+
+@pytest.mark.parametrize(
+    ("statement", "most"),
+    [
+        ("import jauspy", 3),
+        ("import jauspy.messages", 20),
+        ("from jauspy.messages.mobility import SetWrenchEffort", 40),
+    ],
+)
+def test_little_is_loaded(statement, most):
+    """Modules, not milliseconds: of jauspy, and of all others beyond what Python itself loads."""
+    code = f"import sys; before = set(sys.modules); {statement}; print(*(set(sys.modules) - before))"
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    loaded = run.stdout.split()
+    assert "jauspy" in loaded
+    assert len([name for name in loaded if name.startswith("jauspy")]) <= most, loaded
+    assert len(loaded) <= 200
+    assert len([name for name in loaded if name.startswith("jauspy.messages.") and name.count(".") == 4]) <= 4, loaded

@@ -53,9 +53,9 @@ def rows(folder: Path) -> Iterator[Row]:
 def parse(row: dict[str, Any]) -> Row:
     """A row of its JSON form."""
     theirs = bytes.fromhex(row["hex"])
-    # where a presence vector has no bit for a field, the values are those of the bytes without that field
+    # Fields that no presence bit speaks of cannot be decoded again, and the values of these rows do not have them.
     overflow = row.get("why") == "presence-vector-overflow"
-    right = theirs if overflow else bytes.fromhex(row.get("std_hex", row["hex"]))
+    right = bytes.fromhex(row["hex"] if overflow else row.get("std_hex", row["hex"]))
     code = int(row["code"], 16)
     return Row(
         row["set"], row["message"], code, row["version"], row["case"], theirs, right, row.get("why", ""), row["values"]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import random
 import re
 from fractions import Fraction
 from pathlib import Path
@@ -47,7 +48,7 @@ def check(probe: dict[str, Any]) -> None:
     if (value, nearest_raw(value, lower, upper, scale.top)) == BELOW_THE_HALF_STEP:
         expected -= 1
     assert nearest_raw(value, lower, upper, scale.top) == expected
-    position = (value - scale.lower) * scale.factor + 0.5
+    position = eval(scale.position.format("value"))
     if NEAR_TIE < position % 1 < 1 - NEAR_TIE:
         assert int(position) == exact_raw(value, scale) == expected
     else:  # limits that are floats decide ties, so the last digits of the schema's limits are lost
@@ -64,6 +65,21 @@ def test_all_probes() -> None:
         pytest.skip(f"the full set is not at {FULL}")
     for probe in probes(FULL):
         check(probe)
+
+
+@pytest.mark.parametrize(
+    ("lower", "upper"),
+    [(-1.0, 1.0), (-90.0, 90.0), (0.0, 100.0), (100.0, 250.0), (-10.0, 5.0), (1e6, 1e6 + 1), (-7e4, -6e4)],
+)
+def test_float_arithmetic_is_right_but_near_half_steps(lower: float, upper: float) -> None:
+    rng = random.Random(1)
+    for top in TOP.values():
+        scale = Scaling(lower, upper, top)
+        for _ in range(2000):
+            value = min(max(rng.uniform(lower, upper), lower), upper)
+            near = eval(scale.position.format("value"))
+            if NEAR_TIE < near - int(near) < 1 - NEAR_TIE:
+                assert int(near) == exact_raw(value, scale)
 
 
 def test_both_ends_are_exact() -> None:

@@ -195,7 +195,8 @@ BEHAVIORS = {
     "guard that nobody can read": (
         (
             '<state_machine name="M"><state name="A">\n'
-            f'<transition name="T">{HERE}<guard condition="isReady(msg"/><internal/></transition></state></state_machine>'
+            f'<transition name="T">{HERE}<guard condition="isReady(msg"/><internal/></transition>'
+            "</state></state_machine>"
         ),
         r"guard 'isReady\(msg': expected",
     ),

@@ -10,6 +10,7 @@ import json
 import statistics
 import subprocess
 import sys
+import time
 import timeit
 from collections.abc import Callable, Iterator
 from functools import partial
@@ -33,9 +34,9 @@ Call = Callable[[], object]
 
 def compare(own: Call, theirs: Call, seconds: float) -> tuple[float, float]:
     """Nanoseconds per call of both, by turns, because a machine is not equally fast all the time; the best counts."""
-    timers = [timeit.Timer(call) for call in (own, theirs)]
-    numbers = [max(1, int(seconds / 9 / max(timer.timeit(20) / 20, 1e-9))) for timer in timers]
-    rounds = [[timer.timeit(number) / number for timer, number in zip(timers, numbers, strict=True)] for _ in range(9)]
+    timers = [timeit.Timer(call, timer=time.process_time) for call in (own, theirs)]
+    numbers = [max(1, int(seconds / 15 / max(timer.timeit(20) / 20, 1e-9))) for timer in timers]
+    rounds = [[timer.timeit(number) / number for timer, number in zip(timers, numbers, strict=True)] for _ in range(15)]
     best = [min(column) * 1e9 for column in zip(*rounds, strict=True)]
     return best[0], best[1]
 

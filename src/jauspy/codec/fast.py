@@ -35,6 +35,20 @@ class Masks(dict[int, Struct]):
         return packer
 
 
+class Rows(dict[int, Struct]):
+    """The packers of so many numbers of one type, made when a number first occurs."""
+
+    def __init__(self, code: str) -> None:
+        super().__init__()
+        self._code = code
+
+    def __missing__(self, count: int) -> Struct:
+        if len(self) >= MOST_MASKS:
+            self.clear()
+        packer = self[count] = Struct(f"<{count}{self._code}")
+        return packer
+
+
 def members(enum: type[E]) -> dict[int, E]:
     """The members of an enumeration by value; looking them up costs less than a call of the class."""
     return {member.value: member for member in enum}

@@ -43,8 +43,9 @@ def module_source(module: ModulePlan, package: str, names: Iterable[str]) -> str
     lines += [""] if lines[-1] else []
     lines += ["from jauspy.codec import runtime as rt"] if "rt." in text else []
     lines += [f"from {package} import registry as _registry"] if "_registry" in text else []
+    spoken_of = set(re.findall(r"\b(\w+)\.", text))
     for name in sorted(names):
-        if not re.search(rf"\b{module_alias(name)}\.", text):
+        if module_alias(name) not in spoken_of:
             continue
         head, _, tail = f"{package}.{name}".rpartition(".")
         lines.append(f"from {head} import {tail} as {module_alias(name)}")

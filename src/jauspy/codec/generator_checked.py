@@ -69,10 +69,9 @@ class CheckedWriter:
         exact = f"{raw} = rt.exact_raw({name}, {self._constants.scaling(scale)})"
         if scale.function != "round" or scale.top > 0xFFFFFFFF:
             return [*lines, exact], [raw]
-        base = f"({name} - {scale.lower!r})" if scale.lower > 0 else f"({name} + {-scale.lower!r})"
         return [
             *lines,
-            f"near = {base if scale.lower else name} * {scale.factor!r} + 0.5",
+            f"near = {scale.position.format(name)}",
             f"{raw} = int(near)",
             f"if not {NEAR_TIE!r} < near - {raw} < {1 - NEAR_TIE!r}: {exact}",
         ], [raw]

@@ -284,7 +284,10 @@ class _Decoder:
         self.position.move(end)
         names, lines, argument = self.raw.flat(item, hint)
         targets = f"({names[0]},)" if len(names) == 1 else ", ".join(names)
-        rows = f"{self.constants.packer(''.join(codes))}.iter_unpack(data[{start}:{end}])"
+        if len(codes) == 1 and codes[0] in SIZES:
+            targets, rows = names[0], f"{self.constants.rows(codes[0])}[{counted}].unpack_from(data, {start})"
+        else:
+            rows = f"{self.constants.packer(''.join(codes))}.iter_unpack(data[{start}:{end}])"
         head = [f"{end} = {start} + {counted} * {size_of(codes)}"]
         if not lines:
             return [*head, f"{target} = [{argument} for {targets} in {rows}]"]

@@ -171,7 +171,7 @@ class _Encoder:
             case RepeatPlan():
                 lines, name = self.checked.local(source, hint)
                 head = [*lines, *reject_if(f"type({name}) is not list"), *self._counted(item.count, name)]
-                return [*head, *self._loop(item.item, name)]
+                return [*head, *(self._numbers(item.item, name) or self._loop(item.item, name))]
             case _:
                 raise AssertionError(item)
 
@@ -209,6 +209,21 @@ class _Encoder:
     def _loop(self, item: ItemPlan, name: str) -> list[str]:
         one = self.locals.name("item")
         return [f"for {one} in {name}:", *indent(self._item(item, one, "item"))]
+
+    def _numbers(self, item: ItemPlan, name: str) -> list[str]:
+        """Elements that are numbers of one type: one call packs them all. Nothing for other elements."""
+        codes = fixed_codes(item) or []
+        if len(set(codes)) != 1 or codes[0] not in SIZES:
+            return []
+        one, raw = self.locals.name("item"), self.locals.name("raw")
+        lines, values = self.checked.flat(item, one, "item")
+        collect = f"{raw}.append({values[0]})" if len(values) == 1 else f"{raw} += ({', '.join(values)})"
+        loop = [f"for {one} in {name}:", *indent([*lines, collect])]
+        return [
+            f"{raw}: list[int | float] = []",
+            *loop,
+            f"out += {self.constants.rows(codes[0])}[len({raw})].pack(*{raw})",
+        ]
 
     def _choice(self) -> list[str]:
         lines = ["choice = self.choice"]

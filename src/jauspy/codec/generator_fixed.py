@@ -38,6 +38,10 @@ class Constants:
         short = compact(codes)
         return self._add(f"_S_{short}", f"rt.Packer({quote('<' + short)})")
 
+    def rows(self, code: str) -> str:
+        """The packers of any count of one number."""
+        return self._add(f"_L_{code}", f"rt.Rows({quote(code)})")
+
     def members(self, enum: EnumPlan) -> str:
         """A map of values to members."""
         return self._add(f"_E_{'_'.join(enum.path.split('.')[-2:])}", f"rt.members({enum.path})")

@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from jauspy.codec.base import Struct
@@ -28,23 +28,22 @@ class Bit:
 
 @dataclass(frozen=True, slots=True)
 class Bits(Item):
-    """An integer cut into sub-fields; `cls` holds them, and the bits no sub-field names."""
+    """An integer cut into sub-fields; `cls` holds them, and the bits no sub-field names (`reserved`)."""
 
     cls: type[Struct]
     code: str
     bits: tuple[Bit, ...]
+    reserved: int = field(init=False)
+
+    def __post_init__(self) -> None:
+        named = 0
+        for bit in self.bits:
+            named |= bit.mask << bit.shift
+        object.__setattr__(self, "reserved", limits(self.code)[1] & ~named)
 
     @property
     def minimum(self) -> int:
         return SIZES[self.code]
-
-    @property
-    def reserved(self) -> int:
-        """The bits that no sub-field names."""
-        named = 0
-        for bit in self.bits:
-            named |= bit.mask << bit.shift
-        return limits(self.code)[1] & ~named
 
     def read(self, reader: Reader, path: str) -> Struct:
         offset = reader.at

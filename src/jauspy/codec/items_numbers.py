@@ -19,9 +19,16 @@ from jauspy.errors import EncodeError
 Intervals = tuple[tuple[float, float], ...]
 
 
+MOST_NAMES = 12
+"""Names that an error lists. A message may have an error in every byte, so they must cost little."""
+
+
+@lru_cache(maxsize=1024)
 def describe(intervals: Intervals, enum: type[IntEnum] | None) -> str:
     """The allowed values, for messages."""
-    parts = [f"{m.value} {m.name}" for m in enum] if enum else []
+    named = list(enum or ())
+    parts = [f"{m.value} {m.name}" for m in named[:MOST_NAMES]]
+    parts += [f"{len(named) - MOST_NAMES} more names"] if len(named) > MOST_NAMES else []
     parts += [f"{lower:g}..{upper:g}" if lower != upper else f"{lower:g}" for lower, upper in intervals]
     return ", ".join(parts)
 

@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, field, fields
 from difflib import get_close_matches
 from typing import Any
 
@@ -28,23 +28,24 @@ class Slot:
 
 @dataclass(frozen=True, slots=True)
 class Composite(Item):
-    """A record or sequence: the attributes of `cls` one after the other, behind a presence vector if there is one."""
+    """A record or sequence: the attributes of `cls` one after the other, behind a presence vector if there is one.
+
+    `undefined` are the presence bits that stand for nothing.
+    """
 
     cls: type[Struct]
     slots: tuple[Slot, ...]
     presence: str | None = None
+    undefined: int = field(init=False)
+
+    def __post_init__(self) -> None:
+        defined = (1 << sum(slot.optional for slot in self.slots)) - 1
+        object.__setattr__(self, "undefined", limits(self.presence)[1] & ~defined if self.presence else 0)
 
     @property
     def minimum(self) -> int:
         vector = SIZES[self.presence] if self.presence else 0
         return vector + sum(slot.item.minimum for slot in self.slots if not slot.optional)
-
-    @property
-    def undefined(self) -> int:
-        """The presence bits that stand for nothing."""
-        if not self.presence:
-            return 0
-        return limits(self.presence)[1] & ~((1 << sum(slot.optional for slot in self.slots)) - 1)
 
     def read(self, reader: Reader, path: str) -> Struct:
         mask = (reader.count(self.presence, path) or 0) if self.presence else 0
@@ -116,7 +117,7 @@ class Composite(Item):
 
 def composite(cls: type[Struct], presence: str | None, *rows: tuple[Any, ...]) -> Composite:
     """The layout of a dataclass: for each attribute its JAUS name and its layout, and `True` when it is optional."""
-    slots = (Slot(field.name, *row) for field, row in zip(fields(cls), rows, strict=False))  # type: ignore[arg-type]  # generated classes are dataclasses
+    slots = (Slot(made.name, *row) for made, row in zip(fields(cls), rows, strict=False))  # type: ignore[arg-type]  # generated classes are dataclasses
     return Composite(cls, tuple(slots), presence)
 
 
@@ -129,10 +130,14 @@ def _hint(key: object, names: list[str]) -> str:
 
 @dataclass(frozen=True, slots=True)
 class Repeat(Item):
-    """A counted list of one item."""
+    """A counted list of one item, which takes at least `each` bytes."""
 
     count: Count
     item: Item
+    each: int = field(init=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "each", self.item.minimum)
 
     @property
     def minimum(self) -> int:
@@ -140,7 +145,7 @@ class Repeat(Item):
 
     def read(self, reader: Reader, path: str) -> list[Any]:
         values: list[Any] = []
-        for number in range(self.count.read(reader, path, self.item.minimum)):
+        for number in range(self.count.read(reader, path, self.each)):
             if reader.stopped:
                 break
             if not reader.left:

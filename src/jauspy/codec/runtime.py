@@ -7,7 +7,7 @@ from struct import Struct as Packer
 from typing import Final
 
 from jauspy.codec.base import Message, Reject, Struct
-from jauspy.codec.fast import Masks, members, message_bytes, plain_bytes
+from jauspy.codec.fast import Masks, Rows, members, message_bytes, plain_bytes
 from jauspy.codec.items import (
     ANY,
     Bit,
@@ -49,6 +49,7 @@ __all__ = [
     "Real",
     "Reject",
     "Repeat",
+    "Rows",
     "Scaling",
     "Slot",
     "Struct",

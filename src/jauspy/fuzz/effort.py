@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterable
 
 from jauspy.fuzz.seeds import Seed
 from jauspy.fuzz.targets import Target
+from jauspy.fuzz.watch import TooLong, watched
 
 TIMES = 100
 """How much more than a normal message of its size an input may cost."""
@@ -82,6 +83,7 @@ def memory_complaint(size: int, call: Callable[[], object]) -> str | None:
 def _time_per_byte(target: Target, data: bytes) -> list[float]:
     """Nothing for a message that cannot be decoded: why that is so, the checks will say."""
     try:
-        return [min(spent_on(lambda: target.cls.decode(data)) for _ in range(5)) / len(data)]
-    except Exception:  # noqa: BLE001 - see above
+        with watched():
+            return [min(spent_on(lambda: target.cls.decode(data)) for _ in range(5)) / len(data)]
+    except (Exception, TooLong):  # noqa: BLE001 - see above
         return []

@@ -36,9 +36,10 @@ def targets(registry: Registry, schema: m.Schema, names: Iterable[str] = ()) -> 
     wanted = {registry.by_name(name).NAME for name in names}
     found = []
     models = {(s.id, s.version, msg.name): msg for s in schema.services for msg in s.messages}
-    for cls in registry:
-        model = models.get((cls.SERVICE, cls.VERSION, cls.NAME))
-        if model is not None and (not wanted or cls.NAME in wanted):
+    for entry in registry.entries:
+        model = models.get((entry.service, entry.version, entry.name))
+        if model is not None and (not wanted or entry.name in wanted):
+            cls = entry.load()
             layout = cls.layout()
             assert isinstance(layout, Composite)
             found.append(Target(cls, model, layout))

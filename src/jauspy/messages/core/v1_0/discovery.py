@@ -181,7 +181,7 @@ class QueryServices(rt.Message):
             component_list_count_ = data[at + 1]
             if component_list_count_ < 1: raise rt.Reject
             component_list_end_ = at + 2 + component_list_count_ * 1
-            item_.component_list = [core_v1_0_types.QueriedComponentRec(_E_QueriedComponentRec_ComponentID.get(component_id_, component_id_)) for (component_id_,) in _S_B.iter_unpack(data[at + 2:component_list_end_])]
+            item_.component_list = [core_v1_0_types.QueriedComponentRec(_E_QueriedComponentRec_ComponentID.get(component_id_, component_id_)) for component_id_ in _L_B[component_list_count_].unpack_from(data, at + 2)]
             at = component_list_end_
             node_list_.append(item_)
         self.node_list = node_list_
@@ -203,9 +203,11 @@ class QueryServices(rt.Message):
             if type(component_list_) is not list: raise rt.Reject
             if len(component_list_) < 1: raise rt.Reject
             out.append(len(component_list_))
+            raw_: list[int | float] = []
             for item_2_ in component_list_:
                 if type(item_2_) is not core_v1_0_types.QueriedComponentRec: raise rt.Reject
-                out.append(item_2_.component_id)
+                raw_.append(item_2_.component_id)
+            out += _L_B[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -436,10 +438,11 @@ class ReportConfiguration(rt.Message):
             component_list_ = item_.component_list
             if type(component_list_) is not list: raise rt.Reject
             out.append(len(component_list_))
+            raw_: list[int | float] = []
             for item_2_ in component_list_:
                 if type(item_2_) is not core_v1_0_types.ComponentRec: raise rt.Reject
-                out.append(item_2_.component_id)
-                out.append(item_2_.instance_id)
+                raw_ += (item_2_.component_id, item_2_.instance_id)
+            out += _L_B[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -648,7 +651,7 @@ _E_QueryConfiguration_QueryType = rt.members(QueryConfiguration.QueryType)
 _S_H = rt.Packer("<H")
 _E_QueriedNodeRec_NodeID = rt.members(core_v1_0_types.QueriedNodeRec.NodeID)
 _E_QueriedComponentRec_ComponentID = rt.members(core_v1_0_types.QueriedComponentRec.ComponentID)
-_S_B = rt.Packer("<B")
+_L_B = rt.Rows("B")
 _E_ReportIdentification_QueryType = rt.members(ReportIdentification.QueryType)
 _E_ReportIdentification_Type = rt.members(ReportIdentification.Type)
 _S_BH = rt.Packer("<BH")

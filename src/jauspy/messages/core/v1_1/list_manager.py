@@ -158,7 +158,7 @@ class DeleteElement(rt.Message):
         self.request_id_rec = DeleteElement.RequestIDRec(request_id_)
         delete_element_list_count_ = data[3]
         delete_element_list_end_ = 4 + delete_element_list_count_ * 2
-        self.delete_element_list = [DeleteElement.DeleteElementRec(element_uid_) for (element_uid_,) in _S_H.iter_unpack(data[4:delete_element_list_end_])]
+        self.delete_element_list = [DeleteElement.DeleteElementRec(element_uid_) for element_uid_ in _L_H[delete_element_list_count_].unpack_from(data, 4)]
         if delete_element_list_end_ != size: raise rt.Reject
         return self
 
@@ -170,9 +170,11 @@ class DeleteElement(rt.Message):
         delete_element_list_ = self.delete_element_list
         if type(delete_element_list_) is not list: raise rt.Reject
         out.append(len(delete_element_list_))
+        raw_: list[int | float] = []
         for item_ in delete_element_list_:
             if type(item_) is not DeleteElement.DeleteElementRec: raise rt.Reject
-            out += _S_H.pack(item_.element_uid)
+            raw_.append(item_.element_uid)
+        out += _L_H[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -473,7 +475,7 @@ class ReportElementList(rt.Message):
         self = rt.new(cls)
         (element_list_count_,) = _S_H.unpack_from(data, 2)
         element_list_end_ = 4 + element_list_count_ * 2
-        self.element_list = [ReportElementList.ElementListRec(element_uid_) for (element_uid_,) in _S_H.iter_unpack(data[4:element_list_end_])]
+        self.element_list = [ReportElementList.ElementListRec(element_uid_) for element_uid_ in _L_H[element_list_count_].unpack_from(data, 4)]
         if element_list_end_ != size: raise rt.Reject
         return self
 
@@ -482,9 +484,11 @@ class ReportElementList(rt.Message):
         element_list_ = self.element_list
         if type(element_list_) is not list: raise rt.Reject
         out += _S_H.pack(len(element_list_))
+        raw_: list[int | float] = []
         for item_ in element_list_:
             if type(item_) is not ReportElementList.ElementListRec: raise rt.Reject
-            out += _S_H.pack(item_.element_uid)
+            raw_.append(item_.element_uid)
+        out += _L_H[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -522,8 +526,9 @@ class ReportElementCount(rt.Message):
 
 
 _S_3H = rt.Packer("<3H")
-_S_H = rt.Packer("<H")
+_L_H = rt.Rows("H")
 _S_2H = rt.Packer("<2H")
+_S_H = rt.Packer("<H")
 _S_HB = rt.Packer("<HB")
 _E_RejectElementRequest_ResponseCode = rt.members(RejectElementRequest.ResponseCode)
 _S_H2B = rt.Packer("<H2B")

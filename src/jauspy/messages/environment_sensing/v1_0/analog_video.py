@@ -153,7 +153,7 @@ class QueryAnalogVideoSensorConfiguration(rt.Message):
         self = rt.new(cls)
         (sensor_id_list_count_,) = _S_H.unpack_from(data, 2)
         sensor_id_list_end_ = 4 + sensor_id_list_count_ * 2
-        self.sensor_id_list = [QueryAnalogVideoSensorConfiguration.SensorIdRec(sensor_id_) for (sensor_id_,) in _S_H.iter_unpack(data[4:sensor_id_list_end_])]
+        self.sensor_id_list = [QueryAnalogVideoSensorConfiguration.SensorIdRec(sensor_id_) for sensor_id_ in _L_H[sensor_id_list_count_].unpack_from(data, 4)]
         if sensor_id_list_end_ != size: raise rt.Reject
         return self
 
@@ -162,9 +162,11 @@ class QueryAnalogVideoSensorConfiguration(rt.Message):
         sensor_id_list_ = self.sensor_id_list
         if type(sensor_id_list_) is not list: raise rt.Reject
         out += _S_H.pack(len(sensor_id_list_))
+        raw_: list[int | float] = []
         for item_ in sensor_id_list_:
             if type(item_) is not QueryAnalogVideoSensorConfiguration.SensorIdRec: raise rt.Reject
-            out += _S_H.pack(item_.sensor_id)
+            raw_.append(item_.sensor_id)
+        out += _L_H[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -213,7 +215,7 @@ class QueryAnalogVideoSensorCapabilities(rt.Message):
         self = rt.new(cls)
         (sensor_id_list_count_,) = _S_H.unpack_from(data, 2)
         sensor_id_list_end_ = 4 + sensor_id_list_count_ * 2
-        self.sensor_id_list = [QueryAnalogVideoSensorCapabilities.SensorIdRec(sensor_id_) for (sensor_id_,) in _S_H.iter_unpack(data[4:sensor_id_list_end_])]
+        self.sensor_id_list = [QueryAnalogVideoSensorCapabilities.SensorIdRec(sensor_id_) for sensor_id_ in _L_H[sensor_id_list_count_].unpack_from(data, 4)]
         if sensor_id_list_end_ != size: raise rt.Reject
         return self
 
@@ -222,9 +224,11 @@ class QueryAnalogVideoSensorCapabilities(rt.Message):
         sensor_id_list_ = self.sensor_id_list
         if type(sensor_id_list_) is not list: raise rt.Reject
         out += _S_H.pack(len(sensor_id_list_))
+        raw_: list[int | float] = []
         for item_ in sensor_id_list_:
             if type(item_) is not QueryAnalogVideoSensorCapabilities.SensorIdRec: raise rt.Reject
-            out += _S_H.pack(item_.sensor_id)
+            raw_.append(item_.sensor_id)
+        out += _L_H[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -387,6 +391,7 @@ class ReportAnalogVideoSensorCapabilities(rt.Message):
 _S_H = rt.Packer("<H")
 _E_SetAnalogVideoSensorConfiguration_AnalogFormat = rt.members(SetAnalogVideoSensorConfiguration.AnalogFormat)
 _S_HB = rt.Packer("<HB")
+_L_H = rt.Rows("H")
 _E_ReportAnalogVideoSensorConfiguration_AnalogFormat = rt.members(ReportAnalogVideoSensorConfiguration.AnalogFormat)
 _E_SupportedAnalogFormats_NTSCM = rt.members(environment_sensing_v1_0_types.SupportedAnalogFormats.NTSCM)
 _E_SupportedAnalogFormats_NTSCJ = rt.members(environment_sensing_v1_0_types.SupportedAnalogFormats.NTSCJ)

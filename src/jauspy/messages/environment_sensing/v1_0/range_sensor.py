@@ -121,7 +121,7 @@ class SetRangeSensorConfiguration(rt.Message):
             if horizontal_field_of_view_start_angle_ is not None:
                 mask |= 1
                 if not -3.141592653589793 <= horizontal_field_of_view_start_angle_ <= 3.141592653589793: raise rt.Reject
-                near = (horizontal_field_of_view_start_angle_ + 3.141592653589793) * 683565275.4172766 + 0.5
+                near = horizontal_field_of_view_start_angle_ * 683565275.4172766 + 2147483647.9999998
                 horizontal_field_of_view_start_angle_raw_ = int(near)
                 if not 1.52587890625e-05 < near - horizontal_field_of_view_start_angle_raw_ < 0.9999847412109375: horizontal_field_of_view_start_angle_raw_ = rt.exact_raw(horizontal_field_of_view_start_angle_, _R_3)
                 raw.append(horizontal_field_of_view_start_angle_raw_)
@@ -129,7 +129,7 @@ class SetRangeSensorConfiguration(rt.Message):
             if horizontal_field_of_view_stop_angle_ is not None:
                 mask |= 2
                 if not -3.141592653589793 <= horizontal_field_of_view_stop_angle_ <= 3.141592653589793: raise rt.Reject
-                near = (horizontal_field_of_view_stop_angle_ + 3.141592653589793) * 683565275.4172766 + 0.5
+                near = horizontal_field_of_view_stop_angle_ * 683565275.4172766 + 2147483647.9999998
                 horizontal_field_of_view_stop_angle_raw_ = int(near)
                 if not 1.52587890625e-05 < near - horizontal_field_of_view_stop_angle_raw_ < 0.9999847412109375: horizontal_field_of_view_stop_angle_raw_ = rt.exact_raw(horizontal_field_of_view_stop_angle_, _R_3)
                 raw.append(horizontal_field_of_view_stop_angle_raw_)
@@ -137,7 +137,7 @@ class SetRangeSensorConfiguration(rt.Message):
             if vertical_field_of_view_start_angle_ is not None:
                 mask |= 4
                 if not -3.141592653589793 <= vertical_field_of_view_start_angle_ <= 3.141592653589793: raise rt.Reject
-                near = (vertical_field_of_view_start_angle_ + 3.141592653589793) * 683565275.4172766 + 0.5
+                near = vertical_field_of_view_start_angle_ * 683565275.4172766 + 2147483647.9999998
                 vertical_field_of_view_start_angle_raw_ = int(near)
                 if not 1.52587890625e-05 < near - vertical_field_of_view_start_angle_raw_ < 0.9999847412109375: vertical_field_of_view_start_angle_raw_ = rt.exact_raw(vertical_field_of_view_start_angle_, _R_3)
                 raw.append(vertical_field_of_view_start_angle_raw_)
@@ -145,7 +145,7 @@ class SetRangeSensorConfiguration(rt.Message):
             if vertical_field_of_view_stop_angle_ is not None:
                 mask |= 8
                 if not -3.141592653589793 <= vertical_field_of_view_stop_angle_ <= 3.141592653589793: raise rt.Reject
-                near = (vertical_field_of_view_stop_angle_ + 3.141592653589793) * 683565275.4172766 + 0.5
+                near = vertical_field_of_view_stop_angle_ * 683565275.4172766 + 2147483647.9999998
                 vertical_field_of_view_stop_angle_raw_ = int(near)
                 if not 1.52587890625e-05 < near - vertical_field_of_view_stop_angle_raw_ < 0.9999847412109375: vertical_field_of_view_stop_angle_raw_ = rt.exact_raw(vertical_field_of_view_stop_angle_, _R_3)
                 raw.append(vertical_field_of_view_stop_angle_raw_)
@@ -269,7 +269,7 @@ class QuerySensorGeometricProperties(rt.Message):
         self = rt.new(cls)
         (sensor_id_list_count_,) = _S_H.unpack_from(data, 2)
         sensor_id_list_end_ = 4 + sensor_id_list_count_ * 2
-        self.sensor_id_list = [QuerySensorGeometricProperties.SensorIdRec(sensor_id_) for (sensor_id_,) in _S_H.iter_unpack(data[4:sensor_id_list_end_])]
+        self.sensor_id_list = [QuerySensorGeometricProperties.SensorIdRec(sensor_id_) for sensor_id_ in _L_H[sensor_id_list_count_].unpack_from(data, 4)]
         if sensor_id_list_end_ != size: raise rt.Reject
         return self
 
@@ -278,9 +278,11 @@ class QuerySensorGeometricProperties(rt.Message):
         sensor_id_list_ = self.sensor_id_list
         if type(sensor_id_list_) is not list: raise rt.Reject
         out += _S_H.pack(len(sensor_id_list_))
+        raw_: list[int | float] = []
         for item_ in sensor_id_list_:
             if type(item_) is not QuerySensorGeometricProperties.SensorIdRec: raise rt.Reject
-            out += _S_H.pack(item_.sensor_id)
+            raw_.append(item_.sensor_id)
+        out += _L_H[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -502,9 +504,11 @@ class QueryRangeSensorCapabilities(rt.Message):
         range_sensor_capabilities_list_ = self.range_sensor_capabilities_list
         if type(range_sensor_capabilities_list_) is not list: raise rt.Reject
         out += _S_H.pack(len(range_sensor_capabilities_list_))
+        raw_: list[int | float] = []
         for item_ in range_sensor_capabilities_list_:
             if type(item_) is not QueryRangeSensorCapabilities.QueryRangeSensorCapabilitiesRec: raise rt.Reject
-            out += _S_2H.pack(item_.sensor_id, item_.query_presence_vector)
+            raw_ += (item_.sensor_id, item_.query_presence_vector)
+        out += _L_H[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -565,9 +569,11 @@ class QueryRangeSensorConfiguration(rt.Message):
         range_sensor_configuration_list_ = self.range_sensor_configuration_list
         if type(range_sensor_configuration_list_) is not list: raise rt.Reject
         out += _S_H.pack(len(range_sensor_configuration_list_))
+        raw_: list[int | float] = []
         for item_ in range_sensor_configuration_list_:
             if type(item_) is not QueryRangeSensorConfiguration.QueryRangeSensorConfigurationRec: raise rt.Reject
-            out += _S_2H.pack(item_.sensor_id, item_.query_presence_vector)
+            raw_ += (item_.sensor_id, item_.query_presence_vector)
+        out += _L_H[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -657,7 +663,7 @@ class ConfirmSensorConfiguration(rt.Message):
         for _ in range(confirm_sensor_list_count_):
             tag = data[at]
             at += 1
-            item_, at = _U_12[tag]._read(data, at, depth)
+            item_, at = _U_13[tag]._read(data, at, depth)
             confirm_sensor_list_.append(item_)
         self.confirm_sensor_list = confirm_sensor_list_
         if at != size: raise rt.Reject
@@ -672,7 +678,7 @@ class ConfirmSensorConfiguration(rt.Message):
         if type(confirm_sensor_list_) is not list: raise rt.Reject
         out += _S_H.pack(len(confirm_sensor_list_))
         for item_ in confirm_sensor_list_:
-            out.append(_T_13[type(item_)])
+            out.append(_T_14[type(item_)])
             item_._write(out)
         return bytes(out)
 
@@ -812,7 +818,7 @@ class ReportRangeSensorCapabilities(rt.Message):
             if minimum_horizontal_field_of_view_start_angle_ is not None:
                 mask |= 2
                 if not -3.141592653589793 <= minimum_horizontal_field_of_view_start_angle_ <= 3.141592653589793: raise rt.Reject
-                near = (minimum_horizontal_field_of_view_start_angle_ + 3.141592653589793) * 683565275.4172766 + 0.5
+                near = minimum_horizontal_field_of_view_start_angle_ * 683565275.4172766 + 2147483647.9999998
                 minimum_horizontal_field_of_view_start_angle_raw_ = int(near)
                 if not 1.52587890625e-05 < near - minimum_horizontal_field_of_view_start_angle_raw_ < 0.9999847412109375: minimum_horizontal_field_of_view_start_angle_raw_ = rt.exact_raw(minimum_horizontal_field_of_view_start_angle_, _R_3)
                 raw.append(minimum_horizontal_field_of_view_start_angle_raw_)
@@ -820,7 +826,7 @@ class ReportRangeSensorCapabilities(rt.Message):
             if maximum_horizontal_field_of_view_stop_angle_ is not None:
                 mask |= 4
                 if not -3.141592653589793 <= maximum_horizontal_field_of_view_stop_angle_ <= 3.141592653589793: raise rt.Reject
-                near = (maximum_horizontal_field_of_view_stop_angle_ + 3.141592653589793) * 683565275.4172766 + 0.5
+                near = maximum_horizontal_field_of_view_stop_angle_ * 683565275.4172766 + 2147483647.9999998
                 maximum_horizontal_field_of_view_stop_angle_raw_ = int(near)
                 if not 1.52587890625e-05 < near - maximum_horizontal_field_of_view_stop_angle_raw_ < 0.9999847412109375: maximum_horizontal_field_of_view_stop_angle_raw_ = rt.exact_raw(maximum_horizontal_field_of_view_stop_angle_, _R_3)
                 raw.append(maximum_horizontal_field_of_view_stop_angle_raw_)
@@ -828,7 +834,7 @@ class ReportRangeSensorCapabilities(rt.Message):
             if minimum_vertical_field_of_view_start_angle_ is not None:
                 mask |= 8
                 if not -3.141592653589793 <= minimum_vertical_field_of_view_start_angle_ <= 3.141592653589793: raise rt.Reject
-                near = (minimum_vertical_field_of_view_start_angle_ + 3.141592653589793) * 683565275.4172766 + 0.5
+                near = minimum_vertical_field_of_view_start_angle_ * 683565275.4172766 + 2147483647.9999998
                 minimum_vertical_field_of_view_start_angle_raw_ = int(near)
                 if not 1.52587890625e-05 < near - minimum_vertical_field_of_view_start_angle_raw_ < 0.9999847412109375: minimum_vertical_field_of_view_start_angle_raw_ = rt.exact_raw(minimum_vertical_field_of_view_start_angle_, _R_3)
                 raw.append(minimum_vertical_field_of_view_start_angle_raw_)
@@ -836,7 +842,7 @@ class ReportRangeSensorCapabilities(rt.Message):
             if maximum_vertical_field_of_view_stop_angle_ is not None:
                 mask |= 16
                 if not -3.141592653589793 <= maximum_vertical_field_of_view_stop_angle_ <= 3.141592653589793: raise rt.Reject
-                near = (maximum_vertical_field_of_view_stop_angle_ + 3.141592653589793) * 683565275.4172766 + 0.5
+                near = maximum_vertical_field_of_view_stop_angle_ * 683565275.4172766 + 2147483647.9999998
                 maximum_vertical_field_of_view_stop_angle_raw_ = int(near)
                 if not 1.52587890625e-05 < near - maximum_vertical_field_of_view_stop_angle_raw_ < 0.9999847412109375: maximum_vertical_field_of_view_stop_angle_raw_ = rt.exact_raw(maximum_vertical_field_of_view_stop_angle_, _R_3)
                 raw.append(maximum_vertical_field_of_view_stop_angle_raw_)
@@ -1025,7 +1031,7 @@ class ReportRangeSensorConfiguration(rt.Message):
             if horizontal_field_of_view_start_angle_ is not None:
                 mask |= 1
                 if not -3.141592653589793 <= horizontal_field_of_view_start_angle_ <= 3.141592653589793: raise rt.Reject
-                near = (horizontal_field_of_view_start_angle_ + 3.141592653589793) * 683565275.4172766 + 0.5
+                near = horizontal_field_of_view_start_angle_ * 683565275.4172766 + 2147483647.9999998
                 horizontal_field_of_view_start_angle_raw_ = int(near)
                 if not 1.52587890625e-05 < near - horizontal_field_of_view_start_angle_raw_ < 0.9999847412109375: horizontal_field_of_view_start_angle_raw_ = rt.exact_raw(horizontal_field_of_view_start_angle_, _R_3)
                 raw.append(horizontal_field_of_view_start_angle_raw_)
@@ -1033,7 +1039,7 @@ class ReportRangeSensorConfiguration(rt.Message):
             if horizontal_field_of_view_stop_angle_ is not None:
                 mask |= 2
                 if not -3.141592653589793 <= horizontal_field_of_view_stop_angle_ <= 3.141592653589793: raise rt.Reject
-                near = (horizontal_field_of_view_stop_angle_ + 3.141592653589793) * 683565275.4172766 + 0.5
+                near = horizontal_field_of_view_stop_angle_ * 683565275.4172766 + 2147483647.9999998
                 horizontal_field_of_view_stop_angle_raw_ = int(near)
                 if not 1.52587890625e-05 < near - horizontal_field_of_view_stop_angle_raw_ < 0.9999847412109375: horizontal_field_of_view_stop_angle_raw_ = rt.exact_raw(horizontal_field_of_view_stop_angle_, _R_3)
                 raw.append(horizontal_field_of_view_stop_angle_raw_)
@@ -1041,7 +1047,7 @@ class ReportRangeSensorConfiguration(rt.Message):
             if vertical_field_of_view_start_angle_ is not None:
                 mask |= 4
                 if not -3.141592653589793 <= vertical_field_of_view_start_angle_ <= 3.141592653589793: raise rt.Reject
-                near = (vertical_field_of_view_start_angle_ + 3.141592653589793) * 683565275.4172766 + 0.5
+                near = vertical_field_of_view_start_angle_ * 683565275.4172766 + 2147483647.9999998
                 vertical_field_of_view_start_angle_raw_ = int(near)
                 if not 1.52587890625e-05 < near - vertical_field_of_view_start_angle_raw_ < 0.9999847412109375: vertical_field_of_view_start_angle_raw_ = rt.exact_raw(vertical_field_of_view_start_angle_, _R_3)
                 raw.append(vertical_field_of_view_start_angle_raw_)
@@ -1049,7 +1055,7 @@ class ReportRangeSensorConfiguration(rt.Message):
             if vertical_field_of_view_stop_angle_ is not None:
                 mask |= 8
                 if not -3.141592653589793 <= vertical_field_of_view_stop_angle_ <= 3.141592653589793: raise rt.Reject
-                near = (vertical_field_of_view_stop_angle_ + 3.141592653589793) * 683565275.4172766 + 0.5
+                near = vertical_field_of_view_stop_angle_ * 683565275.4172766 + 2147483647.9999998
                 vertical_field_of_view_stop_angle_raw_ = int(near)
                 if not 1.52587890625e-05 < near - vertical_field_of_view_stop_angle_raw_ < 0.9999847412109375: vertical_field_of_view_stop_angle_raw_ = rt.exact_raw(vertical_field_of_view_stop_angle_, _R_3)
                 raw.append(vertical_field_of_view_stop_angle_raw_)
@@ -1331,11 +1337,11 @@ class ReportRangeSensorData(rt.Message):
                 if not 0.0 <= range_error_rms_ <= 100000.0: raise rt.Reject
                 near = range_error_rms_ * 42949.67295 + 0.5
                 range_error_rms_raw_ = int(near)
-                if not 1.52587890625e-05 < near - range_error_rms_raw_ < 0.9999847412109375: range_error_rms_raw_ = rt.exact_raw(range_error_rms_, _R_30)
+                if not 1.52587890625e-05 < near - range_error_rms_raw_ < 0.9999847412109375: range_error_rms_raw_ = rt.exact_raw(range_error_rms_, _R_31)
                 raw.append(range_error_rms_raw_)
             bearing_ = self.bearing
             if not -3.141592653589793 <= bearing_ <= 3.141592653589793: raise rt.Reject
-            near = (bearing_ + 3.141592653589793) * 683565275.4172766 + 0.5
+            near = bearing_ * 683565275.4172766 + 2147483647.9999998
             bearing_raw_ = int(near)
             if not 1.52587890625e-05 < near - bearing_raw_ < 0.9999847412109375: bearing_raw_ = rt.exact_raw(bearing_, _R_3)
             raw.append(bearing_raw_)
@@ -1350,11 +1356,11 @@ class ReportRangeSensorData(rt.Message):
                 if not 0.0 <= bearing_error_rms_ <= 3.141592653589793: raise rt.Reject
                 near = bearing_error_rms_ * 1367130550.8345532 + 0.5
                 bearing_error_rms_raw_ = int(near)
-                if not 1.52587890625e-05 < near - bearing_error_rms_raw_ < 0.9999847412109375: bearing_error_rms_raw_ = rt.exact_raw(bearing_error_rms_, _R_31)
+                if not 1.52587890625e-05 < near - bearing_error_rms_raw_ < 0.9999847412109375: bearing_error_rms_raw_ = rt.exact_raw(bearing_error_rms_, _R_32)
                 raw.append(bearing_error_rms_raw_)
             inclination_ = self.inclination
             if not -3.141592653589793 <= inclination_ <= 3.141592653589793: raise rt.Reject
-            near = (inclination_ + 3.141592653589793) * 683565275.4172766 + 0.5
+            near = inclination_ * 683565275.4172766 + 2147483647.9999998
             inclination_raw_ = int(near)
             if not 1.52587890625e-05 < near - inclination_raw_ < 0.9999847412109375: inclination_raw_ = rt.exact_raw(inclination_, _R_3)
             raw.append(inclination_raw_)
@@ -1369,7 +1375,7 @@ class ReportRangeSensorData(rt.Message):
                 if not 0.0 <= inclination_error_rms_ <= 3.141592653589793: raise rt.Reject
                 near = inclination_error_rms_ * 1367130550.8345532 + 0.5
                 inclination_error_rms_raw_ = int(near)
-                if not 1.52587890625e-05 < near - inclination_error_rms_raw_ < 0.9999847412109375: inclination_error_rms_raw_ = rt.exact_raw(inclination_error_rms_, _R_31)
+                if not 1.52587890625e-05 < near - inclination_error_rms_raw_ < 0.9999847412109375: inclination_error_rms_raw_ = rt.exact_raw(inclination_error_rms_, _R_32)
                 raw.append(inclination_error_rms_raw_)
             out += _M_ReportRangeSensorData_RangeSensorDataPointRec_0[mask & 0x7F].pack(*raw)
             _S_H.pack_into(out, start, mask)
@@ -1464,7 +1470,7 @@ class ReportRangeSensorData(rt.Message):
         for _ in range(range_sensor_data_list_count_):
             tag = data[at]
             at += 1
-            item_, at = _U_34[tag]._read(data, at, depth)
+            item_, at = _U_35[tag]._read(data, at, depth)
             range_sensor_data_list_.append(item_)
         self.range_sensor_data_list = range_sensor_data_list_
         if at != size: raise rt.Reject
@@ -1476,7 +1482,7 @@ class ReportRangeSensorData(rt.Message):
         if type(range_sensor_data_list_) is not list: raise rt.Reject
         out += _S_H.pack(len(range_sensor_data_list_))
         for item_ in range_sensor_data_list_:
-            out.append(_T_35[type(item_)])
+            out.append(_T_36[type(item_)])
             item_._write(out)
         return bytes(out)
 
@@ -1649,7 +1655,7 @@ class ReportRangeSensorCompressedData(rt.Message):
         for _ in range(range_sensor_compressed_data_list_count_):
             tag = data[at]
             at += 1
-            item_, at = _U_41[tag]._read(data, at, depth)
+            item_, at = _U_42[tag]._read(data, at, depth)
             range_sensor_compressed_data_list_.append(item_)
         self.range_sensor_compressed_data_list = range_sensor_compressed_data_list_
         if at != size: raise rt.Reject
@@ -1661,7 +1667,7 @@ class ReportRangeSensorCompressedData(rt.Message):
         if type(range_sensor_compressed_data_list_) is not list: raise rt.Reject
         out += _S_H.pack(len(range_sensor_compressed_data_list_))
         for item_ in range_sensor_compressed_data_list_:
-            out.append(_T_42[type(item_)])
+            out.append(_T_43[type(item_)])
             item_._write(out)
         return bytes(out)
 
@@ -1735,12 +1741,12 @@ class ReportSensorGeometricProperties(rt.Message):
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.no_geometric_properties_variant, at = _U_43[tag]._read(data, at, depth)
+            self.no_geometric_properties_variant, at = _U_44[tag]._read(data, at, depth)
             return self, at
 
         def _write(self, out: bytearray) -> None:
             no_geometric_properties_variant_ = self.no_geometric_properties_variant
-            out.append(_T_44[type(no_geometric_properties_variant_)])
+            out.append(_T_45[type(no_geometric_properties_variant_)])
             no_geometric_properties_variant_._write(out)
 
     @dataclass(slots=True, repr=False)
@@ -1786,7 +1792,7 @@ class ReportSensorGeometricProperties(rt.Message):
             item_.sensor_id_rec = ReportSensorGeometricProperties.SensorIdRec(sensor_id_)
             tag = data[at + 2]
             at += 3
-            item_.geometric_properties_variant, at = _U_45[tag]._read(data, at, depth)
+            item_.geometric_properties_variant, at = _U_46[tag]._read(data, at, depth)
             geometric_properties_list_.append(item_)
         self.geometric_properties_list = geometric_properties_list_
         if at != size: raise rt.Reject
@@ -1803,7 +1809,7 @@ class ReportSensorGeometricProperties(rt.Message):
             if type(sensor_id_rec_) is not ReportSensorGeometricProperties.SensorIdRec: raise rt.Reject
             out += _S_H.pack(sensor_id_rec_.sensor_id)
             geometric_properties_variant_ = item_.geometric_properties_variant
-            out.append(_T_46[type(geometric_properties_variant_)])
+            out.append(_T_47[type(geometric_properties_variant_)])
             geometric_properties_variant_._write(out)
         return bytes(out)
 
@@ -1814,14 +1820,15 @@ _E_SetRangeSensorConfiguration_SensorState = rt.members(SetRangeSensorConfigurat
 _R_3 = rt.Scaling(-3.141592653589793, 3.141592653589793, 4294967295)
 _R_4 = rt.Scaling(0.0, 1000.0, 65535)
 _R_5 = rt.Scaling(0.0, 1000000.0, 4294967295)
+_L_H = rt.Rows("H")
 _E_QueryRangeSensorCompressedData_ReportCoordinateSystem = rt.members(QueryRangeSensorCompressedData.ReportCoordinateSystem)
 _E_QueryRangeSensorCompressedData_DataCompression = rt.members(QueryRangeSensorCompressedData.DataCompression)
 _S_H2BH = rt.Packer("<H2BH")
 _E_QueryRangeSensorData_ReportCoordinateSystem = rt.members(QueryRangeSensorData.ReportCoordinateSystem)
 _S_HBH = rt.Packer("<HBH")
 _S_2H = rt.Packer("<2H")
-_U_12: tuple[type[ConfirmSensorConfiguration.SensorIdRec] | type[environment_sensing_v1_0_types.RangeSensorErrorRecV1] | type[environment_sensing_v1_0_types.VisualSensorErrorRecV1] | type[environment_sensing_v1_0_types.DigitalVideoSensorErrorRecV1] | type[environment_sensing_v1_0_types.AnalogVideoSensorErrorRecV1] | type[environment_sensing_v1_0_types.StillImageSensorErrorRecV1], ...] = (ConfirmSensorConfiguration.SensorIdRec, environment_sensing_v1_0_types.RangeSensorErrorRecV1, environment_sensing_v1_0_types.VisualSensorErrorRecV1, environment_sensing_v1_0_types.DigitalVideoSensorErrorRecV1, environment_sensing_v1_0_types.AnalogVideoSensorErrorRecV1, environment_sensing_v1_0_types.StillImageSensorErrorRecV1)
-_T_13: dict[type[rt.Struct], int] = {ConfirmSensorConfiguration.SensorIdRec: 0, environment_sensing_v1_0_types.RangeSensorErrorRecV1: 1, environment_sensing_v1_0_types.VisualSensorErrorRecV1: 2, environment_sensing_v1_0_types.DigitalVideoSensorErrorRecV1: 3, environment_sensing_v1_0_types.AnalogVideoSensorErrorRecV1: 4, environment_sensing_v1_0_types.StillImageSensorErrorRecV1: 5}
+_U_13: tuple[type[ConfirmSensorConfiguration.SensorIdRec] | type[environment_sensing_v1_0_types.RangeSensorErrorRecV1] | type[environment_sensing_v1_0_types.VisualSensorErrorRecV1] | type[environment_sensing_v1_0_types.DigitalVideoSensorErrorRecV1] | type[environment_sensing_v1_0_types.AnalogVideoSensorErrorRecV1] | type[environment_sensing_v1_0_types.StillImageSensorErrorRecV1], ...] = (ConfirmSensorConfiguration.SensorIdRec, environment_sensing_v1_0_types.RangeSensorErrorRecV1, environment_sensing_v1_0_types.VisualSensorErrorRecV1, environment_sensing_v1_0_types.DigitalVideoSensorErrorRecV1, environment_sensing_v1_0_types.AnalogVideoSensorErrorRecV1, environment_sensing_v1_0_types.StillImageSensorErrorRecV1)
+_T_14: dict[type[rt.Struct], int] = {ConfirmSensorConfiguration.SensorIdRec: 0, environment_sensing_v1_0_types.RangeSensorErrorRecV1: 1, environment_sensing_v1_0_types.VisualSensorErrorRecV1: 2, environment_sensing_v1_0_types.DigitalVideoSensorErrorRecV1: 3, environment_sensing_v1_0_types.AnalogVideoSensorErrorRecV1: 4, environment_sensing_v1_0_types.StillImageSensorErrorRecV1: 5}
 _M_ReportRangeSensorCapabilities_RangeSensorCapabilitiesRec_2 = rt.Masks("", ((1, "B"), (2, "I"), (4, "I"), (8, "I"), (16, "I"), (32, "H"), (64, "H"), (128, "I"), (256, "I"), (512, "B"), (1024, "B")))
 _E_SupportedStates_Active = rt.members(environment_sensing_v1_0_types.SupportedStates.Active)
 _E_SupportedStates_Standby = rt.members(environment_sensing_v1_0_types.SupportedStates.Standby)
@@ -1838,20 +1845,20 @@ _M_ReportRangeSensorData_RangeSensorDataPointRec_0 = rt.Masks("", ((1, "I"), (0,
 _E_ReportRangeSensorData_RangeValidity = rt.members(ReportRangeSensorData.RangeValidity)
 _E_ReportRangeSensorData_BearingValidity = rt.members(ReportRangeSensorData.BearingValidity)
 _E_ReportRangeSensorData_InclinationValidity = rt.members(ReportRangeSensorData.InclinationValidity)
-_R_30 = rt.Scaling(0.0, 100000.0, 4294967295)
-_R_31 = rt.Scaling(0.0, 3.141592653589793, 4294967295)
+_R_31 = rt.Scaling(0.0, 100000.0, 4294967295)
+_R_32 = rt.Scaling(0.0, 3.141592653589793, 4294967295)
 _E_ReportRangeSensorData_ReportCoordinateSystem = rt.members(ReportRangeSensorData.ReportCoordinateSystem)
 _S_HBI = rt.Packer("<HBI")
-_U_34: tuple[type[ReportRangeSensorData.RangeSensorDataErrorRec] | type[ReportRangeSensorData.RangeSensorDataSeq], ...] = (ReportRangeSensorData.RangeSensorDataErrorRec, ReportRangeSensorData.RangeSensorDataSeq)
-_T_35: dict[type[rt.Struct], int] = {ReportRangeSensorData.RangeSensorDataErrorRec: 0, ReportRangeSensorData.RangeSensorDataSeq: 1}
+_U_35: tuple[type[ReportRangeSensorData.RangeSensorDataErrorRec] | type[ReportRangeSensorData.RangeSensorDataSeq], ...] = (ReportRangeSensorData.RangeSensorDataErrorRec, ReportRangeSensorData.RangeSensorDataSeq)
+_T_36: dict[type[rt.Struct], int] = {ReportRangeSensorData.RangeSensorDataErrorRec: 0, ReportRangeSensorData.RangeSensorDataSeq: 1}
 _E_ReportRangeSensorCompressedData_DataErrorCode = rt.members(ReportRangeSensorCompressedData.DataErrorCode)
 _E_ReportRangeSensorCompressedData_ReportCoordinateSystem = rt.members(ReportRangeSensorCompressedData.ReportCoordinateSystem)
 _E_ReportRangeSensorCompressedData_DataCompression = rt.members(ReportRangeSensorCompressedData.DataCompression)
 _S_HBIB = rt.Packer("<HBIB")
 _S_I = rt.Packer("<I")
-_U_41: tuple[type[ReportRangeSensorCompressedData.RangeSensorDataErrorRec] | type[ReportRangeSensorCompressedData.RangeSensorCompressedDataRec], ...] = (ReportRangeSensorCompressedData.RangeSensorDataErrorRec, ReportRangeSensorCompressedData.RangeSensorCompressedDataRec)
-_T_42: dict[type[rt.Struct], int] = {ReportRangeSensorCompressedData.RangeSensorDataErrorRec: 0, ReportRangeSensorCompressedData.RangeSensorCompressedDataRec: 1}
-_U_43: tuple[type[ReportSensorGeometricProperties.Empty0], ...] = (ReportSensorGeometricProperties.Empty0,)
-_T_44: dict[type[rt.Struct], int] = {ReportSensorGeometricProperties.Empty0: 0}
-_U_45: tuple[type[ReportSensorGeometricProperties.NoGeometricPropertiesVariant] | type[environment_sensing_v1_0_types.StaticGeometricPropertiesRec] | type[environment_sensing_v1_0_types.ManipulatorGeometricPropertiesRec], ...] = (ReportSensorGeometricProperties.NoGeometricPropertiesVariant, environment_sensing_v1_0_types.StaticGeometricPropertiesRec, environment_sensing_v1_0_types.ManipulatorGeometricPropertiesRec)
-_T_46: dict[type[rt.Struct], int] = {ReportSensorGeometricProperties.NoGeometricPropertiesVariant: 0, environment_sensing_v1_0_types.StaticGeometricPropertiesRec: 1, environment_sensing_v1_0_types.ManipulatorGeometricPropertiesRec: 2}
+_U_42: tuple[type[ReportRangeSensorCompressedData.RangeSensorDataErrorRec] | type[ReportRangeSensorCompressedData.RangeSensorCompressedDataRec], ...] = (ReportRangeSensorCompressedData.RangeSensorDataErrorRec, ReportRangeSensorCompressedData.RangeSensorCompressedDataRec)
+_T_43: dict[type[rt.Struct], int] = {ReportRangeSensorCompressedData.RangeSensorDataErrorRec: 0, ReportRangeSensorCompressedData.RangeSensorCompressedDataRec: 1}
+_U_44: tuple[type[ReportSensorGeometricProperties.Empty0], ...] = (ReportSensorGeometricProperties.Empty0,)
+_T_45: dict[type[rt.Struct], int] = {ReportSensorGeometricProperties.Empty0: 0}
+_U_46: tuple[type[ReportSensorGeometricProperties.NoGeometricPropertiesVariant] | type[environment_sensing_v1_0_types.StaticGeometricPropertiesRec] | type[environment_sensing_v1_0_types.ManipulatorGeometricPropertiesRec], ...] = (ReportSensorGeometricProperties.NoGeometricPropertiesVariant, environment_sensing_v1_0_types.StaticGeometricPropertiesRec, environment_sensing_v1_0_types.ManipulatorGeometricPropertiesRec)
+_T_47: dict[type[rt.Struct], int] = {ReportSensorGeometricProperties.NoGeometricPropertiesVariant: 0, environment_sensing_v1_0_types.StaticGeometricPropertiesRec: 1, environment_sensing_v1_0_types.ManipulatorGeometricPropertiesRec: 2}

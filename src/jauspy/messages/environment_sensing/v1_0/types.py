@@ -1680,7 +1680,7 @@ class StaticGeometricPropertiesRec(rt.Struct):
         if type(sensor_position_) is not list or len(sensor_position_) != 3: raise rt.Reject
         for item_ in sensor_position_:
             if not -30.0 <= item_ <= 30.0: raise rt.Reject
-            near = (item_ + 30.0) * 71582788.25 + 0.5
+            near = item_ * 71582788.25 + 2147483648.0
             item_raw_ = int(near)
             if not 1.52587890625e-05 < near - item_raw_ < 0.9999847412109375: item_raw_ = rt.exact_raw(item_, _R_17)
             out += _S_I.pack(item_raw_)
@@ -1688,7 +1688,7 @@ class StaticGeometricPropertiesRec(rt.Struct):
         if type(unit_quaternion_) is not list or len(unit_quaternion_) != 4: raise rt.Reject
         for item_2_ in unit_quaternion_:
             if not -1.0 <= item_2_ <= 1.0: raise rt.Reject
-            near = (item_2_ + 1.0) * 2147483647.5 + 0.5
+            near = item_2_ * 2147483647.5 + 2147483648.0
             item_raw_2_ = int(near)
             if not 1.52587890625e-05 < near - item_raw_2_ < 0.9999847412109375: item_raw_2_ = rt.exact_raw(item_2_, _R_18)
             out += _S_I.pack(item_raw_2_)
@@ -1752,7 +1752,7 @@ class ManipulatorGeometricPropertiesRec(rt.Struct):
         if type(sensor_position_) is not list or len(sensor_position_) != 3: raise rt.Reject
         for item_ in sensor_position_:
             if not -30.0 <= item_ <= 30.0: raise rt.Reject
-            near = (item_ + 30.0) * 71582788.25 + 0.5
+            near = item_ * 71582788.25 + 2147483648.0
             item_raw_ = int(near)
             if not 1.52587890625e-05 < near - item_raw_ < 0.9999847412109375: item_raw_ = rt.exact_raw(item_, _R_17)
             out += _S_I.pack(item_raw_)
@@ -1760,7 +1760,7 @@ class ManipulatorGeometricPropertiesRec(rt.Struct):
         if type(unit_quaternion_) is not list or len(unit_quaternion_) != 4: raise rt.Reject
         for item_2_ in unit_quaternion_:
             if not -1.0 <= item_2_ <= 1.0: raise rt.Reject
-            near = (item_2_ + 1.0) * 2147483647.5 + 0.5
+            near = item_2_ * 2147483647.5 + 2147483648.0
             item_raw_2_ = int(near)
             if not 1.52587890625e-05 < near - item_raw_2_ < 0.9999847412109375: item_raw_2_ = rt.exact_raw(item_2_, _R_18)
             out += _S_I.pack(item_raw_2_)

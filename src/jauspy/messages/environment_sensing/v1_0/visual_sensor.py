@@ -76,9 +76,11 @@ class QueryVisualSensorConfiguration(rt.Message):
         query_visual_sensor_configuration_list_ = self.query_visual_sensor_configuration_list
         if type(query_visual_sensor_configuration_list_) is not list: raise rt.Reject
         out += _S_H.pack(len(query_visual_sensor_configuration_list_))
+        raw_: list[int | float] = []
         for item_ in query_visual_sensor_configuration_list_:
             if type(item_) is not QueryVisualSensorConfiguration.QueryVisualSensorConfigurationRec: raise rt.Reject
-            out += _S_2H.pack(item_.sensor_id, item_.query_presence_vector)
+            raw_ += (item_.sensor_id, item_.query_presence_vector)
+        out += _L_H[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -139,9 +141,11 @@ class QueryVisualSensorCapabilities(rt.Message):
         query_visual_sensor_capabilities_list_ = self.query_visual_sensor_capabilities_list
         if type(query_visual_sensor_capabilities_list_) is not list: raise rt.Reject
         out += _S_H.pack(len(query_visual_sensor_capabilities_list_))
+        raw_: list[int | float] = []
         for item_ in query_visual_sensor_capabilities_list_:
             if type(item_) is not QueryVisualSensorCapabilities.QueryVisualSensorCapabilitiesRec: raise rt.Reject
-            out += _S_2H.pack(item_.sensor_id, item_.query_presence_vector)
+            raw_ += (item_.sensor_id, item_.query_presence_vector)
+        out += _L_H[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -385,7 +389,7 @@ class SetVisualSensorConfiguration(rt.Message):
                 if not 0.0 <= zoom_level_ <= 100.0: raise rt.Reject
                 near = zoom_level_ * 655.35 + 0.5
                 zoom_level_raw_ = int(near)
-                if not 1.52587890625e-05 < near - zoom_level_raw_ < 0.9999847412109375: zoom_level_raw_ = rt.exact_raw(zoom_level_, _R_12)
+                if not 1.52587890625e-05 < near - zoom_level_raw_ < 0.9999847412109375: zoom_level_raw_ = rt.exact_raw(zoom_level_, _R_13)
                 raw.append(zoom_level_raw_)
             focal_length_ = self.focal_length
             if focal_length_ is not None:
@@ -393,23 +397,23 @@ class SetVisualSensorConfiguration(rt.Message):
                 if not 0.0 <= focal_length_ <= 2.0: raise rt.Reject
                 near = focal_length_ * 2147483647.5 + 0.5
                 focal_length_raw_ = int(near)
-                if not 1.52587890625e-05 < near - focal_length_raw_ < 0.9999847412109375: focal_length_raw_ = rt.exact_raw(focal_length_, _R_13)
+                if not 1.52587890625e-05 < near - focal_length_raw_ < 0.9999847412109375: focal_length_raw_ = rt.exact_raw(focal_length_, _R_14)
                 raw.append(focal_length_raw_)
             horizontal_field_of_view_ = self.horizontal_field_of_view
             if horizontal_field_of_view_ is not None:
                 mask |= 16
                 if not -3.141592653589793 <= horizontal_field_of_view_ <= 3.141592653589793: raise rt.Reject
-                near = (horizontal_field_of_view_ + 3.141592653589793) * 683565275.4172766 + 0.5
+                near = horizontal_field_of_view_ * 683565275.4172766 + 2147483647.9999998
                 horizontal_field_of_view_raw_ = int(near)
-                if not 1.52587890625e-05 < near - horizontal_field_of_view_raw_ < 0.9999847412109375: horizontal_field_of_view_raw_ = rt.exact_raw(horizontal_field_of_view_, _R_14)
+                if not 1.52587890625e-05 < near - horizontal_field_of_view_raw_ < 0.9999847412109375: horizontal_field_of_view_raw_ = rt.exact_raw(horizontal_field_of_view_, _R_15)
                 raw.append(horizontal_field_of_view_raw_)
             vertical_field_of_view_ = self.vertical_field_of_view
             if vertical_field_of_view_ is not None:
                 mask |= 32
                 if not -3.141592653589793 <= vertical_field_of_view_ <= 3.141592653589793: raise rt.Reject
-                near = (vertical_field_of_view_ + 3.141592653589793) * 683565275.4172766 + 0.5
+                near = vertical_field_of_view_ * 683565275.4172766 + 2147483647.9999998
                 vertical_field_of_view_raw_ = int(near)
-                if not 1.52587890625e-05 < near - vertical_field_of_view_raw_ < 0.9999847412109375: vertical_field_of_view_raw_ = rt.exact_raw(vertical_field_of_view_, _R_14)
+                if not 1.52587890625e-05 < near - vertical_field_of_view_raw_ < 0.9999847412109375: vertical_field_of_view_raw_ = rt.exact_raw(vertical_field_of_view_, _R_15)
                 raw.append(vertical_field_of_view_raw_)
             focus_mode_ = self.focus_mode
             if focus_mode_ is not None:
@@ -422,7 +426,7 @@ class SetVisualSensorConfiguration(rt.Message):
                 if not 0.0 <= focus_value_ <= 100.0: raise rt.Reject
                 near = focus_value_ * 655.35 + 0.5
                 focus_value_raw_ = int(near)
-                if not 1.52587890625e-05 < near - focus_value_raw_ < 0.9999847412109375: focus_value_raw_ = rt.exact_raw(focus_value_, _R_12)
+                if not 1.52587890625e-05 < near - focus_value_raw_ < 0.9999847412109375: focus_value_raw_ = rt.exact_raw(focus_value_, _R_13)
                 raw.append(focus_value_raw_)
             white_balance_ = self.white_balance
             if white_balance_ is not None:
@@ -450,15 +454,15 @@ class SetVisualSensorConfiguration(rt.Message):
                 if not 0.0 <= shutter_speed_ <= 60.0: raise rt.Reject
                 near = shutter_speed_ * 1092.25 + 0.5
                 shutter_speed_raw_ = int(near)
-                if not 1.52587890625e-05 < near - shutter_speed_raw_ < 0.9999847412109375: shutter_speed_raw_ = rt.exact_raw(shutter_speed_, _R_15)
+                if not 1.52587890625e-05 < near - shutter_speed_raw_ < 0.9999847412109375: shutter_speed_raw_ = rt.exact_raw(shutter_speed_, _R_16)
                 raw.append(shutter_speed_raw_)
             aperture_ = self.aperture
             if aperture_ is not None:
                 mask |= 8192
                 if not 0.1 <= aperture_ <= 128.0: raise rt.Reject
-                near = (aperture_ - 0.1) * 512.3924941360438 + 0.5
+                near = aperture_ * 512.3924941360438 + -50.73924941360438
                 aperture_raw_ = int(near)
-                if not 1.52587890625e-05 < near - aperture_raw_ < 0.9999847412109375: aperture_raw_ = rt.exact_raw(aperture_, _R_16)
+                if not 1.52587890625e-05 < near - aperture_raw_ < 0.9999847412109375: aperture_raw_ = rt.exact_raw(aperture_, _R_17)
                 raw.append(aperture_raw_)
             light_sensitivity_ = self.light_sensitivity
             if light_sensitivity_ is not None:
@@ -758,7 +762,7 @@ class ReportVisualSensorConfiguration(rt.Message):
                 if not 0.0 <= zoom_level_ <= 100.0: raise rt.Reject
                 near = zoom_level_ * 655.35 + 0.5
                 zoom_level_raw_ = int(near)
-                if not 1.52587890625e-05 < near - zoom_level_raw_ < 0.9999847412109375: zoom_level_raw_ = rt.exact_raw(zoom_level_, _R_12)
+                if not 1.52587890625e-05 < near - zoom_level_raw_ < 0.9999847412109375: zoom_level_raw_ = rt.exact_raw(zoom_level_, _R_13)
                 raw.append(zoom_level_raw_)
             focal_length_ = self.focal_length
             if focal_length_ is not None:
@@ -766,23 +770,23 @@ class ReportVisualSensorConfiguration(rt.Message):
                 if not 0.0 <= focal_length_ <= 2.0: raise rt.Reject
                 near = focal_length_ * 2147483647.5 + 0.5
                 focal_length_raw_ = int(near)
-                if not 1.52587890625e-05 < near - focal_length_raw_ < 0.9999847412109375: focal_length_raw_ = rt.exact_raw(focal_length_, _R_13)
+                if not 1.52587890625e-05 < near - focal_length_raw_ < 0.9999847412109375: focal_length_raw_ = rt.exact_raw(focal_length_, _R_14)
                 raw.append(focal_length_raw_)
             horizontal_field_of_view_ = self.horizontal_field_of_view
             if horizontal_field_of_view_ is not None:
                 mask |= 16
                 if not -3.141592653589793 <= horizontal_field_of_view_ <= 3.141592653589793: raise rt.Reject
-                near = (horizontal_field_of_view_ + 3.141592653589793) * 683565275.4172766 + 0.5
+                near = horizontal_field_of_view_ * 683565275.4172766 + 2147483647.9999998
                 horizontal_field_of_view_raw_ = int(near)
-                if not 1.52587890625e-05 < near - horizontal_field_of_view_raw_ < 0.9999847412109375: horizontal_field_of_view_raw_ = rt.exact_raw(horizontal_field_of_view_, _R_14)
+                if not 1.52587890625e-05 < near - horizontal_field_of_view_raw_ < 0.9999847412109375: horizontal_field_of_view_raw_ = rt.exact_raw(horizontal_field_of_view_, _R_15)
                 raw.append(horizontal_field_of_view_raw_)
             vertical_field_of_view_ = self.vertical_field_of_view
             if vertical_field_of_view_ is not None:
                 mask |= 32
                 if not -3.141592653589793 <= vertical_field_of_view_ <= 3.141592653589793: raise rt.Reject
-                near = (vertical_field_of_view_ + 3.141592653589793) * 683565275.4172766 + 0.5
+                near = vertical_field_of_view_ * 683565275.4172766 + 2147483647.9999998
                 vertical_field_of_view_raw_ = int(near)
-                if not 1.52587890625e-05 < near - vertical_field_of_view_raw_ < 0.9999847412109375: vertical_field_of_view_raw_ = rt.exact_raw(vertical_field_of_view_, _R_14)
+                if not 1.52587890625e-05 < near - vertical_field_of_view_raw_ < 0.9999847412109375: vertical_field_of_view_raw_ = rt.exact_raw(vertical_field_of_view_, _R_15)
                 raw.append(vertical_field_of_view_raw_)
             focus_mode_ = self.focus_mode
             if focus_mode_ is not None:
@@ -795,7 +799,7 @@ class ReportVisualSensorConfiguration(rt.Message):
                 if not 0.0 <= focus_value_ <= 100.0: raise rt.Reject
                 near = focus_value_ * 655.35 + 0.5
                 focus_value_raw_ = int(near)
-                if not 1.52587890625e-05 < near - focus_value_raw_ < 0.9999847412109375: focus_value_raw_ = rt.exact_raw(focus_value_, _R_12)
+                if not 1.52587890625e-05 < near - focus_value_raw_ < 0.9999847412109375: focus_value_raw_ = rt.exact_raw(focus_value_, _R_13)
                 raw.append(focus_value_raw_)
             white_balance_ = self.white_balance
             if white_balance_ is not None:
@@ -823,15 +827,15 @@ class ReportVisualSensorConfiguration(rt.Message):
                 if not 0.0 <= shutter_speed_ <= 60.0: raise rt.Reject
                 near = shutter_speed_ * 1092.25 + 0.5
                 shutter_speed_raw_ = int(near)
-                if not 1.52587890625e-05 < near - shutter_speed_raw_ < 0.9999847412109375: shutter_speed_raw_ = rt.exact_raw(shutter_speed_, _R_15)
+                if not 1.52587890625e-05 < near - shutter_speed_raw_ < 0.9999847412109375: shutter_speed_raw_ = rt.exact_raw(shutter_speed_, _R_16)
                 raw.append(shutter_speed_raw_)
             aperture_ = self.aperture
             if aperture_ is not None:
                 mask |= 8192
                 if not 0.1 <= aperture_ <= 128.0: raise rt.Reject
-                near = (aperture_ - 0.1) * 512.3924941360438 + 0.5
+                near = aperture_ * 512.3924941360438 + -50.73924941360438
                 aperture_raw_ = int(near)
-                if not 1.52587890625e-05 < near - aperture_raw_ < 0.9999847412109375: aperture_raw_ = rt.exact_raw(aperture_, _R_16)
+                if not 1.52587890625e-05 < near - aperture_raw_ < 0.9999847412109375: aperture_raw_ = rt.exact_raw(aperture_, _R_17)
                 raw.append(aperture_raw_)
             light_sensitivity_ = self.light_sensitivity
             if light_sensitivity_ is not None:
@@ -1201,7 +1205,7 @@ class ReportVisualSensorCapabilities(rt.Message):
                 if not 0.0 <= minimum_shutter_speed_ <= 60.0: raise rt.Reject
                 near = minimum_shutter_speed_ * 1092.25 + 0.5
                 minimum_shutter_speed_raw_ = int(near)
-                if not 1.52587890625e-05 < near - minimum_shutter_speed_raw_ < 0.9999847412109375: minimum_shutter_speed_raw_ = rt.exact_raw(minimum_shutter_speed_, _R_15)
+                if not 1.52587890625e-05 < near - minimum_shutter_speed_raw_ < 0.9999847412109375: minimum_shutter_speed_raw_ = rt.exact_raw(minimum_shutter_speed_, _R_16)
                 raw.append(minimum_shutter_speed_raw_)
             maximum_shutter_speed_ = self.maximum_shutter_speed
             if maximum_shutter_speed_ is not None:
@@ -1209,23 +1213,23 @@ class ReportVisualSensorCapabilities(rt.Message):
                 if not 0.0 <= maximum_shutter_speed_ <= 60.0: raise rt.Reject
                 near = maximum_shutter_speed_ * 1092.25 + 0.5
                 maximum_shutter_speed_raw_ = int(near)
-                if not 1.52587890625e-05 < near - maximum_shutter_speed_raw_ < 0.9999847412109375: maximum_shutter_speed_raw_ = rt.exact_raw(maximum_shutter_speed_, _R_15)
+                if not 1.52587890625e-05 < near - maximum_shutter_speed_raw_ < 0.9999847412109375: maximum_shutter_speed_raw_ = rt.exact_raw(maximum_shutter_speed_, _R_16)
                 raw.append(maximum_shutter_speed_raw_)
             minimum_aperture_ = self.minimum_aperture
             if minimum_aperture_ is not None:
                 mask |= 512
                 if not 0.1 <= minimum_aperture_ <= 128.0: raise rt.Reject
-                near = (minimum_aperture_ - 0.1) * 512.3924941360438 + 0.5
+                near = minimum_aperture_ * 512.3924941360438 + -50.73924941360438
                 minimum_aperture_raw_ = int(near)
-                if not 1.52587890625e-05 < near - minimum_aperture_raw_ < 0.9999847412109375: minimum_aperture_raw_ = rt.exact_raw(minimum_aperture_, _R_16)
+                if not 1.52587890625e-05 < near - minimum_aperture_raw_ < 0.9999847412109375: minimum_aperture_raw_ = rt.exact_raw(minimum_aperture_, _R_17)
                 raw.append(minimum_aperture_raw_)
             maximum_aperture_ = self.maximum_aperture
             if maximum_aperture_ is not None:
                 mask |= 1024
                 if not 0.1 <= maximum_aperture_ <= 128.0: raise rt.Reject
-                near = (maximum_aperture_ - 0.1) * 512.3924941360438 + 0.5
+                near = maximum_aperture_ * 512.3924941360438 + -50.73924941360438
                 maximum_aperture_raw_ = int(near)
-                if not 1.52587890625e-05 < near - maximum_aperture_raw_ < 0.9999847412109375: maximum_aperture_raw_ = rt.exact_raw(maximum_aperture_, _R_16)
+                if not 1.52587890625e-05 < near - maximum_aperture_raw_ < 0.9999847412109375: maximum_aperture_raw_ = rt.exact_raw(maximum_aperture_, _R_17)
                 raw.append(maximum_aperture_raw_)
             minimum_focal_length_ = self.minimum_focal_length
             if minimum_focal_length_ is not None:
@@ -1233,7 +1237,7 @@ class ReportVisualSensorCapabilities(rt.Message):
                 if not 0.0 <= minimum_focal_length_ <= 2.0: raise rt.Reject
                 near = minimum_focal_length_ * 2147483647.5 + 0.5
                 minimum_focal_length_raw_ = int(near)
-                if not 1.52587890625e-05 < near - minimum_focal_length_raw_ < 0.9999847412109375: minimum_focal_length_raw_ = rt.exact_raw(minimum_focal_length_, _R_13)
+                if not 1.52587890625e-05 < near - minimum_focal_length_raw_ < 0.9999847412109375: minimum_focal_length_raw_ = rt.exact_raw(minimum_focal_length_, _R_14)
                 raw.append(minimum_focal_length_raw_)
             maximum_focal_length_ = self.maximum_focal_length
             if maximum_focal_length_ is not None:
@@ -1241,7 +1245,7 @@ class ReportVisualSensorCapabilities(rt.Message):
                 if not 0.0 <= maximum_focal_length_ <= 2.0: raise rt.Reject
                 near = maximum_focal_length_ * 2147483647.5 + 0.5
                 maximum_focal_length_raw_ = int(near)
-                if not 1.52587890625e-05 < near - maximum_focal_length_raw_ < 0.9999847412109375: maximum_focal_length_raw_ = rt.exact_raw(maximum_focal_length_, _R_13)
+                if not 1.52587890625e-05 < near - maximum_focal_length_raw_ < 0.9999847412109375: maximum_focal_length_raw_ = rt.exact_raw(maximum_focal_length_, _R_14)
                 raw.append(maximum_focal_length_raw_)
             light_sensitivity_levels_ = self.light_sensitivity_levels
             if light_sensitivity_levels_ is not None:
@@ -1310,6 +1314,7 @@ class ReportVisualSensorCapabilities(rt.Message):
 
 _S_H = rt.Packer("<H")
 _S_2H = rt.Packer("<2H")
+_L_H = rt.Rows("H")
 _M_SetVisualSensorConfiguration_VisualSensorConfigurationRec_0 = rt.Masks("", ((0, "H"), (1, "B"), (2, "B"), (4, "H"), (8, "I"), (16, "I"), (32, "I"), (64, "B"), (128, "H"), (256, "B"), (512, "B"), (1024, "B"), (2048, "B"), (4096, "H"), (8192, "H"), (16384, "B"), (32768, "B")))
 _E_SetVisualSensorConfiguration_SensorState = rt.members(SetVisualSensorConfiguration.SensorState)
 _E_SetVisualSensorConfiguration_ZoomMode = rt.members(SetVisualSensorConfiguration.ZoomMode)
@@ -1320,11 +1325,11 @@ _E_SetVisualSensorConfiguration_ExposureMode = rt.members(SetVisualSensorConfigu
 _E_SetVisualSensorConfiguration_MeteringMode = rt.members(SetVisualSensorConfiguration.MeteringMode)
 _E_SetVisualSensorConfiguration_LightSensitivity = rt.members(SetVisualSensorConfiguration.LightSensitivity)
 _E_SetVisualSensorConfiguration_ImageStablization = rt.members(SetVisualSensorConfiguration.ImageStablization)
-_R_12 = rt.Scaling(0.0, 100.0, 65535)
-_R_13 = rt.Scaling(0.0, 2.0, 4294967295)
-_R_14 = rt.Scaling(-3.141592653589793, 3.141592653589793, 4294967295)
-_R_15 = rt.Scaling(0.0, 60.0, 65535)
-_R_16 = rt.Scaling(0.1, 128.0, 65535)
+_R_13 = rt.Scaling(0.0, 100.0, 65535)
+_R_14 = rt.Scaling(0.0, 2.0, 4294967295)
+_R_15 = rt.Scaling(-3.141592653589793, 3.141592653589793, 4294967295)
+_R_16 = rt.Scaling(0.0, 60.0, 65535)
+_R_17 = rt.Scaling(0.1, 128.0, 65535)
 _E_ReportVisualSensorConfiguration_SensorState = rt.members(ReportVisualSensorConfiguration.SensorState)
 _E_ReportVisualSensorConfiguration_ZoomMode = rt.members(ReportVisualSensorConfiguration.ZoomMode)
 _E_ReportVisualSensorConfiguration_FocusMode = rt.members(ReportVisualSensorConfiguration.FocusMode)

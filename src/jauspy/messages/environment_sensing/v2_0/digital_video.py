@@ -482,7 +482,7 @@ class QueryDigitalVideoSensorStatus(rt.Message):
         self = rt.new(cls)
         (sensor_id_list_count_,) = _S_H.unpack_from(data, 2)
         sensor_id_list_end_ = 4 + sensor_id_list_count_ * 2
-        self.sensor_id_list = [environment_sensing_v1_0_types.SensorIDQueryRec(_E_SensorIDQueryRec_SensorID.get(sensor_id_, sensor_id_)) for (sensor_id_,) in _S_H.iter_unpack(data[4:sensor_id_list_end_])]
+        self.sensor_id_list = [environment_sensing_v1_0_types.SensorIDQueryRec(_E_SensorIDQueryRec_SensorID.get(sensor_id_, sensor_id_)) for sensor_id_ in _L_H[sensor_id_list_count_].unpack_from(data, 4)]
         if sensor_id_list_end_ != size: raise rt.Reject
         return self
 
@@ -491,9 +491,11 @@ class QueryDigitalVideoSensorStatus(rt.Message):
         sensor_id_list_ = self.sensor_id_list
         if type(sensor_id_list_) is not list: raise rt.Reject
         out += _S_H.pack(len(sensor_id_list_))
+        raw_: list[int | float] = []
         for item_ in sensor_id_list_:
             if type(item_) is not environment_sensing_v1_0_types.SensorIDQueryRec: raise rt.Reject
-            out += _S_H.pack(item_.sensor_id)
+            raw_.append(item_.sensor_id)
+        out += _L_H[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -1025,6 +1027,7 @@ _E_QueryDigitalVideoSensorConfiguration_SensorID = rt.members(QueryDigitalVideoS
 _S_HB = rt.Packer("<HB")
 _E_QueryDigitalVideoSensorCapabilitiesExt_SensorID = rt.members(QueryDigitalVideoSensorCapabilitiesExt.SensorID)
 _E_SensorIDQueryRec_SensorID = rt.members(environment_sensing_v1_0_types.SensorIDQueryRec.SensorID)
+_L_H = rt.Rows("H")
 _M_ReportDigitalVideoSensorCapabilitiesExt_DigitalVideoSensorCapabilitiesRec_0 = rt.Masks("", ((0, "H"), (1, "H"), (2, "H"), (4, "B"), (8, "B"), (16, "I"), (32, "B"), (64, "B")))
 _E_SupportedFrameSizes_Sqcif_128x96 = rt.members(environment_sensing_v1_0_types.SupportedFrameSizes.Sqcif_128x96)
 _E_SupportedFrameSizes_Qcif_176x144 = rt.members(environment_sensing_v1_0_types.SupportedFrameSizes.Qcif_176x144)

@@ -66,9 +66,11 @@ class QueryForceTorqueCapabilities(rt.Message):
         query_force_torque_capabilities_list_ = self.query_force_torque_capabilities_list
         if type(query_force_torque_capabilities_list_) is not list: raise rt.Reject
         out += _S_H.pack(len(query_force_torque_capabilities_list_))
+        raw_: list[int | float] = []
         for item_ in query_force_torque_capabilities_list_:
             if type(item_) is not QueryForceTorqueCapabilities.QueryForceTorqueCapabilitiesRec: raise rt.Reject
-            out += _S_2H.pack(item_.sensor_id, item_.query_presence_vector)
+            raw_ += (item_.sensor_id, item_.query_presence_vector)
+        out += _L_H[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -272,97 +274,97 @@ class ReportForceTorqueCapabilities(rt.Message):
             if min_force_x_ is not None:
                 mask |= 2
                 if not -5000.0 <= min_force_x_ <= 5000.0: raise rt.Reject
-                near = (min_force_x_ + 5000.0) * 6.5535 + 0.5
+                near = min_force_x_ * 6.5535 + 32768.0
                 min_force_x_raw_ = int(near)
-                if not 1.52587890625e-05 < near - min_force_x_raw_ < 0.9999847412109375: min_force_x_raw_ = rt.exact_raw(min_force_x_, _R_6)
+                if not 1.52587890625e-05 < near - min_force_x_raw_ < 0.9999847412109375: min_force_x_raw_ = rt.exact_raw(min_force_x_, _R_7)
                 raw.append(min_force_x_raw_)
             max_force_x_ = self.max_force_x
             if max_force_x_ is not None:
                 mask |= 4
                 if not -5000.0 <= max_force_x_ <= 5000.0: raise rt.Reject
-                near = (max_force_x_ + 5000.0) * 6.5535 + 0.5
+                near = max_force_x_ * 6.5535 + 32768.0
                 max_force_x_raw_ = int(near)
-                if not 1.52587890625e-05 < near - max_force_x_raw_ < 0.9999847412109375: max_force_x_raw_ = rt.exact_raw(max_force_x_, _R_6)
+                if not 1.52587890625e-05 < near - max_force_x_raw_ < 0.9999847412109375: max_force_x_raw_ = rt.exact_raw(max_force_x_, _R_7)
                 raw.append(max_force_x_raw_)
             min_force_y_ = self.min_force_y
             if min_force_y_ is not None:
                 mask |= 8
                 if not -5000.0 <= min_force_y_ <= 5000.0: raise rt.Reject
-                near = (min_force_y_ + 5000.0) * 6.5535 + 0.5
+                near = min_force_y_ * 6.5535 + 32768.0
                 min_force_y_raw_ = int(near)
-                if not 1.52587890625e-05 < near - min_force_y_raw_ < 0.9999847412109375: min_force_y_raw_ = rt.exact_raw(min_force_y_, _R_6)
+                if not 1.52587890625e-05 < near - min_force_y_raw_ < 0.9999847412109375: min_force_y_raw_ = rt.exact_raw(min_force_y_, _R_7)
                 raw.append(min_force_y_raw_)
             max_force_y_ = self.max_force_y
             if max_force_y_ is not None:
                 mask |= 16
                 if not -5000.0 <= max_force_y_ <= 5000.0: raise rt.Reject
-                near = (max_force_y_ + 5000.0) * 6.5535 + 0.5
+                near = max_force_y_ * 6.5535 + 32768.0
                 max_force_y_raw_ = int(near)
-                if not 1.52587890625e-05 < near - max_force_y_raw_ < 0.9999847412109375: max_force_y_raw_ = rt.exact_raw(max_force_y_, _R_6)
+                if not 1.52587890625e-05 < near - max_force_y_raw_ < 0.9999847412109375: max_force_y_raw_ = rt.exact_raw(max_force_y_, _R_7)
                 raw.append(max_force_y_raw_)
             min_force_z_ = self.min_force_z
             if min_force_z_ is not None:
                 mask |= 32
                 if not -5000.0 <= min_force_z_ <= 5000.0: raise rt.Reject
-                near = (min_force_z_ + 5000.0) * 6.5535 + 0.5
+                near = min_force_z_ * 6.5535 + 32768.0
                 min_force_z_raw_ = int(near)
-                if not 1.52587890625e-05 < near - min_force_z_raw_ < 0.9999847412109375: min_force_z_raw_ = rt.exact_raw(min_force_z_, _R_6)
+                if not 1.52587890625e-05 < near - min_force_z_raw_ < 0.9999847412109375: min_force_z_raw_ = rt.exact_raw(min_force_z_, _R_7)
                 raw.append(min_force_z_raw_)
             max_force_z_ = self.max_force_z
             if max_force_z_ is not None:
                 mask |= 64
                 if not -5000.0 <= max_force_z_ <= 5000.0: raise rt.Reject
-                near = (max_force_z_ + 5000.0) * 6.5535 + 0.5
+                near = max_force_z_ * 6.5535 + 32768.0
                 max_force_z_raw_ = int(near)
-                if not 1.52587890625e-05 < near - max_force_z_raw_ < 0.9999847412109375: max_force_z_raw_ = rt.exact_raw(max_force_z_, _R_6)
+                if not 1.52587890625e-05 < near - max_force_z_raw_ < 0.9999847412109375: max_force_z_raw_ = rt.exact_raw(max_force_z_, _R_7)
                 raw.append(max_force_z_raw_)
             min_torque_x_ = self.min_torque_x
             if min_torque_x_ is not None:
                 mask |= 128
                 if not -5000.0 <= min_torque_x_ <= 5000.0: raise rt.Reject
-                near = (min_torque_x_ + 5000.0) * 6.5535 + 0.5
+                near = min_torque_x_ * 6.5535 + 32768.0
                 min_torque_x_raw_ = int(near)
-                if not 1.52587890625e-05 < near - min_torque_x_raw_ < 0.9999847412109375: min_torque_x_raw_ = rt.exact_raw(min_torque_x_, _R_6)
+                if not 1.52587890625e-05 < near - min_torque_x_raw_ < 0.9999847412109375: min_torque_x_raw_ = rt.exact_raw(min_torque_x_, _R_7)
                 raw.append(min_torque_x_raw_)
             max_torque_x_ = self.max_torque_x
             if max_torque_x_ is not None:
                 mask |= 256
                 if not -5000.0 <= max_torque_x_ <= 5000.0: raise rt.Reject
-                near = (max_torque_x_ + 5000.0) * 6.5535 + 0.5
+                near = max_torque_x_ * 6.5535 + 32768.0
                 max_torque_x_raw_ = int(near)
-                if not 1.52587890625e-05 < near - max_torque_x_raw_ < 0.9999847412109375: max_torque_x_raw_ = rt.exact_raw(max_torque_x_, _R_6)
+                if not 1.52587890625e-05 < near - max_torque_x_raw_ < 0.9999847412109375: max_torque_x_raw_ = rt.exact_raw(max_torque_x_, _R_7)
                 raw.append(max_torque_x_raw_)
             min_torque_y_ = self.min_torque_y
             if min_torque_y_ is not None:
                 mask |= 512
                 if not -5000.0 <= min_torque_y_ <= 5000.0: raise rt.Reject
-                near = (min_torque_y_ + 5000.0) * 6.5535 + 0.5
+                near = min_torque_y_ * 6.5535 + 32768.0
                 min_torque_y_raw_ = int(near)
-                if not 1.52587890625e-05 < near - min_torque_y_raw_ < 0.9999847412109375: min_torque_y_raw_ = rt.exact_raw(min_torque_y_, _R_6)
+                if not 1.52587890625e-05 < near - min_torque_y_raw_ < 0.9999847412109375: min_torque_y_raw_ = rt.exact_raw(min_torque_y_, _R_7)
                 raw.append(min_torque_y_raw_)
             max_torque_y_ = self.max_torque_y
             if max_torque_y_ is not None:
                 mask |= 1024
                 if not -5000.0 <= max_torque_y_ <= 5000.0: raise rt.Reject
-                near = (max_torque_y_ + 5000.0) * 6.5535 + 0.5
+                near = max_torque_y_ * 6.5535 + 32768.0
                 max_torque_y_raw_ = int(near)
-                if not 1.52587890625e-05 < near - max_torque_y_raw_ < 0.9999847412109375: max_torque_y_raw_ = rt.exact_raw(max_torque_y_, _R_6)
+                if not 1.52587890625e-05 < near - max_torque_y_raw_ < 0.9999847412109375: max_torque_y_raw_ = rt.exact_raw(max_torque_y_, _R_7)
                 raw.append(max_torque_y_raw_)
             min_torque_z_ = self.min_torque_z
             if min_torque_z_ is not None:
                 mask |= 2048
                 if not -5000.0 <= min_torque_z_ <= 5000.0: raise rt.Reject
-                near = (min_torque_z_ + 5000.0) * 6.5535 + 0.5
+                near = min_torque_z_ * 6.5535 + 32768.0
                 min_torque_z_raw_ = int(near)
-                if not 1.52587890625e-05 < near - min_torque_z_raw_ < 0.9999847412109375: min_torque_z_raw_ = rt.exact_raw(min_torque_z_, _R_6)
+                if not 1.52587890625e-05 < near - min_torque_z_raw_ < 0.9999847412109375: min_torque_z_raw_ = rt.exact_raw(min_torque_z_, _R_7)
                 raw.append(min_torque_z_raw_)
             max_torque_z_ = self.max_torque_z
             if max_torque_z_ is not None:
                 mask |= 4096
                 if not -5000.0 <= max_torque_z_ <= 5000.0: raise rt.Reject
-                near = (max_torque_z_ + 5000.0) * 6.5535 + 0.5
+                near = max_torque_z_ * 6.5535 + 32768.0
                 max_torque_z_raw_ = int(near)
-                if not 1.52587890625e-05 < near - max_torque_z_raw_ < 0.9999847412109375: max_torque_z_raw_ = rt.exact_raw(max_torque_z_, _R_6)
+                if not 1.52587890625e-05 < near - max_torque_z_raw_ < 0.9999847412109375: max_torque_z_raw_ = rt.exact_raw(max_torque_z_, _R_7)
                 raw.append(max_torque_z_raw_)
             out += _M_ReportForceTorqueCapabilities_ReportForceTorqueCapabilitiesRec_2[mask & 0x1FFF].pack(*raw)
             _S_H.pack_into(out, start, mask)
@@ -493,49 +495,49 @@ class ReportForceTorque(rt.Message):
             if force_x_ is not None:
                 mask |= 1
                 if not -5000.0 <= force_x_ <= 5000.0: raise rt.Reject
-                near = (force_x_ + 5000.0) * 6.5535 + 0.5
+                near = force_x_ * 6.5535 + 32768.0
                 force_x_raw_ = int(near)
-                if not 1.52587890625e-05 < near - force_x_raw_ < 0.9999847412109375: force_x_raw_ = rt.exact_raw(force_x_, _R_6)
+                if not 1.52587890625e-05 < near - force_x_raw_ < 0.9999847412109375: force_x_raw_ = rt.exact_raw(force_x_, _R_7)
                 raw.append(force_x_raw_)
             force_y_ = self.force_y
             if force_y_ is not None:
                 mask |= 2
                 if not -5000.0 <= force_y_ <= 5000.0: raise rt.Reject
-                near = (force_y_ + 5000.0) * 6.5535 + 0.5
+                near = force_y_ * 6.5535 + 32768.0
                 force_y_raw_ = int(near)
-                if not 1.52587890625e-05 < near - force_y_raw_ < 0.9999847412109375: force_y_raw_ = rt.exact_raw(force_y_, _R_6)
+                if not 1.52587890625e-05 < near - force_y_raw_ < 0.9999847412109375: force_y_raw_ = rt.exact_raw(force_y_, _R_7)
                 raw.append(force_y_raw_)
             force_z_ = self.force_z
             if force_z_ is not None:
                 mask |= 4
                 if not -5000.0 <= force_z_ <= 5000.0: raise rt.Reject
-                near = (force_z_ + 5000.0) * 6.5535 + 0.5
+                near = force_z_ * 6.5535 + 32768.0
                 force_z_raw_ = int(near)
-                if not 1.52587890625e-05 < near - force_z_raw_ < 0.9999847412109375: force_z_raw_ = rt.exact_raw(force_z_, _R_6)
+                if not 1.52587890625e-05 < near - force_z_raw_ < 0.9999847412109375: force_z_raw_ = rt.exact_raw(force_z_, _R_7)
                 raw.append(force_z_raw_)
             torque_x_ = self.torque_x
             if torque_x_ is not None:
                 mask |= 8
                 if not -5000.0 <= torque_x_ <= 5000.0: raise rt.Reject
-                near = (torque_x_ + 5000.0) * 6.5535 + 0.5
+                near = torque_x_ * 6.5535 + 32768.0
                 torque_x_raw_ = int(near)
-                if not 1.52587890625e-05 < near - torque_x_raw_ < 0.9999847412109375: torque_x_raw_ = rt.exact_raw(torque_x_, _R_6)
+                if not 1.52587890625e-05 < near - torque_x_raw_ < 0.9999847412109375: torque_x_raw_ = rt.exact_raw(torque_x_, _R_7)
                 raw.append(torque_x_raw_)
             torque_y_ = self.torque_y
             if torque_y_ is not None:
                 mask |= 16
                 if not -5000.0 <= torque_y_ <= 5000.0: raise rt.Reject
-                near = (torque_y_ + 5000.0) * 6.5535 + 0.5
+                near = torque_y_ * 6.5535 + 32768.0
                 torque_y_raw_ = int(near)
-                if not 1.52587890625e-05 < near - torque_y_raw_ < 0.9999847412109375: torque_y_raw_ = rt.exact_raw(torque_y_, _R_6)
+                if not 1.52587890625e-05 < near - torque_y_raw_ < 0.9999847412109375: torque_y_raw_ = rt.exact_raw(torque_y_, _R_7)
                 raw.append(torque_y_raw_)
             torque_z_ = self.torque_z
             if torque_z_ is not None:
                 mask |= 32
                 if not -5000.0 <= torque_z_ <= 5000.0: raise rt.Reject
-                near = (torque_z_ + 5000.0) * 6.5535 + 0.5
+                near = torque_z_ * 6.5535 + 32768.0
                 torque_z_raw_ = int(near)
-                if not 1.52587890625e-05 < near - torque_z_raw_ < 0.9999847412109375: torque_z_raw_ = rt.exact_raw(torque_z_, _R_6)
+                if not 1.52587890625e-05 < near - torque_z_raw_ < 0.9999847412109375: torque_z_raw_ = rt.exact_raw(torque_z_, _R_7)
                 raw.append(torque_z_raw_)
             out += _M_ReportForceTorque_ReportForceTorqueRec_0[mask & 0x3F].pack(*raw)
             _S_B.pack_into(out, start, mask)
@@ -578,11 +580,12 @@ class ReportForceTorque(rt.Message):
 
 _S_H = rt.Packer("<H")
 _S_2H = rt.Packer("<2H")
+_L_H = rt.Rows("H")
 _E_QueryForceTorque_CoordinateSystem = rt.members(QueryForceTorque.CoordinateSystem)
 _S_H2B = rt.Packer("<H2B")
 _M_ReportForceTorqueCapabilities_ReportForceTorqueCapabilitiesRec_2 = rt.Masks("", ((1, "B"), (2, "H"), (4, "H"), (8, "H"), (16, "H"), (32, "H"), (64, "H"), (128, "H"), (256, "H"), (512, "H"), (1024, "H"), (2048, "H"), (4096, "H")))
 _E_ReportForceTorqueCapabilities_CoordinateTransformSupported = rt.members(ReportForceTorqueCapabilities.CoordinateTransformSupported)
-_R_6 = rt.Scaling(-5000.0, 5000.0, 65535)
+_R_7 = rt.Scaling(-5000.0, 5000.0, 65535)
 _M_ReportForceTorque_ReportForceTorqueRec_0 = rt.Masks("", ((0, "H"), (0, "B"), (1, "H"), (2, "H"), (4, "H"), (8, "H"), (16, "H"), (32, "H")))
 _E_ReportForceTorque_CoordinateSystem = rt.members(ReportForceTorque.CoordinateSystem)
 _S_B = rt.Packer("<B")

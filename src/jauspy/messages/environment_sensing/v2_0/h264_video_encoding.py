@@ -452,7 +452,7 @@ class QueryH264VideoEncodingCapabilities(rt.Message):
         self = rt.new(cls)
         (query_h264_video_encoding_capabilities_list_count_,) = _S_H.unpack_from(data, 2)
         query_h264_video_encoding_capabilities_list_end_ = 4 + query_h264_video_encoding_capabilities_list_count_ * 2
-        self.query_h264_video_encoding_capabilities_list = [QueryH264VideoEncodingCapabilities.QueryH264VideoEncodingRec(sensor_id_) for (sensor_id_,) in _S_H.iter_unpack(data[4:query_h264_video_encoding_capabilities_list_end_])]
+        self.query_h264_video_encoding_capabilities_list = [QueryH264VideoEncodingCapabilities.QueryH264VideoEncodingRec(sensor_id_) for sensor_id_ in _L_H[query_h264_video_encoding_capabilities_list_count_].unpack_from(data, 4)]
         if query_h264_video_encoding_capabilities_list_end_ != size: raise rt.Reject
         return self
 
@@ -461,9 +461,11 @@ class QueryH264VideoEncodingCapabilities(rt.Message):
         query_h264_video_encoding_capabilities_list_ = self.query_h264_video_encoding_capabilities_list
         if type(query_h264_video_encoding_capabilities_list_) is not list: raise rt.Reject
         out += _S_H.pack(len(query_h264_video_encoding_capabilities_list_))
+        raw_: list[int | float] = []
         for item_ in query_h264_video_encoding_capabilities_list_:
             if type(item_) is not QueryH264VideoEncodingCapabilities.QueryH264VideoEncodingRec: raise rt.Reject
-            out += _S_H.pack(item_.sensor_id)
+            raw_.append(item_.sensor_id)
+        out += _L_H[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -512,7 +514,7 @@ class QueryH264VideoEncodingConfiguration(rt.Message):
         self = rt.new(cls)
         (query_h264_video_encoding_configuration_list_count_,) = _S_H.unpack_from(data, 2)
         query_h264_video_encoding_configuration_list_end_ = 4 + query_h264_video_encoding_configuration_list_count_ * 2
-        self.query_h264_video_encoding_configuration_list = [QueryH264VideoEncodingConfiguration.QueryH264VideoEncodingRec(sensor_id_) for (sensor_id_,) in _S_H.iter_unpack(data[4:query_h264_video_encoding_configuration_list_end_])]
+        self.query_h264_video_encoding_configuration_list = [QueryH264VideoEncodingConfiguration.QueryH264VideoEncodingRec(sensor_id_) for sensor_id_ in _L_H[query_h264_video_encoding_configuration_list_count_].unpack_from(data, 4)]
         if query_h264_video_encoding_configuration_list_end_ != size: raise rt.Reject
         return self
 
@@ -521,9 +523,11 @@ class QueryH264VideoEncodingConfiguration(rt.Message):
         query_h264_video_encoding_configuration_list_ = self.query_h264_video_encoding_configuration_list
         if type(query_h264_video_encoding_configuration_list_) is not list: raise rt.Reject
         out += _S_H.pack(len(query_h264_video_encoding_configuration_list_))
+        raw_: list[int | float] = []
         for item_ in query_h264_video_encoding_configuration_list_:
             if type(item_) is not QueryH264VideoEncodingConfiguration.QueryH264VideoEncodingRec: raise rt.Reject
-            out += _S_H.pack(item_.sensor_id)
+            raw_.append(item_.sensor_id)
+        out += _L_H[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -1680,6 +1684,7 @@ _S_B = rt.Packer("<B")
 _S_6H = rt.Packer("<6H")
 _S_2H = rt.Packer("<2H")
 _S_H = rt.Packer("<H")
+_L_H = rt.Rows("H")
 _M_ReportH264VideoEncodingCapabilities_H264CapabilitiesRec_0 = rt.Masks("", ((0, "H"), (1, "I"), (2, "I"), (4, "H"), (8, "B"), (16, "B"), (32, "B")))
 _E_ReportH264VideoEncodingCapabilities_Baseline = rt.members(ReportH264VideoEncodingCapabilities.Baseline)
 _E_ReportH264VideoEncodingCapabilities_ConstrainedBaseline = rt.members(ReportH264VideoEncodingCapabilities.ConstrainedBaseline)

@@ -123,7 +123,7 @@ class SetRangeSensorConfiguration(rt.Message):
             if horizontal_field_of_view_start_angle_ is not None:
                 mask |= 1
                 if not -3.141592653589793 <= horizontal_field_of_view_start_angle_ <= 3.141592653589793: raise rt.Reject
-                near = (horizontal_field_of_view_start_angle_ + 3.141592653589793) * 683565275.4172766 + 0.5
+                near = horizontal_field_of_view_start_angle_ * 683565275.4172766 + 2147483647.9999998
                 horizontal_field_of_view_start_angle_raw_ = int(near)
                 if not 1.52587890625e-05 < near - horizontal_field_of_view_start_angle_raw_ < 0.9999847412109375: horizontal_field_of_view_start_angle_raw_ = rt.exact_raw(horizontal_field_of_view_start_angle_, _R_2)
                 raw.append(horizontal_field_of_view_start_angle_raw_)
@@ -131,7 +131,7 @@ class SetRangeSensorConfiguration(rt.Message):
             if horizontal_field_of_view_stop_angle_ is not None:
                 mask |= 2
                 if not -3.141592653589793 <= horizontal_field_of_view_stop_angle_ <= 3.141592653589793: raise rt.Reject
-                near = (horizontal_field_of_view_stop_angle_ + 3.141592653589793) * 683565275.4172766 + 0.5
+                near = horizontal_field_of_view_stop_angle_ * 683565275.4172766 + 2147483647.9999998
                 horizontal_field_of_view_stop_angle_raw_ = int(near)
                 if not 1.52587890625e-05 < near - horizontal_field_of_view_stop_angle_raw_ < 0.9999847412109375: horizontal_field_of_view_stop_angle_raw_ = rt.exact_raw(horizontal_field_of_view_stop_angle_, _R_2)
                 raw.append(horizontal_field_of_view_stop_angle_raw_)
@@ -139,7 +139,7 @@ class SetRangeSensorConfiguration(rt.Message):
             if vertical_field_of_view_start_angle_ is not None:
                 mask |= 4
                 if not -3.141592653589793 <= vertical_field_of_view_start_angle_ <= 3.141592653589793: raise rt.Reject
-                near = (vertical_field_of_view_start_angle_ + 3.141592653589793) * 683565275.4172766 + 0.5
+                near = vertical_field_of_view_start_angle_ * 683565275.4172766 + 2147483647.9999998
                 vertical_field_of_view_start_angle_raw_ = int(near)
                 if not 1.52587890625e-05 < near - vertical_field_of_view_start_angle_raw_ < 0.9999847412109375: vertical_field_of_view_start_angle_raw_ = rt.exact_raw(vertical_field_of_view_start_angle_, _R_2)
                 raw.append(vertical_field_of_view_start_angle_raw_)
@@ -147,7 +147,7 @@ class SetRangeSensorConfiguration(rt.Message):
             if vertical_field_of_view_stop_angle_ is not None:
                 mask |= 8
                 if not -3.141592653589793 <= vertical_field_of_view_stop_angle_ <= 3.141592653589793: raise rt.Reject
-                near = (vertical_field_of_view_stop_angle_ + 3.141592653589793) * 683565275.4172766 + 0.5
+                near = vertical_field_of_view_stop_angle_ * 683565275.4172766 + 2147483647.9999998
                 vertical_field_of_view_stop_angle_raw_ = int(near)
                 if not 1.52587890625e-05 < near - vertical_field_of_view_stop_angle_raw_ < 0.9999847412109375: vertical_field_of_view_stop_angle_raw_ = rt.exact_raw(vertical_field_of_view_stop_angle_, _R_2)
                 raw.append(vertical_field_of_view_stop_angle_raw_)
@@ -257,7 +257,7 @@ class QuerySensorGeometricProperties(rt.Message):
         self = rt.new(cls)
         (sensor_id_list_count_,) = _S_H.unpack_from(data, 2)
         sensor_id_list_end_ = 4 + sensor_id_list_count_ * 2
-        self.sensor_id_list = [environment_sensing_v1_0_types.SensorIDQueryRec(_E_SensorIDQueryRec_SensorID.get(sensor_id_, sensor_id_)) for (sensor_id_,) in _S_H.iter_unpack(data[4:sensor_id_list_end_])]
+        self.sensor_id_list = [environment_sensing_v1_0_types.SensorIDQueryRec(_E_SensorIDQueryRec_SensorID.get(sensor_id_, sensor_id_)) for sensor_id_ in _L_H[sensor_id_list_count_].unpack_from(data, 4)]
         if sensor_id_list_end_ != size: raise rt.Reject
         return self
 
@@ -266,9 +266,11 @@ class QuerySensorGeometricProperties(rt.Message):
         sensor_id_list_ = self.sensor_id_list
         if type(sensor_id_list_) is not list: raise rt.Reject
         out += _S_H.pack(len(sensor_id_list_))
+        raw_: list[int | float] = []
         for item_ in sensor_id_list_:
             if type(item_) is not environment_sensing_v1_0_types.SensorIDQueryRec: raise rt.Reject
-            out += _S_H.pack(item_.sensor_id)
+            raw_.append(item_.sensor_id)
+        out += _L_H[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -505,9 +507,11 @@ class QueryRangeSensorCapabilities(rt.Message):
         range_sensor_capabilities_list_ = self.range_sensor_capabilities_list
         if type(range_sensor_capabilities_list_) is not list: raise rt.Reject
         out += _S_H.pack(len(range_sensor_capabilities_list_))
+        raw_: list[int | float] = []
         for item_ in range_sensor_capabilities_list_:
             if type(item_) is not QueryRangeSensorCapabilities.QueryRangeSensorCapabilitiesRec: raise rt.Reject
-            out += _S_2H.pack(item_.sensor_id, item_.query_presence_vector)
+            raw_ += (item_.sensor_id, item_.query_presence_vector)
+        out += _L_H[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -573,9 +577,11 @@ class QueryRangeSensorConfiguration(rt.Message):
         range_sensor_configuration_list_ = self.range_sensor_configuration_list
         if type(range_sensor_configuration_list_) is not list: raise rt.Reject
         out += _S_H.pack(len(range_sensor_configuration_list_))
+        raw_: list[int | float] = []
         for item_ in range_sensor_configuration_list_:
             if type(item_) is not QueryRangeSensorConfiguration.QueryRangeSensorConfigurationRec: raise rt.Reject
-            out += _S_2H.pack(item_.sensor_id, item_.query_presence_vector)
+            raw_ += (item_.sensor_id, item_.query_presence_vector)
+        out += _L_H[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -728,7 +734,7 @@ class ReportRangeSensorCapabilities(rt.Message):
             if minimum_horizontal_field_of_view_start_angle_ is not None:
                 mask |= 2
                 if not -3.141592653589793 <= minimum_horizontal_field_of_view_start_angle_ <= 3.141592653589793: raise rt.Reject
-                near = (minimum_horizontal_field_of_view_start_angle_ + 3.141592653589793) * 683565275.4172766 + 0.5
+                near = minimum_horizontal_field_of_view_start_angle_ * 683565275.4172766 + 2147483647.9999998
                 minimum_horizontal_field_of_view_start_angle_raw_ = int(near)
                 if not 1.52587890625e-05 < near - minimum_horizontal_field_of_view_start_angle_raw_ < 0.9999847412109375: minimum_horizontal_field_of_view_start_angle_raw_ = rt.exact_raw(minimum_horizontal_field_of_view_start_angle_, _R_2)
                 raw.append(minimum_horizontal_field_of_view_start_angle_raw_)
@@ -736,7 +742,7 @@ class ReportRangeSensorCapabilities(rt.Message):
             if maximum_horizontal_field_of_view_stop_angle_ is not None:
                 mask |= 4
                 if not -3.141592653589793 <= maximum_horizontal_field_of_view_stop_angle_ <= 3.141592653589793: raise rt.Reject
-                near = (maximum_horizontal_field_of_view_stop_angle_ + 3.141592653589793) * 683565275.4172766 + 0.5
+                near = maximum_horizontal_field_of_view_stop_angle_ * 683565275.4172766 + 2147483647.9999998
                 maximum_horizontal_field_of_view_stop_angle_raw_ = int(near)
                 if not 1.52587890625e-05 < near - maximum_horizontal_field_of_view_stop_angle_raw_ < 0.9999847412109375: maximum_horizontal_field_of_view_stop_angle_raw_ = rt.exact_raw(maximum_horizontal_field_of_view_stop_angle_, _R_2)
                 raw.append(maximum_horizontal_field_of_view_stop_angle_raw_)
@@ -744,7 +750,7 @@ class ReportRangeSensorCapabilities(rt.Message):
             if minimum_vertical_field_of_view_start_angle_ is not None:
                 mask |= 8
                 if not -3.141592653589793 <= minimum_vertical_field_of_view_start_angle_ <= 3.141592653589793: raise rt.Reject
-                near = (minimum_vertical_field_of_view_start_angle_ + 3.141592653589793) * 683565275.4172766 + 0.5
+                near = minimum_vertical_field_of_view_start_angle_ * 683565275.4172766 + 2147483647.9999998
                 minimum_vertical_field_of_view_start_angle_raw_ = int(near)
                 if not 1.52587890625e-05 < near - minimum_vertical_field_of_view_start_angle_raw_ < 0.9999847412109375: minimum_vertical_field_of_view_start_angle_raw_ = rt.exact_raw(minimum_vertical_field_of_view_start_angle_, _R_2)
                 raw.append(minimum_vertical_field_of_view_start_angle_raw_)
@@ -752,7 +758,7 @@ class ReportRangeSensorCapabilities(rt.Message):
             if maximum_vertical_field_of_view_stop_angle_ is not None:
                 mask |= 16
                 if not -3.141592653589793 <= maximum_vertical_field_of_view_stop_angle_ <= 3.141592653589793: raise rt.Reject
-                near = (maximum_vertical_field_of_view_stop_angle_ + 3.141592653589793) * 683565275.4172766 + 0.5
+                near = maximum_vertical_field_of_view_stop_angle_ * 683565275.4172766 + 2147483647.9999998
                 maximum_vertical_field_of_view_stop_angle_raw_ = int(near)
                 if not 1.52587890625e-05 < near - maximum_vertical_field_of_view_stop_angle_raw_ < 0.9999847412109375: maximum_vertical_field_of_view_stop_angle_raw_ = rt.exact_raw(maximum_vertical_field_of_view_stop_angle_, _R_2)
                 raw.append(maximum_vertical_field_of_view_stop_angle_raw_)
@@ -942,7 +948,7 @@ class ReportRangeSensorConfiguration(rt.Message):
             if horizontal_field_of_view_start_angle_ is not None:
                 mask |= 1
                 if not -3.141592653589793 <= horizontal_field_of_view_start_angle_ <= 3.141592653589793: raise rt.Reject
-                near = (horizontal_field_of_view_start_angle_ + 3.141592653589793) * 683565275.4172766 + 0.5
+                near = horizontal_field_of_view_start_angle_ * 683565275.4172766 + 2147483647.9999998
                 horizontal_field_of_view_start_angle_raw_ = int(near)
                 if not 1.52587890625e-05 < near - horizontal_field_of_view_start_angle_raw_ < 0.9999847412109375: horizontal_field_of_view_start_angle_raw_ = rt.exact_raw(horizontal_field_of_view_start_angle_, _R_2)
                 raw.append(horizontal_field_of_view_start_angle_raw_)
@@ -950,7 +956,7 @@ class ReportRangeSensorConfiguration(rt.Message):
             if horizontal_field_of_view_stop_angle_ is not None:
                 mask |= 2
                 if not -3.141592653589793 <= horizontal_field_of_view_stop_angle_ <= 3.141592653589793: raise rt.Reject
-                near = (horizontal_field_of_view_stop_angle_ + 3.141592653589793) * 683565275.4172766 + 0.5
+                near = horizontal_field_of_view_stop_angle_ * 683565275.4172766 + 2147483647.9999998
                 horizontal_field_of_view_stop_angle_raw_ = int(near)
                 if not 1.52587890625e-05 < near - horizontal_field_of_view_stop_angle_raw_ < 0.9999847412109375: horizontal_field_of_view_stop_angle_raw_ = rt.exact_raw(horizontal_field_of_view_stop_angle_, _R_2)
                 raw.append(horizontal_field_of_view_stop_angle_raw_)
@@ -958,7 +964,7 @@ class ReportRangeSensorConfiguration(rt.Message):
             if vertical_field_of_view_start_angle_ is not None:
                 mask |= 4
                 if not -3.141592653589793 <= vertical_field_of_view_start_angle_ <= 3.141592653589793: raise rt.Reject
-                near = (vertical_field_of_view_start_angle_ + 3.141592653589793) * 683565275.4172766 + 0.5
+                near = vertical_field_of_view_start_angle_ * 683565275.4172766 + 2147483647.9999998
                 vertical_field_of_view_start_angle_raw_ = int(near)
                 if not 1.52587890625e-05 < near - vertical_field_of_view_start_angle_raw_ < 0.9999847412109375: vertical_field_of_view_start_angle_raw_ = rt.exact_raw(vertical_field_of_view_start_angle_, _R_2)
                 raw.append(vertical_field_of_view_start_angle_raw_)
@@ -966,7 +972,7 @@ class ReportRangeSensorConfiguration(rt.Message):
             if vertical_field_of_view_stop_angle_ is not None:
                 mask |= 8
                 if not -3.141592653589793 <= vertical_field_of_view_stop_angle_ <= 3.141592653589793: raise rt.Reject
-                near = (vertical_field_of_view_stop_angle_ + 3.141592653589793) * 683565275.4172766 + 0.5
+                near = vertical_field_of_view_stop_angle_ * 683565275.4172766 + 2147483647.9999998
                 vertical_field_of_view_stop_angle_raw_ = int(near)
                 if not 1.52587890625e-05 < near - vertical_field_of_view_stop_angle_raw_ < 0.9999847412109375: vertical_field_of_view_stop_angle_raw_ = rt.exact_raw(vertical_field_of_view_stop_angle_, _R_2)
                 raw.append(vertical_field_of_view_stop_angle_raw_)
@@ -1252,11 +1258,11 @@ class ReportRangeSensorData(rt.Message):
                 if not 0.0 <= range_error_rms_ <= 100000.0: raise rt.Reject
                 near = range_error_rms_ * 42949.67295 + 0.5
                 range_error_rms_raw_ = int(near)
-                if not 1.52587890625e-05 < near - range_error_rms_raw_ < 0.9999847412109375: range_error_rms_raw_ = rt.exact_raw(range_error_rms_, _R_34)
+                if not 1.52587890625e-05 < near - range_error_rms_raw_ < 0.9999847412109375: range_error_rms_raw_ = rt.exact_raw(range_error_rms_, _R_35)
                 raw.append(range_error_rms_raw_)
             bearing_ = self.bearing
             if not -3.141592653589793 <= bearing_ <= 3.141592653589793: raise rt.Reject
-            near = (bearing_ + 3.141592653589793) * 683565275.4172766 + 0.5
+            near = bearing_ * 683565275.4172766 + 2147483647.9999998
             bearing_raw_ = int(near)
             if not 1.52587890625e-05 < near - bearing_raw_ < 0.9999847412109375: bearing_raw_ = rt.exact_raw(bearing_, _R_2)
             raw.append(bearing_raw_)
@@ -1271,11 +1277,11 @@ class ReportRangeSensorData(rt.Message):
                 if not 0.0 <= bearing_error_rms_ <= 3.141592653589793: raise rt.Reject
                 near = bearing_error_rms_ * 1367130550.8345532 + 0.5
                 bearing_error_rms_raw_ = int(near)
-                if not 1.52587890625e-05 < near - bearing_error_rms_raw_ < 0.9999847412109375: bearing_error_rms_raw_ = rt.exact_raw(bearing_error_rms_, _R_35)
+                if not 1.52587890625e-05 < near - bearing_error_rms_raw_ < 0.9999847412109375: bearing_error_rms_raw_ = rt.exact_raw(bearing_error_rms_, _R_36)
                 raw.append(bearing_error_rms_raw_)
             inclination_ = self.inclination
             if not -3.141592653589793 <= inclination_ <= 3.141592653589793: raise rt.Reject
-            near = (inclination_ + 3.141592653589793) * 683565275.4172766 + 0.5
+            near = inclination_ * 683565275.4172766 + 2147483647.9999998
             inclination_raw_ = int(near)
             if not 1.52587890625e-05 < near - inclination_raw_ < 0.9999847412109375: inclination_raw_ = rt.exact_raw(inclination_, _R_2)
             raw.append(inclination_raw_)
@@ -1290,7 +1296,7 @@ class ReportRangeSensorData(rt.Message):
                 if not 0.0 <= inclination_error_rms_ <= 3.141592653589793: raise rt.Reject
                 near = inclination_error_rms_ * 1367130550.8345532 + 0.5
                 inclination_error_rms_raw_ = int(near)
-                if not 1.52587890625e-05 < near - inclination_error_rms_raw_ < 0.9999847412109375: inclination_error_rms_raw_ = rt.exact_raw(inclination_error_rms_, _R_35)
+                if not 1.52587890625e-05 < near - inclination_error_rms_raw_ < 0.9999847412109375: inclination_error_rms_raw_ = rt.exact_raw(inclination_error_rms_, _R_36)
                 raw.append(inclination_error_rms_raw_)
             out += _M_ReportRangeSensorData_RangeSensorDataPointRec_0[mask & 0x7F].pack(*raw)
             _S_B.pack_into(out, start, mask)
@@ -1388,7 +1394,7 @@ class ReportRangeSensorData(rt.Message):
         for _ in range(range_sensor_data_list_count_):
             tag = data[at]
             at += 1
-            item_, at = _U_38[tag]._read(data, at, depth)
+            item_, at = _U_39[tag]._read(data, at, depth)
             range_sensor_data_list_.append(item_)
         self.range_sensor_data_list = range_sensor_data_list_
         if at != size: raise rt.Reject
@@ -1400,7 +1406,7 @@ class ReportRangeSensorData(rt.Message):
         if type(range_sensor_data_list_) is not list: raise rt.Reject
         out += _S_H.pack(len(range_sensor_data_list_))
         for item_ in range_sensor_data_list_:
-            out.append(_T_39[type(item_)])
+            out.append(_T_40[type(item_)])
             item_._write(out)
         return bytes(out)
 
@@ -1583,7 +1589,7 @@ class ReportRangeSensorCompressedData(rt.Message):
         for _ in range(range_sensor_compressed_data_list_count_):
             tag = data[at]
             at += 1
-            item_, at = _U_45[tag]._read(data, at, depth)
+            item_, at = _U_46[tag]._read(data, at, depth)
             range_sensor_compressed_data_list_.append(item_)
         self.range_sensor_compressed_data_list = range_sensor_compressed_data_list_
         if at != size: raise rt.Reject
@@ -1595,7 +1601,7 @@ class ReportRangeSensorCompressedData(rt.Message):
         if type(range_sensor_compressed_data_list_) is not list: raise rt.Reject
         out += _S_H.pack(len(range_sensor_compressed_data_list_))
         for item_ in range_sensor_compressed_data_list_:
-            out.append(_T_46[type(item_)])
+            out.append(_T_47[type(item_)])
             item_._write(out)
         return bytes(out)
 
@@ -1654,12 +1660,12 @@ class ReportSensorGeometricProperties(rt.Message):
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.no_geometric_properties_variant, at = _U_47[tag]._read(data, at, depth)
+            self.no_geometric_properties_variant, at = _U_48[tag]._read(data, at, depth)
             return self, at
 
         def _write(self, out: bytearray) -> None:
             no_geometric_properties_variant_ = self.no_geometric_properties_variant
-            out.append(_T_48[type(no_geometric_properties_variant_)])
+            out.append(_T_49[type(no_geometric_properties_variant_)])
             no_geometric_properties_variant_._write(out)
 
     @dataclass(slots=True, repr=False)
@@ -1706,7 +1712,7 @@ class ReportSensorGeometricProperties(rt.Message):
             item_.sensor_id_rec = environment_sensing_v1_0_types.SensorIdRec(sensor_id_)
             tag = data[at + 2]
             at += 3
-            item_.geometric_properties_variant, at = _U_49[tag]._read(data, at, depth)
+            item_.geometric_properties_variant, at = _U_50[tag]._read(data, at, depth)
             geometric_properties_list_.append(item_)
         self.geometric_properties_list = geometric_properties_list_
         if at != size: raise rt.Reject
@@ -1725,7 +1731,7 @@ class ReportSensorGeometricProperties(rt.Message):
             if not 1 <= sensor_id_ <= 65535: raise rt.Reject
             out += _S_H.pack(sensor_id_)
             geometric_properties_variant_ = item_.geometric_properties_variant
-            out.append(_T_50[type(geometric_properties_variant_)])
+            out.append(_T_51[type(geometric_properties_variant_)])
             geometric_properties_variant_._write(out)
         return bytes(out)
 
@@ -1738,6 +1744,7 @@ _R_4 = rt.Scaling(0.0, 1000000.0, 4294967295)
 _S_B = rt.Packer("<B")
 _S_H = rt.Packer("<H")
 _E_SensorIDQueryRec_SensorID = rt.members(environment_sensing_v1_0_types.SensorIDQueryRec.SensorID)
+_L_H = rt.Rows("H")
 _E_QueryRangeSensorCompressedData_SensorID = rt.members(QueryRangeSensorCompressedData.SensorID)
 _E_QueryRangeSensorCompressedData_ReportCoordinateSystem = rt.members(QueryRangeSensorCompressedData.ReportCoordinateSystem)
 _E_QueryRangeSensorCompressedData_DataCompression = rt.members(QueryRangeSensorCompressedData.DataCompression)
@@ -1764,20 +1771,20 @@ _M_ReportRangeSensorData_RangeSensorDataPointRec_0 = rt.Masks("", ((1, "I"), (0,
 _E_ReportRangeSensorData_RangeValidity = rt.members(ReportRangeSensorData.RangeValidity)
 _E_ReportRangeSensorData_BearingValidity = rt.members(ReportRangeSensorData.BearingValidity)
 _E_ReportRangeSensorData_InclinationValidity = rt.members(ReportRangeSensorData.InclinationValidity)
-_R_34 = rt.Scaling(0.0, 100000.0, 4294967295)
-_R_35 = rt.Scaling(0.0, 3.141592653589793, 4294967295)
+_R_35 = rt.Scaling(0.0, 100000.0, 4294967295)
+_R_36 = rt.Scaling(0.0, 3.141592653589793, 4294967295)
 _E_ReportRangeSensorData_ReportCoordinateSystem = rt.members(ReportRangeSensorData.ReportCoordinateSystem)
 _S_HBI = rt.Packer("<HBI")
-_U_38: tuple[type[ReportRangeSensorData.RangeSensorDataErrorRec] | type[ReportRangeSensorData.RangeSensorDataSeq], ...] = (ReportRangeSensorData.RangeSensorDataErrorRec, ReportRangeSensorData.RangeSensorDataSeq)
-_T_39: dict[type[rt.Struct], int] = {ReportRangeSensorData.RangeSensorDataErrorRec: 0, ReportRangeSensorData.RangeSensorDataSeq: 1}
+_U_39: tuple[type[ReportRangeSensorData.RangeSensorDataErrorRec] | type[ReportRangeSensorData.RangeSensorDataSeq], ...] = (ReportRangeSensorData.RangeSensorDataErrorRec, ReportRangeSensorData.RangeSensorDataSeq)
+_T_40: dict[type[rt.Struct], int] = {ReportRangeSensorData.RangeSensorDataErrorRec: 0, ReportRangeSensorData.RangeSensorDataSeq: 1}
 _E_ReportRangeSensorCompressedData_DataErrorCode = rt.members(ReportRangeSensorCompressedData.DataErrorCode)
 _E_ReportRangeSensorCompressedData_ReportCoordinateSystem = rt.members(ReportRangeSensorCompressedData.ReportCoordinateSystem)
 _E_ReportRangeSensorCompressedData_DataCompression = rt.members(ReportRangeSensorCompressedData.DataCompression)
 _S_HBIB = rt.Packer("<HBIB")
 _S_I = rt.Packer("<I")
-_U_45: tuple[type[ReportRangeSensorCompressedData.RangeSensorDataErrorRec] | type[ReportRangeSensorCompressedData.RangeSensorCompressedDataRec], ...] = (ReportRangeSensorCompressedData.RangeSensorDataErrorRec, ReportRangeSensorCompressedData.RangeSensorCompressedDataRec)
-_T_46: dict[type[rt.Struct], int] = {ReportRangeSensorCompressedData.RangeSensorDataErrorRec: 0, ReportRangeSensorCompressedData.RangeSensorCompressedDataRec: 1}
-_U_47: tuple[type[ReportSensorGeometricProperties.Empty0], ...] = (ReportSensorGeometricProperties.Empty0,)
-_T_48: dict[type[rt.Struct], int] = {ReportSensorGeometricProperties.Empty0: 0}
-_U_49: tuple[type[ReportSensorGeometricProperties.NoGeometricPropertiesVariant] | type[environment_sensing_v1_0_types.StaticGeometricPropertiesRec] | type[environment_sensing_v1_0_types.ManipulatorGeometricPropertiesRec], ...] = (ReportSensorGeometricProperties.NoGeometricPropertiesVariant, environment_sensing_v1_0_types.StaticGeometricPropertiesRec, environment_sensing_v1_0_types.ManipulatorGeometricPropertiesRec)
-_T_50: dict[type[rt.Struct], int] = {ReportSensorGeometricProperties.NoGeometricPropertiesVariant: 0, environment_sensing_v1_0_types.StaticGeometricPropertiesRec: 1, environment_sensing_v1_0_types.ManipulatorGeometricPropertiesRec: 2}
+_U_46: tuple[type[ReportRangeSensorCompressedData.RangeSensorDataErrorRec] | type[ReportRangeSensorCompressedData.RangeSensorCompressedDataRec], ...] = (ReportRangeSensorCompressedData.RangeSensorDataErrorRec, ReportRangeSensorCompressedData.RangeSensorCompressedDataRec)
+_T_47: dict[type[rt.Struct], int] = {ReportRangeSensorCompressedData.RangeSensorDataErrorRec: 0, ReportRangeSensorCompressedData.RangeSensorCompressedDataRec: 1}
+_U_48: tuple[type[ReportSensorGeometricProperties.Empty0], ...] = (ReportSensorGeometricProperties.Empty0,)
+_T_49: dict[type[rt.Struct], int] = {ReportSensorGeometricProperties.Empty0: 0}
+_U_50: tuple[type[ReportSensorGeometricProperties.NoGeometricPropertiesVariant] | type[environment_sensing_v1_0_types.StaticGeometricPropertiesRec] | type[environment_sensing_v1_0_types.ManipulatorGeometricPropertiesRec], ...] = (ReportSensorGeometricProperties.NoGeometricPropertiesVariant, environment_sensing_v1_0_types.StaticGeometricPropertiesRec, environment_sensing_v1_0_types.ManipulatorGeometricPropertiesRec)
+_T_51: dict[type[rt.Struct], int] = {ReportSensorGeometricProperties.NoGeometricPropertiesVariant: 0, environment_sensing_v1_0_types.StaticGeometricPropertiesRec: 1, environment_sensing_v1_0_types.ManipulatorGeometricPropertiesRec: 2}

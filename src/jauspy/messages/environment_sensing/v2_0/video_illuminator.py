@@ -221,7 +221,7 @@ class QueryVideoIlluminatorConfiguration(rt.Message):
         self = rt.new(cls)
         (illuminator_id_list_count_,) = _S_H.unpack_from(data, 2)
         illuminator_id_list_end_ = 4 + illuminator_id_list_count_ * 2
-        self.illuminator_id_list = [QueryVideoIlluminatorConfiguration.IlluminatorIDRec(illuminator_id_) for (illuminator_id_,) in _S_H.iter_unpack(data[4:illuminator_id_list_end_])]
+        self.illuminator_id_list = [QueryVideoIlluminatorConfiguration.IlluminatorIDRec(illuminator_id_) for illuminator_id_ in _L_H[illuminator_id_list_count_].unpack_from(data, 4)]
         if illuminator_id_list_end_ != size: raise rt.Reject
         return self
 
@@ -230,9 +230,11 @@ class QueryVideoIlluminatorConfiguration(rt.Message):
         illuminator_id_list_ = self.illuminator_id_list
         if type(illuminator_id_list_) is not list: raise rt.Reject
         out += _S_H.pack(len(illuminator_id_list_))
+        raw_: list[int | float] = []
         for item_ in illuminator_id_list_:
             if type(item_) is not QueryVideoIlluminatorConfiguration.IlluminatorIDRec: raise rt.Reject
-            out += _S_H.pack(item_.illuminator_id)
+            raw_.append(item_.illuminator_id)
+        out += _L_H[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -281,7 +283,7 @@ class QueryVideoIlluminatorCapabilities(rt.Message):
         self = rt.new(cls)
         (illuminator_id_list_count_,) = _S_H.unpack_from(data, 2)
         illuminator_id_list_end_ = 4 + illuminator_id_list_count_ * 2
-        self.illuminator_id_list = [QueryVideoIlluminatorCapabilities.IlluminatorIDRec(illuminator_id_) for (illuminator_id_,) in _S_H.iter_unpack(data[4:illuminator_id_list_end_])]
+        self.illuminator_id_list = [QueryVideoIlluminatorCapabilities.IlluminatorIDRec(illuminator_id_) for illuminator_id_ in _L_H[illuminator_id_list_count_].unpack_from(data, 4)]
         if illuminator_id_list_end_ != size: raise rt.Reject
         return self
 
@@ -290,9 +292,11 @@ class QueryVideoIlluminatorCapabilities(rt.Message):
         illuminator_id_list_ = self.illuminator_id_list
         if type(illuminator_id_list_) is not list: raise rt.Reject
         out += _S_H.pack(len(illuminator_id_list_))
+        raw_: list[int | float] = []
         for item_ in illuminator_id_list_:
             if type(item_) is not QueryVideoIlluminatorCapabilities.IlluminatorIDRec: raise rt.Reject
-            out += _S_H.pack(item_.illuminator_id)
+            raw_.append(item_.illuminator_id)
+        out += _L_H[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -711,7 +715,7 @@ class ReportVideoIlluminatorCapabilities(rt.Message):
             item_.illuminator_capabilities_rec, at = ReportVideoIlluminatorCapabilities.IlluminatorCapabilitiesRec._read(data, at, depth)
             sensor_id_list_count_ = data[at]
             sensor_id_list_end_ = at + 1 + sensor_id_list_count_ * 2
-            item_.sensor_id_list = [ReportVideoIlluminatorCapabilities.SensorIDRec(sensor_id_) for (sensor_id_,) in _S_H.iter_unpack(data[at + 1:sensor_id_list_end_])]
+            item_.sensor_id_list = [ReportVideoIlluminatorCapabilities.SensorIDRec(sensor_id_) for sensor_id_ in _L_H[sensor_id_list_count_].unpack_from(data, at + 1)]
             at = sensor_id_list_end_
             illuminator_capabilities_list_.append(item_)
         self.illuminator_capabilities_list = illuminator_capabilities_list_
@@ -731,9 +735,11 @@ class ReportVideoIlluminatorCapabilities(rt.Message):
             sensor_id_list_ = item_.sensor_id_list
             if type(sensor_id_list_) is not list: raise rt.Reject
             out.append(len(sensor_id_list_))
+            raw_: list[int | float] = []
             for item_2_ in sensor_id_list_:
                 if type(item_2_) is not ReportVideoIlluminatorCapabilities.SensorIDRec: raise rt.Reject
-                out += _S_H.pack(item_2_.sensor_id)
+                raw_.append(item_2_.sensor_id)
+            out += _L_H[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -743,6 +749,7 @@ _R_2 = rt.Scaling(0.0, 100.0, 65535)
 _R_3 = rt.Scaling(0.0, 360.0, 65535)
 _S_B = rt.Packer("<B")
 _S_H = rt.Packer("<H")
+_L_H = rt.Rows("H")
 _E_ReportVideoIlluminatorConfiguration_Mode = rt.members(ReportVideoIlluminatorConfiguration.Mode)
 _M_ReportVideoIlluminatorCapabilities_IlluminatorCapabilitiesRec_2 = rt.Masks("", ((0, "I"), (1, "H"), (2, "H"), (4, "H"), (8, "H"), (16, "H"), (32, "H")))
 _E_ReportVideoIlluminatorCapabilities_Visible = rt.members(ReportVideoIlluminatorCapabilities.Visible)

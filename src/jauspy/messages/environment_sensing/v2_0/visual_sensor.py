@@ -82,9 +82,11 @@ class QueryVisualSensorConfiguration(rt.Message):
         query_visual_sensor_configuration_list_ = self.query_visual_sensor_configuration_list
         if type(query_visual_sensor_configuration_list_) is not list: raise rt.Reject
         out += _S_H.pack(len(query_visual_sensor_configuration_list_))
+        raw_: list[int | float] = []
         for item_ in query_visual_sensor_configuration_list_:
             if type(item_) is not QueryVisualSensorConfiguration.QueryVisualSensorConfigurationRec: raise rt.Reject
-            out += _S_2H.pack(item_.sensor_id, item_.query_presence_vector)
+            raw_ += (item_.sensor_id, item_.query_presence_vector)
+        out += _L_H[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -150,9 +152,11 @@ class QueryVisualSensorCapabilities(rt.Message):
         query_visual_sensor_capabilities_list_ = self.query_visual_sensor_capabilities_list
         if type(query_visual_sensor_capabilities_list_) is not list: raise rt.Reject
         out += _S_H.pack(len(query_visual_sensor_capabilities_list_))
+        raw_: list[int | float] = []
         for item_ in query_visual_sensor_capabilities_list_:
             if type(item_) is not QueryVisualSensorCapabilities.QueryVisualSensorCapabilitiesRec: raise rt.Reject
-            out += _S_2H.pack(item_.sensor_id, item_.query_presence_vector)
+            raw_ += (item_.sensor_id, item_.query_presence_vector)
+        out += _L_H[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -472,7 +476,7 @@ class SetVisualSensorConfiguration(rt.Message):
                 if not 0.0 <= zoom_level_ <= 100.0: raise rt.Reject
                 near = zoom_level_ * 655.35 + 0.5
                 zoom_level_raw_ = int(near)
-                if not 1.52587890625e-05 < near - zoom_level_raw_ < 0.9999847412109375: zoom_level_raw_ = rt.exact_raw(zoom_level_, _R_16)
+                if not 1.52587890625e-05 < near - zoom_level_raw_ < 0.9999847412109375: zoom_level_raw_ = rt.exact_raw(zoom_level_, _R_17)
                 raw.append(zoom_level_raw_)
             focal_length_ = self.focal_length
             if focal_length_ is not None:
@@ -480,23 +484,23 @@ class SetVisualSensorConfiguration(rt.Message):
                 if not 0.0 <= focal_length_ <= 2.0: raise rt.Reject
                 near = focal_length_ * 2147483647.5 + 0.5
                 focal_length_raw_ = int(near)
-                if not 1.52587890625e-05 < near - focal_length_raw_ < 0.9999847412109375: focal_length_raw_ = rt.exact_raw(focal_length_, _R_17)
+                if not 1.52587890625e-05 < near - focal_length_raw_ < 0.9999847412109375: focal_length_raw_ = rt.exact_raw(focal_length_, _R_18)
                 raw.append(focal_length_raw_)
             horizontal_field_of_view_ = self.horizontal_field_of_view
             if horizontal_field_of_view_ is not None:
                 mask |= 16
                 if not -3.141592653589793 <= horizontal_field_of_view_ <= 3.141592653589793: raise rt.Reject
-                near = (horizontal_field_of_view_ + 3.141592653589793) * 683565275.4172766 + 0.5
+                near = horizontal_field_of_view_ * 683565275.4172766 + 2147483647.9999998
                 horizontal_field_of_view_raw_ = int(near)
-                if not 1.52587890625e-05 < near - horizontal_field_of_view_raw_ < 0.9999847412109375: horizontal_field_of_view_raw_ = rt.exact_raw(horizontal_field_of_view_, _R_18)
+                if not 1.52587890625e-05 < near - horizontal_field_of_view_raw_ < 0.9999847412109375: horizontal_field_of_view_raw_ = rt.exact_raw(horizontal_field_of_view_, _R_19)
                 raw.append(horizontal_field_of_view_raw_)
             vertical_field_of_view_ = self.vertical_field_of_view
             if vertical_field_of_view_ is not None:
                 mask |= 32
                 if not -3.141592653589793 <= vertical_field_of_view_ <= 3.141592653589793: raise rt.Reject
-                near = (vertical_field_of_view_ + 3.141592653589793) * 683565275.4172766 + 0.5
+                near = vertical_field_of_view_ * 683565275.4172766 + 2147483647.9999998
                 vertical_field_of_view_raw_ = int(near)
-                if not 1.52587890625e-05 < near - vertical_field_of_view_raw_ < 0.9999847412109375: vertical_field_of_view_raw_ = rt.exact_raw(vertical_field_of_view_, _R_18)
+                if not 1.52587890625e-05 < near - vertical_field_of_view_raw_ < 0.9999847412109375: vertical_field_of_view_raw_ = rt.exact_raw(vertical_field_of_view_, _R_19)
                 raw.append(vertical_field_of_view_raw_)
             focus_mode_ = self.focus_mode
             if focus_mode_ is not None:
@@ -509,7 +513,7 @@ class SetVisualSensorConfiguration(rt.Message):
                 if not 0.0 <= focus_value_ <= 100.0: raise rt.Reject
                 near = focus_value_ * 655.35 + 0.5
                 focus_value_raw_ = int(near)
-                if not 1.52587890625e-05 < near - focus_value_raw_ < 0.9999847412109375: focus_value_raw_ = rt.exact_raw(focus_value_, _R_16)
+                if not 1.52587890625e-05 < near - focus_value_raw_ < 0.9999847412109375: focus_value_raw_ = rt.exact_raw(focus_value_, _R_17)
                 raw.append(focus_value_raw_)
             white_balance_ = self.white_balance
             if white_balance_ is not None:
@@ -537,15 +541,15 @@ class SetVisualSensorConfiguration(rt.Message):
                 if not 0.0 <= shutter_speed_ <= 60.0: raise rt.Reject
                 near = shutter_speed_ * 1092.25 + 0.5
                 shutter_speed_raw_ = int(near)
-                if not 1.52587890625e-05 < near - shutter_speed_raw_ < 0.9999847412109375: shutter_speed_raw_ = rt.exact_raw(shutter_speed_, _R_19)
+                if not 1.52587890625e-05 < near - shutter_speed_raw_ < 0.9999847412109375: shutter_speed_raw_ = rt.exact_raw(shutter_speed_, _R_20)
                 raw.append(shutter_speed_raw_)
             aperture_ = self.aperture
             if aperture_ is not None:
                 mask |= 8192
                 if not 0.1 <= aperture_ <= 128.0: raise rt.Reject
-                near = (aperture_ - 0.1) * 512.3924941360438 + 0.5
+                near = aperture_ * 512.3924941360438 + -50.73924941360438
                 aperture_raw_ = int(near)
-                if not 1.52587890625e-05 < near - aperture_raw_ < 0.9999847412109375: aperture_raw_ = rt.exact_raw(aperture_, _R_20)
+                if not 1.52587890625e-05 < near - aperture_raw_ < 0.9999847412109375: aperture_raw_ = rt.exact_raw(aperture_, _R_21)
                 raw.append(aperture_raw_)
             light_sensitivity_ = self.light_sensitivity
             if light_sensitivity_ is not None:
@@ -853,7 +857,7 @@ class ReportVisualSensorConfiguration(rt.Message):
                 if not 0.0 <= zoom_level_ <= 100.0: raise rt.Reject
                 near = zoom_level_ * 655.35 + 0.5
                 zoom_level_raw_ = int(near)
-                if not 1.52587890625e-05 < near - zoom_level_raw_ < 0.9999847412109375: zoom_level_raw_ = rt.exact_raw(zoom_level_, _R_16)
+                if not 1.52587890625e-05 < near - zoom_level_raw_ < 0.9999847412109375: zoom_level_raw_ = rt.exact_raw(zoom_level_, _R_17)
                 raw.append(zoom_level_raw_)
             focal_length_ = self.focal_length
             if focal_length_ is not None:
@@ -861,23 +865,23 @@ class ReportVisualSensorConfiguration(rt.Message):
                 if not 0.0 <= focal_length_ <= 2.0: raise rt.Reject
                 near = focal_length_ * 2147483647.5 + 0.5
                 focal_length_raw_ = int(near)
-                if not 1.52587890625e-05 < near - focal_length_raw_ < 0.9999847412109375: focal_length_raw_ = rt.exact_raw(focal_length_, _R_17)
+                if not 1.52587890625e-05 < near - focal_length_raw_ < 0.9999847412109375: focal_length_raw_ = rt.exact_raw(focal_length_, _R_18)
                 raw.append(focal_length_raw_)
             horizontal_field_of_view_ = self.horizontal_field_of_view
             if horizontal_field_of_view_ is not None:
                 mask |= 16
                 if not -3.141592653589793 <= horizontal_field_of_view_ <= 3.141592653589793: raise rt.Reject
-                near = (horizontal_field_of_view_ + 3.141592653589793) * 683565275.4172766 + 0.5
+                near = horizontal_field_of_view_ * 683565275.4172766 + 2147483647.9999998
                 horizontal_field_of_view_raw_ = int(near)
-                if not 1.52587890625e-05 < near - horizontal_field_of_view_raw_ < 0.9999847412109375: horizontal_field_of_view_raw_ = rt.exact_raw(horizontal_field_of_view_, _R_18)
+                if not 1.52587890625e-05 < near - horizontal_field_of_view_raw_ < 0.9999847412109375: horizontal_field_of_view_raw_ = rt.exact_raw(horizontal_field_of_view_, _R_19)
                 raw.append(horizontal_field_of_view_raw_)
             vertical_field_of_view_ = self.vertical_field_of_view
             if vertical_field_of_view_ is not None:
                 mask |= 32
                 if not -3.141592653589793 <= vertical_field_of_view_ <= 3.141592653589793: raise rt.Reject
-                near = (vertical_field_of_view_ + 3.141592653589793) * 683565275.4172766 + 0.5
+                near = vertical_field_of_view_ * 683565275.4172766 + 2147483647.9999998
                 vertical_field_of_view_raw_ = int(near)
-                if not 1.52587890625e-05 < near - vertical_field_of_view_raw_ < 0.9999847412109375: vertical_field_of_view_raw_ = rt.exact_raw(vertical_field_of_view_, _R_18)
+                if not 1.52587890625e-05 < near - vertical_field_of_view_raw_ < 0.9999847412109375: vertical_field_of_view_raw_ = rt.exact_raw(vertical_field_of_view_, _R_19)
                 raw.append(vertical_field_of_view_raw_)
             focus_mode_ = self.focus_mode
             if focus_mode_ is not None:
@@ -890,7 +894,7 @@ class ReportVisualSensorConfiguration(rt.Message):
                 if not 0.0 <= focus_value_ <= 100.0: raise rt.Reject
                 near = focus_value_ * 655.35 + 0.5
                 focus_value_raw_ = int(near)
-                if not 1.52587890625e-05 < near - focus_value_raw_ < 0.9999847412109375: focus_value_raw_ = rt.exact_raw(focus_value_, _R_16)
+                if not 1.52587890625e-05 < near - focus_value_raw_ < 0.9999847412109375: focus_value_raw_ = rt.exact_raw(focus_value_, _R_17)
                 raw.append(focus_value_raw_)
             white_balance_ = self.white_balance
             if white_balance_ is not None:
@@ -918,15 +922,15 @@ class ReportVisualSensorConfiguration(rt.Message):
                 if not 0.0 <= shutter_speed_ <= 60.0: raise rt.Reject
                 near = shutter_speed_ * 1092.25 + 0.5
                 shutter_speed_raw_ = int(near)
-                if not 1.52587890625e-05 < near - shutter_speed_raw_ < 0.9999847412109375: shutter_speed_raw_ = rt.exact_raw(shutter_speed_, _R_19)
+                if not 1.52587890625e-05 < near - shutter_speed_raw_ < 0.9999847412109375: shutter_speed_raw_ = rt.exact_raw(shutter_speed_, _R_20)
                 raw.append(shutter_speed_raw_)
             aperture_ = self.aperture
             if aperture_ is not None:
                 mask |= 8192
                 if not 0.1 <= aperture_ <= 128.0: raise rt.Reject
-                near = (aperture_ - 0.1) * 512.3924941360438 + 0.5
+                near = aperture_ * 512.3924941360438 + -50.73924941360438
                 aperture_raw_ = int(near)
-                if not 1.52587890625e-05 < near - aperture_raw_ < 0.9999847412109375: aperture_raw_ = rt.exact_raw(aperture_, _R_20)
+                if not 1.52587890625e-05 < near - aperture_raw_ < 0.9999847412109375: aperture_raw_ = rt.exact_raw(aperture_, _R_21)
                 raw.append(aperture_raw_)
             light_sensitivity_ = self.light_sensitivity
             if light_sensitivity_ is not None:
@@ -1342,7 +1346,7 @@ class ReportVisualSensorCapabilities(rt.Message):
                 if not 0.0 <= minimum_shutter_speed_ <= 60.0: raise rt.Reject
                 near = minimum_shutter_speed_ * 1092.25 + 0.5
                 minimum_shutter_speed_raw_ = int(near)
-                if not 1.52587890625e-05 < near - minimum_shutter_speed_raw_ < 0.9999847412109375: minimum_shutter_speed_raw_ = rt.exact_raw(minimum_shutter_speed_, _R_19)
+                if not 1.52587890625e-05 < near - minimum_shutter_speed_raw_ < 0.9999847412109375: minimum_shutter_speed_raw_ = rt.exact_raw(minimum_shutter_speed_, _R_20)
                 raw.append(minimum_shutter_speed_raw_)
             maximum_shutter_speed_ = self.maximum_shutter_speed
             if maximum_shutter_speed_ is not None:
@@ -1350,23 +1354,23 @@ class ReportVisualSensorCapabilities(rt.Message):
                 if not 0.0 <= maximum_shutter_speed_ <= 60.0: raise rt.Reject
                 near = maximum_shutter_speed_ * 1092.25 + 0.5
                 maximum_shutter_speed_raw_ = int(near)
-                if not 1.52587890625e-05 < near - maximum_shutter_speed_raw_ < 0.9999847412109375: maximum_shutter_speed_raw_ = rt.exact_raw(maximum_shutter_speed_, _R_19)
+                if not 1.52587890625e-05 < near - maximum_shutter_speed_raw_ < 0.9999847412109375: maximum_shutter_speed_raw_ = rt.exact_raw(maximum_shutter_speed_, _R_20)
                 raw.append(maximum_shutter_speed_raw_)
             minimum_aperture_ = self.minimum_aperture
             if minimum_aperture_ is not None:
                 mask |= 512
                 if not 0.1 <= minimum_aperture_ <= 128.0: raise rt.Reject
-                near = (minimum_aperture_ - 0.1) * 512.3924941360438 + 0.5
+                near = minimum_aperture_ * 512.3924941360438 + -50.73924941360438
                 minimum_aperture_raw_ = int(near)
-                if not 1.52587890625e-05 < near - minimum_aperture_raw_ < 0.9999847412109375: minimum_aperture_raw_ = rt.exact_raw(minimum_aperture_, _R_20)
+                if not 1.52587890625e-05 < near - minimum_aperture_raw_ < 0.9999847412109375: minimum_aperture_raw_ = rt.exact_raw(minimum_aperture_, _R_21)
                 raw.append(minimum_aperture_raw_)
             maximum_aperture_ = self.maximum_aperture
             if maximum_aperture_ is not None:
                 mask |= 1024
                 if not 0.1 <= maximum_aperture_ <= 128.0: raise rt.Reject
-                near = (maximum_aperture_ - 0.1) * 512.3924941360438 + 0.5
+                near = maximum_aperture_ * 512.3924941360438 + -50.73924941360438
                 maximum_aperture_raw_ = int(near)
-                if not 1.52587890625e-05 < near - maximum_aperture_raw_ < 0.9999847412109375: maximum_aperture_raw_ = rt.exact_raw(maximum_aperture_, _R_20)
+                if not 1.52587890625e-05 < near - maximum_aperture_raw_ < 0.9999847412109375: maximum_aperture_raw_ = rt.exact_raw(maximum_aperture_, _R_21)
                 raw.append(maximum_aperture_raw_)
             minimum_focal_length_ = self.minimum_focal_length
             if minimum_focal_length_ is not None:
@@ -1374,7 +1378,7 @@ class ReportVisualSensorCapabilities(rt.Message):
                 if not 0.0 <= minimum_focal_length_ <= 2.0: raise rt.Reject
                 near = minimum_focal_length_ * 2147483647.5 + 0.5
                 minimum_focal_length_raw_ = int(near)
-                if not 1.52587890625e-05 < near - minimum_focal_length_raw_ < 0.9999847412109375: minimum_focal_length_raw_ = rt.exact_raw(minimum_focal_length_, _R_17)
+                if not 1.52587890625e-05 < near - minimum_focal_length_raw_ < 0.9999847412109375: minimum_focal_length_raw_ = rt.exact_raw(minimum_focal_length_, _R_18)
                 raw.append(minimum_focal_length_raw_)
             maximum_focal_length_ = self.maximum_focal_length
             if maximum_focal_length_ is not None:
@@ -1382,7 +1386,7 @@ class ReportVisualSensorCapabilities(rt.Message):
                 if not 0.0 <= maximum_focal_length_ <= 2.0: raise rt.Reject
                 near = maximum_focal_length_ * 2147483647.5 + 0.5
                 maximum_focal_length_raw_ = int(near)
-                if not 1.52587890625e-05 < near - maximum_focal_length_raw_ < 0.9999847412109375: maximum_focal_length_raw_ = rt.exact_raw(maximum_focal_length_, _R_17)
+                if not 1.52587890625e-05 < near - maximum_focal_length_raw_ < 0.9999847412109375: maximum_focal_length_raw_ = rt.exact_raw(maximum_focal_length_, _R_18)
                 raw.append(maximum_focal_length_raw_)
             light_sensitivity_levels_ = self.light_sensitivity_levels
             if light_sensitivity_levels_ is not None:
@@ -1842,7 +1846,7 @@ class ReportVisualSensorCapabilitiesExt(rt.Message):
                 if not 0.0 <= minimum_shutter_speed_ <= 60.0: raise rt.Reject
                 near = minimum_shutter_speed_ * 1092.25 + 0.5
                 minimum_shutter_speed_raw_ = int(near)
-                if not 1.52587890625e-05 < near - minimum_shutter_speed_raw_ < 0.9999847412109375: minimum_shutter_speed_raw_ = rt.exact_raw(minimum_shutter_speed_, _R_19)
+                if not 1.52587890625e-05 < near - minimum_shutter_speed_raw_ < 0.9999847412109375: minimum_shutter_speed_raw_ = rt.exact_raw(minimum_shutter_speed_, _R_20)
                 raw.append(minimum_shutter_speed_raw_)
             maximum_shutter_speed_ = self.maximum_shutter_speed
             if maximum_shutter_speed_ is not None:
@@ -1850,23 +1854,23 @@ class ReportVisualSensorCapabilitiesExt(rt.Message):
                 if not 0.0 <= maximum_shutter_speed_ <= 60.0: raise rt.Reject
                 near = maximum_shutter_speed_ * 1092.25 + 0.5
                 maximum_shutter_speed_raw_ = int(near)
-                if not 1.52587890625e-05 < near - maximum_shutter_speed_raw_ < 0.9999847412109375: maximum_shutter_speed_raw_ = rt.exact_raw(maximum_shutter_speed_, _R_19)
+                if not 1.52587890625e-05 < near - maximum_shutter_speed_raw_ < 0.9999847412109375: maximum_shutter_speed_raw_ = rt.exact_raw(maximum_shutter_speed_, _R_20)
                 raw.append(maximum_shutter_speed_raw_)
             minimum_aperture_ = self.minimum_aperture
             if minimum_aperture_ is not None:
                 mask |= 512
                 if not 0.1 <= minimum_aperture_ <= 128.0: raise rt.Reject
-                near = (minimum_aperture_ - 0.1) * 512.3924941360438 + 0.5
+                near = minimum_aperture_ * 512.3924941360438 + -50.73924941360438
                 minimum_aperture_raw_ = int(near)
-                if not 1.52587890625e-05 < near - minimum_aperture_raw_ < 0.9999847412109375: minimum_aperture_raw_ = rt.exact_raw(minimum_aperture_, _R_20)
+                if not 1.52587890625e-05 < near - minimum_aperture_raw_ < 0.9999847412109375: minimum_aperture_raw_ = rt.exact_raw(minimum_aperture_, _R_21)
                 raw.append(minimum_aperture_raw_)
             maximum_aperture_ = self.maximum_aperture
             if maximum_aperture_ is not None:
                 mask |= 1024
                 if not 0.1 <= maximum_aperture_ <= 128.0: raise rt.Reject
-                near = (maximum_aperture_ - 0.1) * 512.3924941360438 + 0.5
+                near = maximum_aperture_ * 512.3924941360438 + -50.73924941360438
                 maximum_aperture_raw_ = int(near)
-                if not 1.52587890625e-05 < near - maximum_aperture_raw_ < 0.9999847412109375: maximum_aperture_raw_ = rt.exact_raw(maximum_aperture_, _R_20)
+                if not 1.52587890625e-05 < near - maximum_aperture_raw_ < 0.9999847412109375: maximum_aperture_raw_ = rt.exact_raw(maximum_aperture_, _R_21)
                 raw.append(maximum_aperture_raw_)
             minimum_focal_length_ = self.minimum_focal_length
             if minimum_focal_length_ is not None:
@@ -1874,7 +1878,7 @@ class ReportVisualSensorCapabilitiesExt(rt.Message):
                 if not 0.0 <= minimum_focal_length_ <= 2.0: raise rt.Reject
                 near = minimum_focal_length_ * 2147483647.5 + 0.5
                 minimum_focal_length_raw_ = int(near)
-                if not 1.52587890625e-05 < near - minimum_focal_length_raw_ < 0.9999847412109375: minimum_focal_length_raw_ = rt.exact_raw(minimum_focal_length_, _R_17)
+                if not 1.52587890625e-05 < near - minimum_focal_length_raw_ < 0.9999847412109375: minimum_focal_length_raw_ = rt.exact_raw(minimum_focal_length_, _R_18)
                 raw.append(minimum_focal_length_raw_)
             maximum_focal_length_ = self.maximum_focal_length
             if maximum_focal_length_ is not None:
@@ -1882,7 +1886,7 @@ class ReportVisualSensorCapabilitiesExt(rt.Message):
                 if not 0.0 <= maximum_focal_length_ <= 2.0: raise rt.Reject
                 near = maximum_focal_length_ * 2147483647.5 + 0.5
                 maximum_focal_length_raw_ = int(near)
-                if not 1.52587890625e-05 < near - maximum_focal_length_raw_ < 0.9999847412109375: maximum_focal_length_raw_ = rt.exact_raw(maximum_focal_length_, _R_17)
+                if not 1.52587890625e-05 < near - maximum_focal_length_raw_ < 0.9999847412109375: maximum_focal_length_raw_ = rt.exact_raw(maximum_focal_length_, _R_18)
                 raw.append(maximum_focal_length_raw_)
             light_sensitivity_levels_ = self.light_sensitivity_levels
             if light_sensitivity_levels_ is not None:
@@ -1914,33 +1918,33 @@ class ReportVisualSensorCapabilitiesExt(rt.Message):
             if minimum_horizontal_field_of_view_ is not None:
                 mask |= 32768
                 if not -3.141592653589793 <= minimum_horizontal_field_of_view_ <= 3.141592653589793: raise rt.Reject
-                near = (minimum_horizontal_field_of_view_ + 3.141592653589793) * 683565275.4172766 + 0.5
+                near = minimum_horizontal_field_of_view_ * 683565275.4172766 + 2147483647.9999998
                 minimum_horizontal_field_of_view_raw_ = int(near)
-                if not 1.52587890625e-05 < near - minimum_horizontal_field_of_view_raw_ < 0.9999847412109375: minimum_horizontal_field_of_view_raw_ = rt.exact_raw(minimum_horizontal_field_of_view_, _R_18)
+                if not 1.52587890625e-05 < near - minimum_horizontal_field_of_view_raw_ < 0.9999847412109375: minimum_horizontal_field_of_view_raw_ = rt.exact_raw(minimum_horizontal_field_of_view_, _R_19)
                 raw.append(minimum_horizontal_field_of_view_raw_)
             maximum_horizontal_field_of_view_ = self.maximum_horizontal_field_of_view
             if maximum_horizontal_field_of_view_ is not None:
                 mask |= 65536
                 if not -3.141592653589793 <= maximum_horizontal_field_of_view_ <= 3.141592653589793: raise rt.Reject
-                near = (maximum_horizontal_field_of_view_ + 3.141592653589793) * 683565275.4172766 + 0.5
+                near = maximum_horizontal_field_of_view_ * 683565275.4172766 + 2147483647.9999998
                 maximum_horizontal_field_of_view_raw_ = int(near)
-                if not 1.52587890625e-05 < near - maximum_horizontal_field_of_view_raw_ < 0.9999847412109375: maximum_horizontal_field_of_view_raw_ = rt.exact_raw(maximum_horizontal_field_of_view_, _R_18)
+                if not 1.52587890625e-05 < near - maximum_horizontal_field_of_view_raw_ < 0.9999847412109375: maximum_horizontal_field_of_view_raw_ = rt.exact_raw(maximum_horizontal_field_of_view_, _R_19)
                 raw.append(maximum_horizontal_field_of_view_raw_)
             minimum_vertical_field_of_view_ = self.minimum_vertical_field_of_view
             if minimum_vertical_field_of_view_ is not None:
                 mask |= 131072
                 if not -3.141592653589793 <= minimum_vertical_field_of_view_ <= 3.141592653589793: raise rt.Reject
-                near = (minimum_vertical_field_of_view_ + 3.141592653589793) * 683565275.4172766 + 0.5
+                near = minimum_vertical_field_of_view_ * 683565275.4172766 + 2147483647.9999998
                 minimum_vertical_field_of_view_raw_ = int(near)
-                if not 1.52587890625e-05 < near - minimum_vertical_field_of_view_raw_ < 0.9999847412109375: minimum_vertical_field_of_view_raw_ = rt.exact_raw(minimum_vertical_field_of_view_, _R_18)
+                if not 1.52587890625e-05 < near - minimum_vertical_field_of_view_raw_ < 0.9999847412109375: minimum_vertical_field_of_view_raw_ = rt.exact_raw(minimum_vertical_field_of_view_, _R_19)
                 raw.append(minimum_vertical_field_of_view_raw_)
             maximum_vertical_field_of_view_ = self.maximum_vertical_field_of_view
             if maximum_vertical_field_of_view_ is not None:
                 mask |= 262144
                 if not -3.141592653589793 <= maximum_vertical_field_of_view_ <= 3.141592653589793: raise rt.Reject
-                near = (maximum_vertical_field_of_view_ + 3.141592653589793) * 683565275.4172766 + 0.5
+                near = maximum_vertical_field_of_view_ * 683565275.4172766 + 2147483647.9999998
                 maximum_vertical_field_of_view_raw_ = int(near)
-                if not 1.52587890625e-05 < near - maximum_vertical_field_of_view_raw_ < 0.9999847412109375: maximum_vertical_field_of_view_raw_ = rt.exact_raw(maximum_vertical_field_of_view_, _R_18)
+                if not 1.52587890625e-05 < near - maximum_vertical_field_of_view_raw_ < 0.9999847412109375: maximum_vertical_field_of_view_raw_ = rt.exact_raw(maximum_vertical_field_of_view_, _R_19)
                 raw.append(maximum_vertical_field_of_view_raw_)
             out += _M_ReportVisualSensorCapabilitiesExt_VisualSensorCapabilitiesRec_2[mask & 0x7FFFF].pack(*raw)
             _S_I.pack_into(out, start, mask)
@@ -1984,6 +1988,7 @@ class ReportVisualSensorCapabilitiesExt(rt.Message):
 _S_H = rt.Packer("<H")
 _E_QueryVisualSensorConfiguration_SensorID = rt.members(QueryVisualSensorConfiguration.SensorID)
 _S_2H = rt.Packer("<2H")
+_L_H = rt.Rows("H")
 _E_QueryVisualSensorCapabilities_SensorID = rt.members(QueryVisualSensorCapabilities.SensorID)
 _E_QueryVisualSensorCapabilitiesExt_SensorID = rt.members(QueryVisualSensorCapabilitiesExt.SensorID)
 _S_HI = rt.Packer("<HI")
@@ -1997,11 +2002,11 @@ _E_SetVisualSensorConfiguration_ExposureMode = rt.members(SetVisualSensorConfigu
 _E_SetVisualSensorConfiguration_MeteringMode = rt.members(SetVisualSensorConfiguration.MeteringMode)
 _E_SetVisualSensorConfiguration_LightSensitivity = rt.members(SetVisualSensorConfiguration.LightSensitivity)
 _E_SetVisualSensorConfiguration_ImageStabilization = rt.members(SetVisualSensorConfiguration.ImageStabilization)
-_R_16 = rt.Scaling(0.0, 100.0, 65535)
-_R_17 = rt.Scaling(0.0, 2.0, 4294967295)
-_R_18 = rt.Scaling(-3.141592653589793, 3.141592653589793, 4294967295)
-_R_19 = rt.Scaling(0.0, 60.0, 65535)
-_R_20 = rt.Scaling(0.1, 128.0, 65535)
+_R_17 = rt.Scaling(0.0, 100.0, 65535)
+_R_18 = rt.Scaling(0.0, 2.0, 4294967295)
+_R_19 = rt.Scaling(-3.141592653589793, 3.141592653589793, 4294967295)
+_R_20 = rt.Scaling(0.0, 60.0, 65535)
+_R_21 = rt.Scaling(0.1, 128.0, 65535)
 _E_ReportVisualSensorConfiguration_SensorState = rt.members(ReportVisualSensorConfiguration.SensorState)
 _E_ReportVisualSensorConfiguration_ZoomMode = rt.members(ReportVisualSensorConfiguration.ZoomMode)
 _E_ReportVisualSensorConfiguration_FocusMode = rt.members(ReportVisualSensorConfiguration.FocusMode)

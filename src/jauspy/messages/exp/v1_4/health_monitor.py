@@ -145,6 +145,7 @@ class ReportUGVSummary(rt.Message):
         severity_list_ = self.severity_list
         if type(severity_list_) is not list: raise rt.Reject
         out.append(len(severity_list_))
+        raw_: list[int | float] = []
         for item_ in severity_list_:
             if type(item_) is not ReportUGVSummary.SeveritySequence: raise rt.Reject
             node_id_ = item_.node_id
@@ -153,8 +154,8 @@ class ReportUGVSummary(rt.Message):
             if type(severity_rec_) is not exp_v1_0_types.SeverityRec: raise rt.Reject
             severity_2_ = severity_rec_.severity
             if severity_2_ not in _E_SeverityRec_Severity: raise rt.Reject
-            out.append(node_id_.node_id)
-            out.append(severity_2_)
+            raw_ += (node_id_.node_id, severity_2_)
+        out += _L_B[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -162,3 +163,4 @@ _S_H = rt.Packer("<H")
 _E_UGVSeverityRec_Severity = rt.members(exp_v1_0_types.UGVSeverityRec.Severity)
 _E_SeverityRec_Severity = rt.members(exp_v1_0_types.SeverityRec.Severity)
 _S_2B = rt.Packer("<2B")
+_L_B = rt.Rows("B")

@@ -6091,7 +6091,7 @@ class ReportDataDefinition(rt.Message):
         self.reference_rec = ReportDataDefinition.ReferenceRec(data_structure_reference_)
         (primitive_data_definition_list_count_,) = _S_H.unpack_from(data, 4)
         primitive_data_definition_list_end_ = 6 + primitive_data_definition_list_count_ * 1
-        self.primitive_data_definition_list = [ReportDataDefinition.PrimitiveDataDefinitionRec(_E_ReportDataDefinition_PrimitiveDataDefinition[primitive_data_definition_]) for (primitive_data_definition_,) in _S_B.iter_unpack(data[6:primitive_data_definition_list_end_])]
+        self.primitive_data_definition_list = [ReportDataDefinition.PrimitiveDataDefinitionRec(_E_ReportDataDefinition_PrimitiveDataDefinition[primitive_data_definition_]) for primitive_data_definition_ in _L_B[primitive_data_definition_list_count_].unpack_from(data, 6)]
         if primitive_data_definition_list_end_ != size: raise rt.Reject
         return self
 
@@ -6103,11 +6103,13 @@ class ReportDataDefinition(rt.Message):
         primitive_data_definition_list_ = self.primitive_data_definition_list
         if type(primitive_data_definition_list_) is not list: raise rt.Reject
         out += _S_H.pack(len(primitive_data_definition_list_))
+        raw_: list[int | float] = []
         for item_ in primitive_data_definition_list_:
             if type(item_) is not ReportDataDefinition.PrimitiveDataDefinitionRec: raise rt.Reject
             primitive_data_definition_ = item_.primitive_data_definition
             if primitive_data_definition_ not in _E_ReportDataDefinition_PrimitiveDataDefinition: raise rt.Reject
-            out.append(primitive_data_definition_)
+            raw_.append(primitive_data_definition_)
+        out += _L_B[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -6394,16 +6396,18 @@ class ReportData(rt.Message):
             self = rt.new(cls)
             byte_list_count_ = data[at]
             byte_list_end_ = at + 1 + byte_list_count_ * 1
-            self.byte_list = [ReportData.ByteRec(data_) for (data_,) in _S_B.iter_unpack(data[at + 1:byte_list_end_])]
+            self.byte_list = [ReportData.ByteRec(data_) for data_ in _L_B[byte_list_count_].unpack_from(data, at + 1)]
             return self, byte_list_end_
 
         def _write(self, out: bytearray) -> None:
             byte_list_ = self.byte_list
             if type(byte_list_) is not list: raise rt.Reject
             out.append(len(byte_list_))
+            raw_: list[int | float] = []
             for item_ in byte_list_:
                 if type(item_) is not ReportData.ByteRec: raise rt.Reject
-                out.append(item_.data)
+                raw_.append(item_.data)
+            out += _L_B[len(raw_)].pack(*raw_)
 
     @dataclass(slots=True, repr=False)
     class ShortIntList(rt.Struct):
@@ -6426,16 +6430,18 @@ class ReportData(rt.Message):
             self = rt.new(cls)
             short_int_list_count_ = data[at]
             short_int_list_end_ = at + 1 + short_int_list_count_ * 2
-            self.short_int_list = [ReportData.ShortIntRec(data_) for (data_,) in _S_h.iter_unpack(data[at + 1:short_int_list_end_])]
+            self.short_int_list = [ReportData.ShortIntRec(data_) for data_ in _L_h[short_int_list_count_].unpack_from(data, at + 1)]
             return self, short_int_list_end_
 
         def _write(self, out: bytearray) -> None:
             short_int_list_ = self.short_int_list
             if type(short_int_list_) is not list: raise rt.Reject
             out.append(len(short_int_list_))
+            raw_: list[int | float] = []
             for item_ in short_int_list_:
                 if type(item_) is not ReportData.ShortIntRec: raise rt.Reject
-                out += _S_h.pack(item_.data)
+                raw_.append(item_.data)
+            out += _L_h[len(raw_)].pack(*raw_)
 
     @dataclass(slots=True, repr=False)
     class IntegerList(rt.Struct):
@@ -6458,16 +6464,18 @@ class ReportData(rt.Message):
             self = rt.new(cls)
             integer_list_count_ = data[at]
             integer_list_end_ = at + 1 + integer_list_count_ * 4
-            self.integer_list = [ReportData.IntegerRec(data_) for (data_,) in _S_i.iter_unpack(data[at + 1:integer_list_end_])]
+            self.integer_list = [ReportData.IntegerRec(data_) for data_ in _L_i[integer_list_count_].unpack_from(data, at + 1)]
             return self, integer_list_end_
 
         def _write(self, out: bytearray) -> None:
             integer_list_ = self.integer_list
             if type(integer_list_) is not list: raise rt.Reject
             out.append(len(integer_list_))
+            raw_: list[int | float] = []
             for item_ in integer_list_:
                 if type(item_) is not ReportData.IntegerRec: raise rt.Reject
-                out += _S_i.pack(item_.data)
+                raw_.append(item_.data)
+            out += _L_i[len(raw_)].pack(*raw_)
 
     @dataclass(slots=True, repr=False)
     class LongIntList(rt.Struct):
@@ -6490,16 +6498,18 @@ class ReportData(rt.Message):
             self = rt.new(cls)
             long_int_list_count_ = data[at]
             long_int_list_end_ = at + 1 + long_int_list_count_ * 8
-            self.long_int_list = [ReportData.LongIntRec(data_) for (data_,) in _S_q.iter_unpack(data[at + 1:long_int_list_end_])]
+            self.long_int_list = [ReportData.LongIntRec(data_) for data_ in _L_q[long_int_list_count_].unpack_from(data, at + 1)]
             return self, long_int_list_end_
 
         def _write(self, out: bytearray) -> None:
             long_int_list_ = self.long_int_list
             if type(long_int_list_) is not list: raise rt.Reject
             out.append(len(long_int_list_))
+            raw_: list[int | float] = []
             for item_ in long_int_list_:
                 if type(item_) is not ReportData.LongIntRec: raise rt.Reject
-                out += _S_q.pack(item_.data)
+                raw_.append(item_.data)
+            out += _L_q[len(raw_)].pack(*raw_)
 
     @dataclass(slots=True, repr=False)
     class UShortIntList(rt.Struct):
@@ -6522,16 +6532,18 @@ class ReportData(rt.Message):
             self = rt.new(cls)
             u_short_int_list_count_ = data[at]
             u_short_int_list_end_ = at + 1 + u_short_int_list_count_ * 2
-            self.u_short_int_list = [ReportData.UShortIntRec(data_) for (data_,) in _S_H.iter_unpack(data[at + 1:u_short_int_list_end_])]
+            self.u_short_int_list = [ReportData.UShortIntRec(data_) for data_ in _L_H[u_short_int_list_count_].unpack_from(data, at + 1)]
             return self, u_short_int_list_end_
 
         def _write(self, out: bytearray) -> None:
             u_short_int_list_ = self.u_short_int_list
             if type(u_short_int_list_) is not list: raise rt.Reject
             out.append(len(u_short_int_list_))
+            raw_: list[int | float] = []
             for item_ in u_short_int_list_:
                 if type(item_) is not ReportData.UShortIntRec: raise rt.Reject
-                out += _S_H.pack(item_.data)
+                raw_.append(item_.data)
+            out += _L_H[len(raw_)].pack(*raw_)
 
     @dataclass(slots=True, repr=False)
     class UIntegerList(rt.Struct):
@@ -6554,16 +6566,18 @@ class ReportData(rt.Message):
             self = rt.new(cls)
             u_integer_list_count_ = data[at]
             u_integer_list_end_ = at + 1 + u_integer_list_count_ * 4
-            self.u_integer_list = [ReportData.UIntegerRec(data_) for (data_,) in _S_I.iter_unpack(data[at + 1:u_integer_list_end_])]
+            self.u_integer_list = [ReportData.UIntegerRec(data_) for data_ in _L_I[u_integer_list_count_].unpack_from(data, at + 1)]
             return self, u_integer_list_end_
 
         def _write(self, out: bytearray) -> None:
             u_integer_list_ = self.u_integer_list
             if type(u_integer_list_) is not list: raise rt.Reject
             out.append(len(u_integer_list_))
+            raw_: list[int | float] = []
             for item_ in u_integer_list_:
                 if type(item_) is not ReportData.UIntegerRec: raise rt.Reject
-                out += _S_I.pack(item_.data)
+                raw_.append(item_.data)
+            out += _L_I[len(raw_)].pack(*raw_)
 
     @dataclass(slots=True, repr=False)
     class ULongIntList(rt.Struct):
@@ -6586,16 +6600,18 @@ class ReportData(rt.Message):
             self = rt.new(cls)
             u_long_int_list_count_ = data[at]
             u_long_int_list_end_ = at + 1 + u_long_int_list_count_ * 8
-            self.u_long_int_list = [ReportData.ULongIntRec(data_) for (data_,) in _S_Q.iter_unpack(data[at + 1:u_long_int_list_end_])]
+            self.u_long_int_list = [ReportData.ULongIntRec(data_) for data_ in _L_Q[u_long_int_list_count_].unpack_from(data, at + 1)]
             return self, u_long_int_list_end_
 
         def _write(self, out: bytearray) -> None:
             u_long_int_list_ = self.u_long_int_list
             if type(u_long_int_list_) is not list: raise rt.Reject
             out.append(len(u_long_int_list_))
+            raw_: list[int | float] = []
             for item_ in u_long_int_list_:
                 if type(item_) is not ReportData.ULongIntRec: raise rt.Reject
-                out += _S_Q.pack(item_.data)
+                raw_.append(item_.data)
+            out += _L_Q[len(raw_)].pack(*raw_)
 
     @dataclass(slots=True, repr=False)
     class FloatList(rt.Struct):
@@ -6619,7 +6635,7 @@ class ReportData(rt.Message):
             float_list_count_ = data[at]
             float_list_end_ = at + 1 + float_list_count_ * 4
             float_list_ = []
-            for (data_,) in _S_f.iter_unpack(data[at + 1:float_list_end_]):
+            for data_ in _L_f[float_list_count_].unpack_from(data, at + 1):
                 if data_ - data_ != 0.0: raise rt.Reject
                 float_list_.append(ReportData.FloatRec(data_))
             self.float_list = float_list_
@@ -6629,11 +6645,13 @@ class ReportData(rt.Message):
             float_list_ = self.float_list
             if type(float_list_) is not list: raise rt.Reject
             out.append(len(float_list_))
+            raw_: list[int | float] = []
             for item_ in float_list_:
                 if type(item_) is not ReportData.FloatRec: raise rt.Reject
                 data_ = item_.data
                 if data_ - data_ != 0.0: raise rt.Reject
-                out += _S_f.pack(data_)
+                raw_.append(data_)
+            out += _L_f[len(raw_)].pack(*raw_)
 
     @dataclass(slots=True, repr=False)
     class LongFloatList(rt.Struct):
@@ -6657,7 +6675,7 @@ class ReportData(rt.Message):
             long_float_list_count_ = data[at]
             long_float_list_end_ = at + 1 + long_float_list_count_ * 8
             long_float_list_ = []
-            for (data_,) in _S_d.iter_unpack(data[at + 1:long_float_list_end_]):
+            for data_ in _L_d[long_float_list_count_].unpack_from(data, at + 1):
                 if data_ - data_ != 0.0: raise rt.Reject
                 long_float_list_.append(ReportData.LongFloatRec(data_))
             self.long_float_list = long_float_list_
@@ -6667,11 +6685,13 @@ class ReportData(rt.Message):
             long_float_list_ = self.long_float_list
             if type(long_float_list_) is not list: raise rt.Reject
             out.append(len(long_float_list_))
+            raw_: list[int | float] = []
             for item_ in long_float_list_:
                 if type(item_) is not ReportData.LongFloatRec: raise rt.Reject
                 data_ = item_.data
                 if data_ - data_ != 0.0: raise rt.Reject
-                out += _S_d.pack(data_)
+                raw_.append(data_)
+            out += _L_d[len(raw_)].pack(*raw_)
 
     @dataclass(slots=True, repr=False)
     class CharList(rt.Struct):
@@ -6694,16 +6714,18 @@ class ReportData(rt.Message):
             self = rt.new(cls)
             char_list_count_ = data[at]
             char_list_end_ = at + 1 + char_list_count_ * 1
-            self.char_list = [ReportData.ByteRec(data_) for (data_,) in _S_B.iter_unpack(data[at + 1:char_list_end_])]
+            self.char_list = [ReportData.ByteRec(data_) for data_ in _L_B[char_list_count_].unpack_from(data, at + 1)]
             return self, char_list_end_
 
         def _write(self, out: bytearray) -> None:
             char_list_ = self.char_list
             if type(char_list_) is not list: raise rt.Reject
             out.append(len(char_list_))
+            raw_: list[int | float] = []
             for item_ in char_list_:
                 if type(item_) is not ReportData.ByteRec: raise rt.Reject
-                out.append(item_.data)
+                raw_.append(item_.data)
+            out += _L_B[len(raw_)].pack(*raw_)
 
     report_data_rec: ReportData.ReportDataRec
     data_list: list[ReportData.ByteRec | ReportData.ShortIntRec | ReportData.IntegerRec | ReportData.LongIntRec | ReportData.UShortIntRec | ReportData.UIntegerRec | ReportData.ULongIntRec | ReportData.FloatRec | ReportData.LongFloatRec | ReportData.ByteList | ReportData.ShortIntList | ReportData.IntegerList | ReportData.LongIntList | ReportData.UShortIntList | ReportData.UIntegerList | ReportData.ULongIntList | ReportData.FloatList | ReportData.LongFloatList | ReportData.CharList]
@@ -6730,7 +6752,7 @@ class ReportData(rt.Message):
         for _ in range(data_list_count_):
             tag = data[at]
             at += 1
-            item_, at = _U_24[tag]._read(data, at, depth)
+            item_, at = _U_32[tag]._read(data, at, depth)
             data_list_.append(item_)
         self.data_list = data_list_
         if at != size: raise rt.Reject
@@ -6745,7 +6767,7 @@ class ReportData(rt.Message):
         if type(data_list_) is not list: raise rt.Reject
         out += _S_H.pack(len(data_list_))
         for item_ in data_list_:
-            out.append(_T_25[type(item_)])
+            out.append(_T_33[type(item_)])
             item_._write(out)
         return bytes(out)
 
@@ -6767,12 +6789,20 @@ _E_ReportDrawingDefinition_ImageType = rt.members(ReportDrawingDefinition.ImageT
 _U_14: tuple[type[ReportDrawingDefinition.PageSeq] | type[ReportDrawingDefinition.BackgroundRec] | type[ReportDrawingDefinition.PenRec] | type[ReportDrawingDefinition.PenWidthRec] | type[ReportDrawingDefinition.BrushRec] | type[ReportDrawingDefinition.DigitalControlRec] | type[ReportDrawingDefinition.DigitalControlGroupRec] | type[ReportDrawingDefinition.LabelSeq] | type[ReportDrawingDefinition.ValueSeq] | type[ReportDrawingDefinition.RotateSeq] | type[ReportDrawingDefinition.AntiRotateSeq] | type[ReportDrawingDefinition.TranslateSeq] | type[ReportDrawingDefinition.AntiTranslateSeq] | type[ReportDrawingDefinition.RectangleSeq] | type[ReportDrawingDefinition.FilledRectangleSeq] | type[ReportDrawingDefinition.CircleSeq] | type[ReportDrawingDefinition.FilledCircleSeq] | type[ReportDrawingDefinition.EllipseSeq] | type[ReportDrawingDefinition.FilledEllipseSeq] | type[ReportDrawingDefinition.LineSeq] | type[ReportDrawingDefinition.PolylineList] | type[ReportDrawingDefinition.PolygonList] | type[ReportDrawingDefinition.FilledPolygonList] | type[ReportDrawingDefinition.ArcSeq] | type[ReportDrawingDefinition.FilledArcSec] | type[ReportDrawingDefinition.PushVar] | type[ReportDrawingDefinition.PopVar] | type[ReportDrawingDefinition.IfVar] | type[ReportDrawingDefinition.ElseIfVar] | type[ReportDrawingDefinition.ElseVar] | type[ReportDrawingDefinition.EndIfVar] | type[ReportDrawingDefinition.SelectVar] | type[ReportDrawingDefinition.CaseVar] | type[ReportDrawingDefinition.DefaultVar] | type[ReportDrawingDefinition.EndSelectVar] | type[ReportDrawingDefinition.ImageSeq], ...] = (ReportDrawingDefinition.PageSeq, ReportDrawingDefinition.BackgroundRec, ReportDrawingDefinition.PenRec, ReportDrawingDefinition.PenWidthRec, ReportDrawingDefinition.BrushRec, ReportDrawingDefinition.DigitalControlRec, ReportDrawingDefinition.DigitalControlGroupRec, ReportDrawingDefinition.LabelSeq, ReportDrawingDefinition.ValueSeq, ReportDrawingDefinition.RotateSeq, ReportDrawingDefinition.AntiRotateSeq, ReportDrawingDefinition.TranslateSeq, ReportDrawingDefinition.AntiTranslateSeq, ReportDrawingDefinition.RectangleSeq, ReportDrawingDefinition.FilledRectangleSeq, ReportDrawingDefinition.CircleSeq, ReportDrawingDefinition.FilledCircleSeq, ReportDrawingDefinition.EllipseSeq, ReportDrawingDefinition.FilledEllipseSeq, ReportDrawingDefinition.LineSeq, ReportDrawingDefinition.PolylineList, ReportDrawingDefinition.PolygonList, ReportDrawingDefinition.FilledPolygonList, ReportDrawingDefinition.ArcSeq, ReportDrawingDefinition.FilledArcSec, ReportDrawingDefinition.PushVar, ReportDrawingDefinition.PopVar, ReportDrawingDefinition.IfVar, ReportDrawingDefinition.ElseIfVar, ReportDrawingDefinition.ElseVar, ReportDrawingDefinition.EndIfVar, ReportDrawingDefinition.SelectVar, ReportDrawingDefinition.CaseVar, ReportDrawingDefinition.DefaultVar, ReportDrawingDefinition.EndSelectVar, ReportDrawingDefinition.ImageSeq)
 _T_15: dict[type[rt.Struct], int] = {ReportDrawingDefinition.PageSeq: 0, ReportDrawingDefinition.BackgroundRec: 1, ReportDrawingDefinition.PenRec: 2, ReportDrawingDefinition.PenWidthRec: 3, ReportDrawingDefinition.BrushRec: 4, ReportDrawingDefinition.DigitalControlRec: 5, ReportDrawingDefinition.DigitalControlGroupRec: 6, ReportDrawingDefinition.LabelSeq: 7, ReportDrawingDefinition.ValueSeq: 8, ReportDrawingDefinition.RotateSeq: 9, ReportDrawingDefinition.AntiRotateSeq: 10, ReportDrawingDefinition.TranslateSeq: 11, ReportDrawingDefinition.AntiTranslateSeq: 12, ReportDrawingDefinition.RectangleSeq: 13, ReportDrawingDefinition.FilledRectangleSeq: 14, ReportDrawingDefinition.CircleSeq: 15, ReportDrawingDefinition.FilledCircleSeq: 16, ReportDrawingDefinition.EllipseSeq: 17, ReportDrawingDefinition.FilledEllipseSeq: 18, ReportDrawingDefinition.LineSeq: 19, ReportDrawingDefinition.PolylineList: 20, ReportDrawingDefinition.PolygonList: 21, ReportDrawingDefinition.FilledPolygonList: 22, ReportDrawingDefinition.ArcSeq: 23, ReportDrawingDefinition.FilledArcSec: 24, ReportDrawingDefinition.PushVar: 25, ReportDrawingDefinition.PopVar: 26, ReportDrawingDefinition.IfVar: 27, ReportDrawingDefinition.ElseIfVar: 28, ReportDrawingDefinition.ElseVar: 29, ReportDrawingDefinition.EndIfVar: 30, ReportDrawingDefinition.SelectVar: 31, ReportDrawingDefinition.CaseVar: 32, ReportDrawingDefinition.DefaultVar: 33, ReportDrawingDefinition.EndSelectVar: 34, ReportDrawingDefinition.ImageSeq: 35}
 _E_ReportDataDefinition_PrimitiveDataDefinition = rt.members(ReportDataDefinition.PrimitiveDataDefinition)
-_S_B = rt.Packer("<B")
+_L_B = rt.Rows("B")
 _S_h = rt.Packer("<h")
 _S_q = rt.Packer("<q")
 _S_I = rt.Packer("<I")
 _S_Q = rt.Packer("<Q")
 _S_f = rt.Packer("<f")
 _S_d = rt.Packer("<d")
-_U_24: tuple[type[ReportData.ByteRec] | type[ReportData.ShortIntRec] | type[ReportData.IntegerRec] | type[ReportData.LongIntRec] | type[ReportData.UShortIntRec] | type[ReportData.UIntegerRec] | type[ReportData.ULongIntRec] | type[ReportData.FloatRec] | type[ReportData.LongFloatRec] | type[ReportData.ByteList] | type[ReportData.ShortIntList] | type[ReportData.IntegerList] | type[ReportData.LongIntList] | type[ReportData.UShortIntList] | type[ReportData.UIntegerList] | type[ReportData.ULongIntList] | type[ReportData.FloatList] | type[ReportData.LongFloatList] | type[ReportData.CharList], ...] = (ReportData.ByteRec, ReportData.ShortIntRec, ReportData.IntegerRec, ReportData.LongIntRec, ReportData.UShortIntRec, ReportData.UIntegerRec, ReportData.ULongIntRec, ReportData.FloatRec, ReportData.LongFloatRec, ReportData.ByteList, ReportData.ShortIntList, ReportData.IntegerList, ReportData.LongIntList, ReportData.UShortIntList, ReportData.UIntegerList, ReportData.ULongIntList, ReportData.FloatList, ReportData.LongFloatList, ReportData.CharList)
-_T_25: dict[type[rt.Struct], int] = {ReportData.ByteRec: 0, ReportData.ShortIntRec: 1, ReportData.IntegerRec: 2, ReportData.LongIntRec: 3, ReportData.UShortIntRec: 4, ReportData.UIntegerRec: 5, ReportData.ULongIntRec: 6, ReportData.FloatRec: 7, ReportData.LongFloatRec: 8, ReportData.ByteList: 9, ReportData.ShortIntList: 10, ReportData.IntegerList: 11, ReportData.LongIntList: 12, ReportData.UShortIntList: 13, ReportData.UIntegerList: 14, ReportData.ULongIntList: 15, ReportData.FloatList: 16, ReportData.LongFloatList: 17, ReportData.CharList: 18}
+_L_h = rt.Rows("h")
+_L_i = rt.Rows("i")
+_L_q = rt.Rows("q")
+_L_H = rt.Rows("H")
+_L_I = rt.Rows("I")
+_L_Q = rt.Rows("Q")
+_L_f = rt.Rows("f")
+_L_d = rt.Rows("d")
+_U_32: tuple[type[ReportData.ByteRec] | type[ReportData.ShortIntRec] | type[ReportData.IntegerRec] | type[ReportData.LongIntRec] | type[ReportData.UShortIntRec] | type[ReportData.UIntegerRec] | type[ReportData.ULongIntRec] | type[ReportData.FloatRec] | type[ReportData.LongFloatRec] | type[ReportData.ByteList] | type[ReportData.ShortIntList] | type[ReportData.IntegerList] | type[ReportData.LongIntList] | type[ReportData.UShortIntList] | type[ReportData.UIntegerList] | type[ReportData.ULongIntList] | type[ReportData.FloatList] | type[ReportData.LongFloatList] | type[ReportData.CharList], ...] = (ReportData.ByteRec, ReportData.ShortIntRec, ReportData.IntegerRec, ReportData.LongIntRec, ReportData.UShortIntRec, ReportData.UIntegerRec, ReportData.ULongIntRec, ReportData.FloatRec, ReportData.LongFloatRec, ReportData.ByteList, ReportData.ShortIntList, ReportData.IntegerList, ReportData.LongIntList, ReportData.UShortIntList, ReportData.UIntegerList, ReportData.ULongIntList, ReportData.FloatList, ReportData.LongFloatList, ReportData.CharList)
+_T_33: dict[type[rt.Struct], int] = {ReportData.ByteRec: 0, ReportData.ShortIntRec: 1, ReportData.IntegerRec: 2, ReportData.LongIntRec: 3, ReportData.UShortIntRec: 4, ReportData.UIntegerRec: 5, ReportData.ULongIntRec: 6, ReportData.FloatRec: 7, ReportData.LongFloatRec: 8, ReportData.ByteList: 9, ReportData.ShortIntList: 10, ReportData.IntegerList: 11, ReportData.LongIntList: 12, ReportData.UShortIntList: 13, ReportData.UIntegerList: 14, ReportData.ULongIntList: 15, ReportData.FloatList: 16, ReportData.LongFloatList: 17, ReportData.CharList: 18}

@@ -65,17 +65,17 @@ class CostMap2DGlobalPoseRec(rt.Struct):
     def _write(self, out: bytearray) -> None:
         map_center_latitude_ = self.map_center_latitude
         if not -90.0 <= map_center_latitude_ <= 90.0: raise rt.Reject
-        near = (map_center_latitude_ + 90.0) * 23860929.416666668 + 0.5
+        near = map_center_latitude_ * 23860929.416666668 + 2147483648.0
         map_center_latitude_raw_ = int(near)
         if not 1.52587890625e-05 < near - map_center_latitude_raw_ < 0.9999847412109375: map_center_latitude_raw_ = rt.exact_raw(map_center_latitude_, _R_1)
         map_center_longitude_ = self.map_center_longitude
         if not -180.0 <= map_center_longitude_ <= 180.0: raise rt.Reject
-        near = (map_center_longitude_ + 180.0) * 11930464.708333334 + 0.5
+        near = map_center_longitude_ * 11930464.708333334 + 2147483648.0
         map_center_longitude_raw_ = int(near)
         if not 1.52587890625e-05 < near - map_center_longitude_raw_ < 0.9999847412109375: map_center_longitude_raw_ = rt.exact_raw(map_center_longitude_, _R_2)
         map_rotation_ = self.map_rotation
         if not -3.141592653589793 <= map_rotation_ <= 3.141592653589793: raise rt.Reject
-        near = (map_rotation_ + 3.141592653589793) * 10430.219195527361 + 0.5
+        near = map_rotation_ * 10430.219195527361 + 32768.0
         map_rotation_raw_ = int(near)
         if not 1.52587890625e-05 < near - map_rotation_raw_ < 0.9999847412109375: map_rotation_raw_ = rt.exact_raw(map_rotation_, _R_3)
         out += _S_2IH.pack(map_center_latitude_raw_, map_center_longitude_raw_, map_rotation_raw_)
@@ -115,17 +115,17 @@ class CostMap2DLocalPoseRec(rt.Struct):
     def _write(self, out: bytearray) -> None:
         map_center_x_ = self.map_center_x
         if not -100000.0 <= map_center_x_ <= 100000.0: raise rt.Reject
-        near = (map_center_x_ + 100000.0) * 21474.836475 + 0.5
+        near = map_center_x_ * 21474.836475 + 2147483648.0
         map_center_x_raw_ = int(near)
         if not 1.52587890625e-05 < near - map_center_x_raw_ < 0.9999847412109375: map_center_x_raw_ = rt.exact_raw(map_center_x_, _R_4)
         map_center_y_ = self.map_center_y
         if not -100000.0 <= map_center_y_ <= 100000.0: raise rt.Reject
-        near = (map_center_y_ + 100000.0) * 21474.836475 + 0.5
+        near = map_center_y_ * 21474.836475 + 2147483648.0
         map_center_y_raw_ = int(near)
         if not 1.52587890625e-05 < near - map_center_y_raw_ < 0.9999847412109375: map_center_y_raw_ = rt.exact_raw(map_center_y_, _R_4)
         map_rotation_ = self.map_rotation
         if not -3.141592653589793 <= map_rotation_ <= 3.141592653589793: raise rt.Reject
-        near = (map_rotation_ + 3.141592653589793) * 10430.219195527361 + 0.5
+        near = map_rotation_ * 10430.219195527361 + 32768.0
         map_rotation_raw_ = int(near)
         if not 1.52587890625e-05 < near - map_rotation_raw_ < 0.9999847412109375: map_rotation_raw_ = rt.exact_raw(map_rotation_, _R_3)
         out += _S_2IH.pack(map_center_x_raw_, map_center_y_raw_, map_rotation_raw_)
@@ -692,7 +692,7 @@ class GlobalPoseRec(rt.Struct):
         if latitude_ is not None:
             mask |= 1
             if not -90.0 <= latitude_ <= 90.0: raise rt.Reject
-            near = (latitude_ + 90.0) * 23860929.416666668 + 0.5
+            near = latitude_ * 23860929.416666668 + 2147483648.0
             latitude_raw_ = int(near)
             if not 1.52587890625e-05 < near - latitude_raw_ < 0.9999847412109375: latitude_raw_ = rt.exact_raw(latitude_, _R_1)
             raw.append(latitude_raw_)
@@ -700,7 +700,7 @@ class GlobalPoseRec(rt.Struct):
         if longitude_ is not None:
             mask |= 2
             if not -180.0 <= longitude_ <= 180.0: raise rt.Reject
-            near = (longitude_ + 180.0) * 11930464.708333334 + 0.5
+            near = longitude_ * 11930464.708333334 + 2147483648.0
             longitude_raw_ = int(near)
             if not 1.52587890625e-05 < near - longitude_raw_ < 0.9999847412109375: longitude_raw_ = rt.exact_raw(longitude_, _R_2)
             raw.append(longitude_raw_)
@@ -708,7 +708,7 @@ class GlobalPoseRec(rt.Struct):
         if altitude_ is not None:
             mask |= 4
             if not -10000.0 <= altitude_ <= 35000.0: raise rt.Reject
-            near = (altitude_ + 10000.0) * 95443.71766666666 + 0.5
+            near = altitude_ * 95443.71766666666 + 954437177.1666666
             altitude_raw_ = int(near)
             if not 1.52587890625e-05 < near - altitude_raw_ < 0.9999847412109375: altitude_raw_ = rt.exact_raw(altitude_, _R_12)
             raw.append(altitude_raw_)
@@ -724,7 +724,7 @@ class GlobalPoseRec(rt.Struct):
         if roll_ is not None:
             mask |= 16
             if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = (roll_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = roll_ * 10430.219195527361 + 32768.0
             roll_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_3)
             raw.append(roll_raw_)
@@ -732,7 +732,7 @@ class GlobalPoseRec(rt.Struct):
         if pitch_ is not None:
             mask |= 32
             if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = (pitch_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = pitch_ * 10430.219195527361 + 32768.0
             pitch_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_3)
             raw.append(pitch_raw_)
@@ -740,7 +740,7 @@ class GlobalPoseRec(rt.Struct):
         if yaw_ is not None:
             mask |= 64
             if not -3.141592653589793 <= yaw_ <= 3.141592653589793: raise rt.Reject
-            near = (yaw_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = yaw_ * 10430.219195527361 + 32768.0
             yaw_raw_ = int(near)
             if not 1.52587890625e-05 < near - yaw_raw_ < 0.9999847412109375: yaw_raw_ = rt.exact_raw(yaw_, _R_3)
             raw.append(yaw_raw_)

@@ -185,19 +185,21 @@ class AddNoGoZone(rt.Message):
             global_vertex_list_ = self.global_vertex_list
             if type(global_vertex_list_) is not list: raise rt.Reject
             out.append(len(global_vertex_list_))
+            raw_: list[int | float] = []
             for item_ in global_vertex_list_:
                 if type(item_) is not iop_v1_0_types.GlobalVertexRec: raise rt.Reject
                 latitude_ = item_.latitude
                 if not -90.0 <= latitude_ <= 90.0: raise rt.Reject
-                near = (latitude_ + 90.0) * 23860929.416666668 + 0.5
+                near = latitude_ * 23860929.416666668 + 2147483648.0
                 latitude_raw_ = int(near)
                 if not 1.52587890625e-05 < near - latitude_raw_ < 0.9999847412109375: latitude_raw_ = rt.exact_raw(latitude_, _R_6)
                 longitude_ = item_.longitude
                 if not -180.0 <= longitude_ <= 180.0: raise rt.Reject
-                near = (longitude_ + 180.0) * 11930464.708333334 + 0.5
+                near = longitude_ * 11930464.708333334 + 2147483648.0
                 longitude_raw_ = int(near)
                 if not 1.52587890625e-05 < near - longitude_raw_ < 0.9999847412109375: longitude_raw_ = rt.exact_raw(longitude_, _R_7)
-                out += _S_2I.pack(latitude_raw_, longitude_raw_)
+                raw_ += (latitude_raw_, longitude_raw_)
+            out += _L_I[len(raw_)].pack(*raw_)
 
     @dataclass(slots=True, repr=False)
     class LocalVertexList(rt.Struct):
@@ -227,19 +229,21 @@ class AddNoGoZone(rt.Message):
             local_vertex_list_ = self.local_vertex_list
             if type(local_vertex_list_) is not list: raise rt.Reject
             out.append(len(local_vertex_list_))
+            raw_: list[int | float] = []
             for item_ in local_vertex_list_:
                 if type(item_) is not iop_v1_0_types.LocalVertexRec: raise rt.Reject
                 x_ = item_.x
                 if not -100000.0 <= x_ <= 100000.0: raise rt.Reject
-                near = (x_ + 100000.0) * 21474.836475 + 0.5
+                near = x_ * 21474.836475 + 2147483648.0
                 x_raw_ = int(near)
-                if not 1.52587890625e-05 < near - x_raw_ < 0.9999847412109375: x_raw_ = rt.exact_raw(x_, _R_8)
+                if not 1.52587890625e-05 < near - x_raw_ < 0.9999847412109375: x_raw_ = rt.exact_raw(x_, _R_9)
                 y_ = item_.y
                 if not -100000.0 <= y_ <= 100000.0: raise rt.Reject
-                near = (y_ + 100000.0) * 21474.836475 + 0.5
+                near = y_ * 21474.836475 + 2147483648.0
                 y_raw_ = int(near)
-                if not 1.52587890625e-05 < near - y_raw_ < 0.9999847412109375: y_raw_ = rt.exact_raw(y_, _R_8)
-                out += _S_2I.pack(x_raw_, y_raw_)
+                if not 1.52587890625e-05 < near - y_raw_ < 0.9999847412109375: y_raw_ = rt.exact_raw(y_, _R_9)
+                raw_ += (x_raw_, y_raw_)
+            out += _L_I[len(raw_)].pack(*raw_)
 
     request_id_rec: AddNoGoZone.RequestIDRec
     vertex_var: AddNoGoZone.GlobalVertexList | AddNoGoZone.LocalVertexList
@@ -261,7 +265,7 @@ class AddNoGoZone(rt.Message):
         self.request_id_rec = AddNoGoZone.RequestIDRec(request_id_)
         tag = data[4]
         at = 5
-        self.vertex_var, at = _U_10[tag]._read(data, at, depth)
+        self.vertex_var, at = _U_11[tag]._read(data, at, depth)
         if at != size: raise rt.Reject
         return self
 
@@ -271,7 +275,7 @@ class AddNoGoZone(rt.Message):
         if type(request_id_rec_) is not AddNoGoZone.RequestIDRec: raise rt.Reject
         out += _S_H.pack(request_id_rec_.request_id)
         vertex_var_ = self.vertex_var
-        out.append(_T_11[type(vertex_var_)])
+        out.append(_T_12[type(vertex_var_)])
         vertex_var_._write(out)
         return bytes(out)
 
@@ -352,16 +356,18 @@ class ReportCostMap2D(rt.Message):
             self = rt.new(cls)
             (cost_data_list_count_,) = _S_H.unpack_from(data, at)
             cost_data_list_end_ = at + 2 + cost_data_list_count_ * 1
-            self.cost_data_list = [iop_v1_0_types.CostDataRec(cost_) for (cost_,) in _S_B.iter_unpack(data[at + 2:cost_data_list_end_])]
+            self.cost_data_list = [iop_v1_0_types.CostDataRec(cost_) for cost_ in _L_B[cost_data_list_count_].unpack_from(data, at + 2)]
             return self, cost_data_list_end_
 
         def _write(self, out: bytearray) -> None:
             cost_data_list_ = self.cost_data_list
             if type(cost_data_list_) is not list: raise rt.Reject
             out += _S_H.pack(len(cost_data_list_))
+            raw_: list[int | float] = []
             for item_ in cost_data_list_:
                 if type(item_) is not iop_v1_0_types.CostDataRec: raise rt.Reject
-                out.append(item_.cost)
+                raw_.append(item_.cost)
+            out += _L_B[len(raw_)].pack(*raw_)
 
     @dataclass(slots=True, repr=False)
     class CostAndConfidenceDataList(rt.Struct):
@@ -395,6 +401,7 @@ class ReportCostMap2D(rt.Message):
             cost_and_confidence_data_list_ = self.cost_and_confidence_data_list
             if type(cost_and_confidence_data_list_) is not list: raise rt.Reject
             out += _S_H.pack(len(cost_and_confidence_data_list_))
+            raw_: list[int | float] = []
             for item_ in cost_and_confidence_data_list_:
                 if type(item_) is not iop_v1_0_types.CostAndConfidenceDataRec: raise rt.Reject
                 cost_ = item_.cost
@@ -403,9 +410,9 @@ class ReportCostMap2D(rt.Message):
                 if not 0.0 <= confidence_ <= 100.0: raise rt.Reject
                 near = confidence_ * 2.55 + 0.5
                 confidence_raw_ = int(near)
-                if not 1.52587890625e-05 < near - confidence_raw_ < 0.9999847412109375: confidence_raw_ = rt.exact_raw(confidence_, _R_13)
-                out.append(cost_)
-                out.append(confidence_raw_)
+                if not 1.52587890625e-05 < near - confidence_raw_ < 0.9999847412109375: confidence_raw_ = rt.exact_raw(confidence_, _R_15)
+                raw_ += (cost_, confidence_raw_)
+            out += _L_B[len(raw_)].pack(*raw_)
 
     @dataclass(slots=True, repr=False)
     class RunLengthEncodedDataList(rt.Struct):
@@ -428,13 +435,14 @@ class ReportCostMap2D(rt.Message):
             self = rt.new(cls)
             (run_length_encoded_data_list_count_,) = _S_H.unpack_from(data, at)
             run_length_encoded_data_list_end_ = at + 2 + run_length_encoded_data_list_count_ * 2
-            self.run_length_encoded_data_list = [iop_v1_0_types.RunLengthEncodedDataRec(iop_v1_0_types.RunLengthEncodedDataRec.CostAndRunLength(cost_and_run_length_ & 0x7, _E_RunLengthEncodedDataRec_CertaintySubField.get(cost_and_run_length_ >> 3 & 0x1, cost_and_run_length_ >> 3 & 0x1), cost_and_run_length_ >> 4 & 0xFFF)) for (cost_and_run_length_,) in _S_H.iter_unpack(data[at + 2:run_length_encoded_data_list_end_])]
+            self.run_length_encoded_data_list = [iop_v1_0_types.RunLengthEncodedDataRec(iop_v1_0_types.RunLengthEncodedDataRec.CostAndRunLength(cost_and_run_length_ & 0x7, _E_RunLengthEncodedDataRec_CertaintySubField.get(cost_and_run_length_ >> 3 & 0x1, cost_and_run_length_ >> 3 & 0x1), cost_and_run_length_ >> 4 & 0xFFF)) for cost_and_run_length_ in _L_H[run_length_encoded_data_list_count_].unpack_from(data, at + 2)]
             return self, run_length_encoded_data_list_end_
 
         def _write(self, out: bytearray) -> None:
             run_length_encoded_data_list_ = self.run_length_encoded_data_list
             if type(run_length_encoded_data_list_) is not list: raise rt.Reject
             out += _S_H.pack(len(run_length_encoded_data_list_))
+            raw_: list[int | float] = []
             for item_ in run_length_encoded_data_list_:
                 if type(item_) is not iop_v1_0_types.RunLengthEncodedDataRec: raise rt.Reject
                 cost_and_run_length_ = item_.cost_and_run_length
@@ -445,7 +453,8 @@ class ReportCostMap2D(rt.Message):
                 if not 0 <= certainty_sub_field_ <= 1: raise rt.Reject
                 number_cells_sub_field_ = cost_and_run_length_.number_cells_sub_field
                 if not 0 <= number_cells_sub_field_ <= 4095: raise rt.Reject
-                out += _S_H.pack(cost_sub_field_ | certainty_sub_field_ << 3 | number_cells_sub_field_ << 4)
+                raw_.append(cost_sub_field_ | certainty_sub_field_ << 3 | number_cells_sub_field_ << 4)
+            out += _L_H[len(raw_)].pack(*raw_)
 
     cost_map2d_rec: iop_v1_0_types.CostMap2DRec
     cost_map2d_pose_var: iop_v1_0_types.CostMap2DGlobalPoseRec | iop_v1_0_types.CostMap2DLocalPoseRec
@@ -472,7 +481,7 @@ class ReportCostMap2D(rt.Message):
         self.cost_map2d_pose_var, at = _U_1[tag]._read(data, at, depth)
         tag = data[at]
         at += 1
-        self.cost_map2d_data_var, at = _U_16[tag]._read(data, at, depth)
+        self.cost_map2d_data_var, at = _U_19[tag]._read(data, at, depth)
         if at != size: raise rt.Reject
         return self
 
@@ -495,7 +504,7 @@ class ReportCostMap2D(rt.Message):
         out.append(_T_3[type(cost_map2d_pose_var_)])
         cost_map2d_pose_var_._write(out)
         cost_map2d_data_var_ = self.cost_map2d_data_var
-        out.append(_T_17[type(cost_map2d_data_var_)])
+        out.append(_T_20[type(cost_map2d_data_var_)])
         cost_map2d_data_var_._write(out)
         return bytes(out)
 
@@ -560,19 +569,21 @@ class ReportNoGoZones(rt.Message):
             global_vertex_list_ = self.global_vertex_list
             if type(global_vertex_list_) is not list: raise rt.Reject
             out.append(len(global_vertex_list_))
+            raw_: list[int | float] = []
             for item_ in global_vertex_list_:
                 if type(item_) is not iop_v1_0_types.GlobalVertexRec: raise rt.Reject
                 latitude_ = item_.latitude
                 if not -90.0 <= latitude_ <= 90.0: raise rt.Reject
-                near = (latitude_ + 90.0) * 23860929.416666668 + 0.5
+                near = latitude_ * 23860929.416666668 + 2147483648.0
                 latitude_raw_ = int(near)
                 if not 1.52587890625e-05 < near - latitude_raw_ < 0.9999847412109375: latitude_raw_ = rt.exact_raw(latitude_, _R_6)
                 longitude_ = item_.longitude
                 if not -180.0 <= longitude_ <= 180.0: raise rt.Reject
-                near = (longitude_ + 180.0) * 11930464.708333334 + 0.5
+                near = longitude_ * 11930464.708333334 + 2147483648.0
                 longitude_raw_ = int(near)
                 if not 1.52587890625e-05 < near - longitude_raw_ < 0.9999847412109375: longitude_raw_ = rt.exact_raw(longitude_, _R_7)
-                out += _S_2I.pack(latitude_raw_, longitude_raw_)
+                raw_ += (latitude_raw_, longitude_raw_)
+            out += _L_I[len(raw_)].pack(*raw_)
 
     @dataclass(slots=True, repr=False)
     class LocalVertexList(rt.Struct):
@@ -602,19 +613,21 @@ class ReportNoGoZones(rt.Message):
             local_vertex_list_ = self.local_vertex_list
             if type(local_vertex_list_) is not list: raise rt.Reject
             out.append(len(local_vertex_list_))
+            raw_: list[int | float] = []
             for item_ in local_vertex_list_:
                 if type(item_) is not iop_v1_0_types.LocalVertexRec: raise rt.Reject
                 x_ = item_.x
                 if not -100000.0 <= x_ <= 100000.0: raise rt.Reject
-                near = (x_ + 100000.0) * 21474.836475 + 0.5
+                near = x_ * 21474.836475 + 2147483648.0
                 x_raw_ = int(near)
-                if not 1.52587890625e-05 < near - x_raw_ < 0.9999847412109375: x_raw_ = rt.exact_raw(x_, _R_8)
+                if not 1.52587890625e-05 < near - x_raw_ < 0.9999847412109375: x_raw_ = rt.exact_raw(x_, _R_9)
                 y_ = item_.y
                 if not -100000.0 <= y_ <= 100000.0: raise rt.Reject
-                near = (y_ + 100000.0) * 21474.836475 + 0.5
+                near = y_ * 21474.836475 + 2147483648.0
                 y_raw_ = int(near)
-                if not 1.52587890625e-05 < near - y_raw_ < 0.9999847412109375: y_raw_ = rt.exact_raw(y_, _R_8)
-                out += _S_2I.pack(x_raw_, y_raw_)
+                if not 1.52587890625e-05 < near - y_raw_ < 0.9999847412109375: y_raw_ = rt.exact_raw(y_, _R_9)
+                raw_ += (x_raw_, y_raw_)
+            out += _L_I[len(raw_)].pack(*raw_)
 
     @dataclass(slots=True, repr=False)
     class NoGoZoneSeq(rt.Struct):
@@ -659,7 +672,7 @@ class ReportNoGoZones(rt.Message):
             item_.zone_id_rec = ReportNoGoZones.ZoneIDRec(zone_id_)
             tag = data[at + 2]
             at += 3
-            item_.vertex_var, at = _U_18[tag]._read(data, at, depth)
+            item_.vertex_var, at = _U_21[tag]._read(data, at, depth)
             no_go_zones_list_.append(item_)
         self.no_go_zones_list = no_go_zones_list_
         if at != size: raise rt.Reject
@@ -676,7 +689,7 @@ class ReportNoGoZones(rt.Message):
             if type(zone_id_rec_) is not ReportNoGoZones.ZoneIDRec: raise rt.Reject
             out += _S_H.pack(zone_id_rec_.zone_id)
             vertex_var_ = item_.vertex_var
-            out.append(_T_19[type(vertex_var_)])
+            out.append(_T_22[type(vertex_var_)])
             vertex_var_._write(out)
         return bytes(out)
 
@@ -738,17 +751,20 @@ _S_B = rt.Packer("<B")
 _S_2I = rt.Packer("<2I")
 _R_6 = rt.Scaling(-90.0, 90.0, 4294967295)
 _R_7 = rt.Scaling(-180.0, 180.0, 4294967295)
-_R_8 = rt.Scaling(-100000.0, 100000.0, 4294967295)
+_L_I = rt.Rows("I")
+_R_9 = rt.Scaling(-100000.0, 100000.0, 4294967295)
 _S_H = rt.Packer("<H")
-_U_10: tuple[type[AddNoGoZone.GlobalVertexList] | type[AddNoGoZone.LocalVertexList], ...] = (AddNoGoZone.GlobalVertexList, AddNoGoZone.LocalVertexList)
-_T_11: dict[type[rt.Struct], int] = {AddNoGoZone.GlobalVertexList: 0, AddNoGoZone.LocalVertexList: 1}
+_U_11: tuple[type[AddNoGoZone.GlobalVertexList] | type[AddNoGoZone.LocalVertexList], ...] = (AddNoGoZone.GlobalVertexList, AddNoGoZone.LocalVertexList)
+_T_12: dict[type[rt.Struct], int] = {AddNoGoZone.GlobalVertexList: 0, AddNoGoZone.LocalVertexList: 1}
+_L_B = rt.Rows("B")
 _S_2B = rt.Packer("<2B")
-_R_13 = rt.Scaling(0.0, 100.0, 255)
+_R_15 = rt.Scaling(0.0, 100.0, 255)
 _E_RunLengthEncodedDataRec_CertaintySubField = rt.members(iop_v1_0_types.RunLengthEncodedDataRec.CertaintySubField)
+_L_H = rt.Rows("H")
 _S_4H = rt.Packer("<4H")
-_U_16: tuple[type[ReportCostMap2D.CostDataList] | type[ReportCostMap2D.CostAndConfidenceDataList] | type[ReportCostMap2D.RunLengthEncodedDataList], ...] = (ReportCostMap2D.CostDataList, ReportCostMap2D.CostAndConfidenceDataList, ReportCostMap2D.RunLengthEncodedDataList)
-_T_17: dict[type[rt.Struct], int] = {ReportCostMap2D.CostDataList: 0, ReportCostMap2D.CostAndConfidenceDataList: 1, ReportCostMap2D.RunLengthEncodedDataList: 2}
-_U_18: tuple[type[ReportNoGoZones.GlobalVertexList] | type[ReportNoGoZones.LocalVertexList], ...] = (ReportNoGoZones.GlobalVertexList, ReportNoGoZones.LocalVertexList)
-_T_19: dict[type[rt.Struct], int] = {ReportNoGoZones.GlobalVertexList: 0, ReportNoGoZones.LocalVertexList: 1}
+_U_19: tuple[type[ReportCostMap2D.CostDataList] | type[ReportCostMap2D.CostAndConfidenceDataList] | type[ReportCostMap2D.RunLengthEncodedDataList], ...] = (ReportCostMap2D.CostDataList, ReportCostMap2D.CostAndConfidenceDataList, ReportCostMap2D.RunLengthEncodedDataList)
+_T_20: dict[type[rt.Struct], int] = {ReportCostMap2D.CostDataList: 0, ReportCostMap2D.CostAndConfidenceDataList: 1, ReportCostMap2D.RunLengthEncodedDataList: 2}
+_U_21: tuple[type[ReportNoGoZones.GlobalVertexList] | type[ReportNoGoZones.LocalVertexList], ...] = (ReportNoGoZones.GlobalVertexList, ReportNoGoZones.LocalVertexList)
+_T_22: dict[type[rt.Struct], int] = {ReportNoGoZones.GlobalVertexList: 0, ReportNoGoZones.LocalVertexList: 1}
 _E_AddNoGoZoneResponse_ResponseCode = rt.members(AddNoGoZoneResponse.ResponseCode)
 _S_2HBH = rt.Packer("<2HBH")

@@ -178,12 +178,13 @@ class ConfirmReleaseControl(rt.Message):
         release_control_list_ = self.release_control_list
         if type(release_control_list_) is not list: raise rt.Reject
         out.append(len(release_control_list_))
+        raw_: list[int | float] = []
         for item_ in release_control_list_:
             if type(item_) is not iop_v1_0_types.ReleaseControlRec: raise rt.Reject
             response_code_ = item_.response_code
             if response_code_ not in _E_ReleaseControlRec_ResponseCode: raise rt.Reject
-            out.append(item_.id)
-            out.append(response_code_)
+            raw_ += (item_.id, response_code_)
+        out += _L_B[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -307,5 +308,6 @@ _S_H = rt.Packer("<H")
 _S_HB = rt.Packer("<HB")
 _E_ReleaseControlRec_ResponseCode = rt.members(iop_v1_0_types.ReleaseControlRec.ResponseCode)
 _S_2B = rt.Packer("<2B")
+_L_B = rt.Rows("B")
 _E_ConfirmHandoffRequest_ResponseCode = rt.members(ConfirmHandoffRequest.ResponseCode)
 _S_H2B = rt.Packer("<H2B")

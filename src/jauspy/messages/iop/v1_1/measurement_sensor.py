@@ -109,7 +109,7 @@ class ReportMeasurement(rt.Message):
             item_.reading_rec, at = iop_v1_0_types.ReadingRec._read(data, at, depth)
             value_list_count_ = data[at]
             value_list_end_ = at + 1 + value_list_count_ * 4
-            item_.value_list = [iop_v1_0_types.ValueRec(-10000.0 + value_ * 4.656612874161595e-06) for (value_,) in _S_I.iter_unpack(data[at + 1:value_list_end_])]
+            item_.value_list = [iop_v1_0_types.ValueRec(-10000.0 + value_ * 4.656612874161595e-06) for value_ in _L_I[value_list_count_].unpack_from(data, at + 1)]
             at = value_list_end_
             readings_list_.append(item_)
         self.readings_list = readings_list_
@@ -157,14 +157,16 @@ class ReportMeasurement(rt.Message):
             value_list_ = item_.value_list
             if type(value_list_) is not list: raise rt.Reject
             out.append(len(value_list_))
+            raw_: list[int | float] = []
             for item_2_ in value_list_:
                 if type(item_2_) is not iop_v1_0_types.ValueRec: raise rt.Reject
                 value_ = item_2_.value
                 if not -10000.0 <= value_ <= 10000.0: raise rt.Reject
-                near = (value_ + 10000.0) * 214748.36475 + 0.5
+                near = value_ * 214748.36475 + 2147483648.0
                 value_raw_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_ < 0.9999847412109375: value_raw_ = rt.exact_raw(value_, _R_3)
-                out += _S_I.pack(value_raw_)
+                raw_.append(value_raw_)
+            out += _L_I[len(raw_)].pack(*raw_)
         global_pose_rec_ = self.global_pose_rec
         if global_pose_rec_ is not None:
             mask |= 1
@@ -194,7 +196,7 @@ class ReportMeasurement(rt.Message):
 
 
 _S_H = rt.Packer("<H")
-_S_I = rt.Packer("<I")
+_L_I = rt.Rows("I")
 _M_ReportMeasurement_3 = rt.Masks("", ((2, "I"),))
 _R_3 = rt.Scaling(-10000.0, 10000.0, 4294967295)
 _S_B = rt.Packer("<B")

@@ -212,7 +212,7 @@ class ReportSupportedPlatformModes(rt.Message):
         supported_platform_modes_list_count_ = data[2]
         supported_platform_modes_list_end_ = 3 + supported_platform_modes_list_count_ * 1
         supported_platform_modes_list_ = []
-        for (platform_mode_,) in _S_B.iter_unpack(data[3:supported_platform_modes_list_end_]):
+        for platform_mode_ in _L_B[supported_platform_modes_list_count_].unpack_from(data, 3):
             if platform_mode_ not in _E_ReportSupportedPlatformModes_PlatformMode and platform_mode_ < 175: raise rt.Reject
             supported_platform_modes_list_.append(ReportSupportedPlatformModes.PlatformModeRec(_E_ReportSupportedPlatformModes_PlatformMode.get(platform_mode_, platform_mode_)))
         self.supported_platform_modes_list = supported_platform_modes_list_
@@ -224,11 +224,13 @@ class ReportSupportedPlatformModes(rt.Message):
         supported_platform_modes_list_ = self.supported_platform_modes_list
         if type(supported_platform_modes_list_) is not list: raise rt.Reject
         out.append(len(supported_platform_modes_list_))
+        raw_: list[int | float] = []
         for item_ in supported_platform_modes_list_:
             if type(item_) is not ReportSupportedPlatformModes.PlatformModeRec: raise rt.Reject
             platform_mode_ = item_.platform_mode
             if platform_mode_ not in _E_ReportSupportedPlatformModes_PlatformMode and not 175 <= platform_mode_ <= 255: raise rt.Reject
-            out.append(platform_mode_)
+            raw_.append(platform_mode_)
+        out += _L_B[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -239,4 +241,4 @@ _E_ReportPlatformMode_PlatformMode = rt.members(ReportPlatformMode.PlatformMode)
 _E_ReportPlatformMode_Status = rt.members(ReportPlatformMode.Status)
 _S_H2B = rt.Packer("<H2B")
 _E_ReportSupportedPlatformModes_PlatformMode = rt.members(ReportSupportedPlatformModes.PlatformMode)
-_S_B = rt.Packer("<B")
+_L_B = rt.Rows("B")

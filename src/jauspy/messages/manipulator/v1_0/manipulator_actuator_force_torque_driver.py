@@ -197,37 +197,37 @@ class ReportManipulatorSpecifications(rt.Message):
             if type(manipulator_coordinate_system_rec_) is not manipulator_v1_0_types.ManipulatorCoordinateSystemRec: raise rt.Reject
             manipulator_coordinate_sys_x_ = manipulator_coordinate_system_rec_.manipulator_coordinate_sys_x
             if not -30.0 <= manipulator_coordinate_sys_x_ <= 30.0: raise rt.Reject
-            near = (manipulator_coordinate_sys_x_ + 30.0) * 71582788.25 + 0.5
+            near = manipulator_coordinate_sys_x_ * 71582788.25 + 2147483648.0
             manipulator_coordinate_sys_x_raw_ = int(near)
             if not 1.52587890625e-05 < near - manipulator_coordinate_sys_x_raw_ < 0.9999847412109375: manipulator_coordinate_sys_x_raw_ = rt.exact_raw(manipulator_coordinate_sys_x_, _R_5)
             manipulator_coordinate_sys_y_ = manipulator_coordinate_system_rec_.manipulator_coordinate_sys_y
             if not -30.0 <= manipulator_coordinate_sys_y_ <= 30.0: raise rt.Reject
-            near = (manipulator_coordinate_sys_y_ + 30.0) * 71582788.25 + 0.5
+            near = manipulator_coordinate_sys_y_ * 71582788.25 + 2147483648.0
             manipulator_coordinate_sys_y_raw_ = int(near)
             if not 1.52587890625e-05 < near - manipulator_coordinate_sys_y_raw_ < 0.9999847412109375: manipulator_coordinate_sys_y_raw_ = rt.exact_raw(manipulator_coordinate_sys_y_, _R_5)
             manipulator_coordinate_sys_z_ = manipulator_coordinate_system_rec_.manipulator_coordinate_sys_z
             if not -30.0 <= manipulator_coordinate_sys_z_ <= 30.0: raise rt.Reject
-            near = (manipulator_coordinate_sys_z_ + 30.0) * 71582788.25 + 0.5
+            near = manipulator_coordinate_sys_z_ * 71582788.25 + 2147483648.0
             manipulator_coordinate_sys_z_raw_ = int(near)
             if not 1.52587890625e-05 < near - manipulator_coordinate_sys_z_raw_ < 0.9999847412109375: manipulator_coordinate_sys_z_raw_ = rt.exact_raw(manipulator_coordinate_sys_z_, _R_5)
             d_component_of_unit_quaternion_q_ = manipulator_coordinate_system_rec_.d_component_of_unit_quaternion_q
             if not -1.0 <= d_component_of_unit_quaternion_q_ <= 1.0: raise rt.Reject
-            near = (d_component_of_unit_quaternion_q_ + 1.0) * 2147483647.5 + 0.5
+            near = d_component_of_unit_quaternion_q_ * 2147483647.5 + 2147483648.0
             d_component_of_unit_quaternion_q_raw_ = int(near)
             if not 1.52587890625e-05 < near - d_component_of_unit_quaternion_q_raw_ < 0.9999847412109375: d_component_of_unit_quaternion_q_raw_ = rt.exact_raw(d_component_of_unit_quaternion_q_, _R_6)
             a_component_of_unit_quaternion_q_ = manipulator_coordinate_system_rec_.a_component_of_unit_quaternion_q
             if not -1.0 <= a_component_of_unit_quaternion_q_ <= 1.0: raise rt.Reject
-            near = (a_component_of_unit_quaternion_q_ + 1.0) * 2147483647.5 + 0.5
+            near = a_component_of_unit_quaternion_q_ * 2147483647.5 + 2147483648.0
             a_component_of_unit_quaternion_q_raw_ = int(near)
             if not 1.52587890625e-05 < near - a_component_of_unit_quaternion_q_raw_ < 0.9999847412109375: a_component_of_unit_quaternion_q_raw_ = rt.exact_raw(a_component_of_unit_quaternion_q_, _R_6)
             b_component_of_unit_quaternion_q_ = manipulator_coordinate_system_rec_.b_component_of_unit_quaternion_q
             if not -1.0 <= b_component_of_unit_quaternion_q_ <= 1.0: raise rt.Reject
-            near = (b_component_of_unit_quaternion_q_ + 1.0) * 2147483647.5 + 0.5
+            near = b_component_of_unit_quaternion_q_ * 2147483647.5 + 2147483648.0
             b_component_of_unit_quaternion_q_raw_ = int(near)
             if not 1.52587890625e-05 < near - b_component_of_unit_quaternion_q_raw_ < 0.9999847412109375: b_component_of_unit_quaternion_q_raw_ = rt.exact_raw(b_component_of_unit_quaternion_q_, _R_6)
             c_component_of_unit_quaternion_q_ = manipulator_coordinate_system_rec_.c_component_of_unit_quaternion_q
             if not -1.0 <= c_component_of_unit_quaternion_q_ <= 1.0: raise rt.Reject
-            near = (c_component_of_unit_quaternion_q_ + 1.0) * 2147483647.5 + 0.5
+            near = c_component_of_unit_quaternion_q_ * 2147483647.5 + 2147483648.0
             c_component_of_unit_quaternion_q_raw_ = int(near)
             if not 1.52587890625e-05 < near - c_component_of_unit_quaternion_q_raw_ < 0.9999847412109375: c_component_of_unit_quaternion_q_raw_ = rt.exact_raw(c_component_of_unit_quaternion_q_, _R_6)
             out += _S_7I.pack(manipulator_coordinate_sys_x_raw_, manipulator_coordinate_sys_y_raw_, manipulator_coordinate_sys_z_raw_, d_component_of_unit_quaternion_q_raw_, a_component_of_unit_quaternion_q_raw_, b_component_of_unit_quaternion_q_raw_, c_component_of_unit_quaternion_q_raw_)

@@ -132,37 +132,37 @@ class ReportEndEffectorPose(rt.Message):
     def _pack(self) -> bytes:
         tool_point_coordinate_x_ = self.tool_point_coordinate_x
         if not -30.0 <= tool_point_coordinate_x_ <= 30.0: raise rt.Reject
-        near = (tool_point_coordinate_x_ + 30.0) * 71582788.25 + 0.5
+        near = tool_point_coordinate_x_ * 71582788.25 + 2147483648.0
         tool_point_coordinate_x_raw_ = int(near)
         if not 1.52587890625e-05 < near - tool_point_coordinate_x_raw_ < 0.9999847412109375: tool_point_coordinate_x_raw_ = rt.exact_raw(tool_point_coordinate_x_, _R_2)
         tool_point_coordinate_y_ = self.tool_point_coordinate_y
         if not -30.0 <= tool_point_coordinate_y_ <= 30.0: raise rt.Reject
-        near = (tool_point_coordinate_y_ + 30.0) * 71582788.25 + 0.5
+        near = tool_point_coordinate_y_ * 71582788.25 + 2147483648.0
         tool_point_coordinate_y_raw_ = int(near)
         if not 1.52587890625e-05 < near - tool_point_coordinate_y_raw_ < 0.9999847412109375: tool_point_coordinate_y_raw_ = rt.exact_raw(tool_point_coordinate_y_, _R_2)
         tool_point_coordinate_z_ = self.tool_point_coordinate_z
         if not -30.0 <= tool_point_coordinate_z_ <= 30.0: raise rt.Reject
-        near = (tool_point_coordinate_z_ + 30.0) * 71582788.25 + 0.5
+        near = tool_point_coordinate_z_ * 71582788.25 + 2147483648.0
         tool_point_coordinate_z_raw_ = int(near)
         if not 1.52587890625e-05 < near - tool_point_coordinate_z_raw_ < 0.9999847412109375: tool_point_coordinate_z_raw_ = rt.exact_raw(tool_point_coordinate_z_, _R_2)
         d_component_of_unit_quaternion_q_ = self.d_component_of_unit_quaternion_q
         if not -1.0 <= d_component_of_unit_quaternion_q_ <= 1.0: raise rt.Reject
-        near = (d_component_of_unit_quaternion_q_ + 1.0) * 2147483647.5 + 0.5
+        near = d_component_of_unit_quaternion_q_ * 2147483647.5 + 2147483648.0
         d_component_of_unit_quaternion_q_raw_ = int(near)
         if not 1.52587890625e-05 < near - d_component_of_unit_quaternion_q_raw_ < 0.9999847412109375: d_component_of_unit_quaternion_q_raw_ = rt.exact_raw(d_component_of_unit_quaternion_q_, _R_3)
         a_component_of_unit_quaternion_q_ = self.a_component_of_unit_quaternion_q
         if not -1.0 <= a_component_of_unit_quaternion_q_ <= 1.0: raise rt.Reject
-        near = (a_component_of_unit_quaternion_q_ + 1.0) * 2147483647.5 + 0.5
+        near = a_component_of_unit_quaternion_q_ * 2147483647.5 + 2147483648.0
         a_component_of_unit_quaternion_q_raw_ = int(near)
         if not 1.52587890625e-05 < near - a_component_of_unit_quaternion_q_raw_ < 0.9999847412109375: a_component_of_unit_quaternion_q_raw_ = rt.exact_raw(a_component_of_unit_quaternion_q_, _R_3)
         b_component_of_unit_quaternion_q_ = self.b_component_of_unit_quaternion_q
         if not -1.0 <= b_component_of_unit_quaternion_q_ <= 1.0: raise rt.Reject
-        near = (b_component_of_unit_quaternion_q_ + 1.0) * 2147483647.5 + 0.5
+        near = b_component_of_unit_quaternion_q_ * 2147483647.5 + 2147483648.0
         b_component_of_unit_quaternion_q_raw_ = int(near)
         if not 1.52587890625e-05 < near - b_component_of_unit_quaternion_q_raw_ < 0.9999847412109375: b_component_of_unit_quaternion_q_raw_ = rt.exact_raw(b_component_of_unit_quaternion_q_, _R_3)
         c_component_of_unit_quaternion_q_ = self.c_component_of_unit_quaternion_q
         if not -1.0 <= c_component_of_unit_quaternion_q_ <= 1.0: raise rt.Reject
-        near = (c_component_of_unit_quaternion_q_ + 1.0) * 2147483647.5 + 0.5
+        near = c_component_of_unit_quaternion_q_ * 2147483647.5 + 2147483648.0
         c_component_of_unit_quaternion_q_raw_ = int(near)
         if not 1.52587890625e-05 < near - c_component_of_unit_quaternion_q_raw_ < 0.9999847412109375: c_component_of_unit_quaternion_q_raw_ = rt.exact_raw(c_component_of_unit_quaternion_q_, _R_3)
         return _S_H7I.pack(0x4615, tool_point_coordinate_x_raw_, tool_point_coordinate_y_raw_, tool_point_coordinate_z_raw_, d_component_of_unit_quaternion_q_raw_, a_component_of_unit_quaternion_q_raw_, b_component_of_unit_quaternion_q_raw_, c_component_of_unit_quaternion_q_raw_)

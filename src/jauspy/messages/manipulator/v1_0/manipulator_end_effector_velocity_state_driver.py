@@ -87,32 +87,32 @@ class SetEndEffectorVelocityState(rt.Message):
     def _pack(self) -> bytes:
         angular_velocity_component_x_ = self.angular_velocity_component_x
         if not -62.83185307179586 <= angular_velocity_component_x_ <= 62.83185307179586: raise rt.Reject
-        near = (angular_velocity_component_x_ + 62.83185307179586) * 34178263.77086383 + 0.5
+        near = angular_velocity_component_x_ * 34178263.77086383 + 2147483647.9999998
         angular_velocity_component_x_raw_ = int(near)
         if not 1.52587890625e-05 < near - angular_velocity_component_x_raw_ < 0.9999847412109375: angular_velocity_component_x_raw_ = rt.exact_raw(angular_velocity_component_x_, _R_1)
         angular_velocity_component_y_ = self.angular_velocity_component_y
         if not -62.83185307179586 <= angular_velocity_component_y_ <= 62.83185307179586: raise rt.Reject
-        near = (angular_velocity_component_y_ + 62.83185307179586) * 34178263.77086383 + 0.5
+        near = angular_velocity_component_y_ * 34178263.77086383 + 2147483647.9999998
         angular_velocity_component_y_raw_ = int(near)
         if not 1.52587890625e-05 < near - angular_velocity_component_y_raw_ < 0.9999847412109375: angular_velocity_component_y_raw_ = rt.exact_raw(angular_velocity_component_y_, _R_1)
         angular_velocity_component_z_ = self.angular_velocity_component_z
         if not -62.83185307179586 <= angular_velocity_component_z_ <= 62.83185307179586: raise rt.Reject
-        near = (angular_velocity_component_z_ + 62.83185307179586) * 34178263.77086383 + 0.5
+        near = angular_velocity_component_z_ * 34178263.77086383 + 2147483647.9999998
         angular_velocity_component_z_raw_ = int(near)
         if not 1.52587890625e-05 < near - angular_velocity_component_z_raw_ < 0.9999847412109375: angular_velocity_component_z_raw_ = rt.exact_raw(angular_velocity_component_z_, _R_1)
         linear_velocity_component_x_ = self.linear_velocity_component_x
         if not -10.0 <= linear_velocity_component_x_ <= 10.0: raise rt.Reject
-        near = (linear_velocity_component_x_ + 10.0) * 214748364.75 + 0.5
+        near = linear_velocity_component_x_ * 214748364.75 + 2147483648.0
         linear_velocity_component_x_raw_ = int(near)
         if not 1.52587890625e-05 < near - linear_velocity_component_x_raw_ < 0.9999847412109375: linear_velocity_component_x_raw_ = rt.exact_raw(linear_velocity_component_x_, _R_2)
         linear_velocity_component_y_ = self.linear_velocity_component_y
         if not -10.0 <= linear_velocity_component_y_ <= 10.0: raise rt.Reject
-        near = (linear_velocity_component_y_ + 10.0) * 214748364.75 + 0.5
+        near = linear_velocity_component_y_ * 214748364.75 + 2147483648.0
         linear_velocity_component_y_raw_ = int(near)
         if not 1.52587890625e-05 < near - linear_velocity_component_y_raw_ < 0.9999847412109375: linear_velocity_component_y_raw_ = rt.exact_raw(linear_velocity_component_y_, _R_2)
         linear_velocity_component_z_ = self.linear_velocity_component_z
         if not -10.0 <= linear_velocity_component_z_ <= 10.0: raise rt.Reject
-        near = (linear_velocity_component_z_ + 10.0) * 214748364.75 + 0.5
+        near = linear_velocity_component_z_ * 214748364.75 + 2147483648.0
         linear_velocity_component_z_raw_ = int(near)
         if not 1.52587890625e-05 < near - linear_velocity_component_z_raw_ < 0.9999847412109375: linear_velocity_component_z_raw_ = rt.exact_raw(linear_velocity_component_z_, _R_2)
         return _S_H6I.pack(0x0612, angular_velocity_component_x_raw_, angular_velocity_component_y_raw_, angular_velocity_component_z_raw_, linear_velocity_component_x_raw_, linear_velocity_component_y_raw_, linear_velocity_component_z_raw_)
@@ -228,32 +228,32 @@ class ReportCommandedEndEffectorVelocityState(rt.Message):
     def _pack(self) -> bytes:
         angular_velocity_component_x_ = self.angular_velocity_component_x
         if not -62.83185307179586 <= angular_velocity_component_x_ <= 62.83185307179586: raise rt.Reject
-        near = (angular_velocity_component_x_ + 62.83185307179586) * 34178263.77086383 + 0.5
+        near = angular_velocity_component_x_ * 34178263.77086383 + 2147483647.9999998
         angular_velocity_component_x_raw_ = int(near)
         if not 1.52587890625e-05 < near - angular_velocity_component_x_raw_ < 0.9999847412109375: angular_velocity_component_x_raw_ = rt.exact_raw(angular_velocity_component_x_, _R_1)
         angular_velocity_component_y_ = self.angular_velocity_component_y
         if not -62.83185307179586 <= angular_velocity_component_y_ <= 62.83185307179586: raise rt.Reject
-        near = (angular_velocity_component_y_ + 62.83185307179586) * 34178263.77086383 + 0.5
+        near = angular_velocity_component_y_ * 34178263.77086383 + 2147483647.9999998
         angular_velocity_component_y_raw_ = int(near)
         if not 1.52587890625e-05 < near - angular_velocity_component_y_raw_ < 0.9999847412109375: angular_velocity_component_y_raw_ = rt.exact_raw(angular_velocity_component_y_, _R_1)
         angular_velocity_component_z_ = self.angular_velocity_component_z
         if not -62.83185307179586 <= angular_velocity_component_z_ <= 62.83185307179586: raise rt.Reject
-        near = (angular_velocity_component_z_ + 62.83185307179586) * 34178263.77086383 + 0.5
+        near = angular_velocity_component_z_ * 34178263.77086383 + 2147483647.9999998
         angular_velocity_component_z_raw_ = int(near)
         if not 1.52587890625e-05 < near - angular_velocity_component_z_raw_ < 0.9999847412109375: angular_velocity_component_z_raw_ = rt.exact_raw(angular_velocity_component_z_, _R_1)
         linear_velocity_component_x_ = self.linear_velocity_component_x
         if not -10.0 <= linear_velocity_component_x_ <= 10.0: raise rt.Reject
-        near = (linear_velocity_component_x_ + 10.0) * 214748364.75 + 0.5
+        near = linear_velocity_component_x_ * 214748364.75 + 2147483648.0
         linear_velocity_component_x_raw_ = int(near)
         if not 1.52587890625e-05 < near - linear_velocity_component_x_raw_ < 0.9999847412109375: linear_velocity_component_x_raw_ = rt.exact_raw(linear_velocity_component_x_, _R_2)
         linear_velocity_component_y_ = self.linear_velocity_component_y
         if not -10.0 <= linear_velocity_component_y_ <= 10.0: raise rt.Reject
-        near = (linear_velocity_component_y_ + 10.0) * 214748364.75 + 0.5
+        near = linear_velocity_component_y_ * 214748364.75 + 2147483648.0
         linear_velocity_component_y_raw_ = int(near)
         if not 1.52587890625e-05 < near - linear_velocity_component_y_raw_ < 0.9999847412109375: linear_velocity_component_y_raw_ = rt.exact_raw(linear_velocity_component_y_, _R_2)
         linear_velocity_component_z_ = self.linear_velocity_component_z
         if not -10.0 <= linear_velocity_component_z_ <= 10.0: raise rt.Reject
-        near = (linear_velocity_component_z_ + 10.0) * 214748364.75 + 0.5
+        near = linear_velocity_component_z_ * 214748364.75 + 2147483648.0
         linear_velocity_component_z_raw_ = int(near)
         if not 1.52587890625e-05 < near - linear_velocity_component_z_raw_ < 0.9999847412109375: linear_velocity_component_z_raw_ = rt.exact_raw(linear_velocity_component_z_, _R_2)
         return _S_H6I.pack(0x4612, angular_velocity_component_x_raw_, angular_velocity_component_y_raw_, angular_velocity_component_z_raw_, linear_velocity_component_x_raw_, linear_velocity_component_y_raw_, linear_velocity_component_z_raw_)

@@ -128,12 +128,12 @@ class SetPanTiltJointPositions(rt.Message):
     def _pack(self) -> bytes:
         joint1_position_ = self.joint1_position
         if not -25.132741228718345 <= joint1_position_ <= 25.132741228718345: raise rt.Reject
-        near = (joint1_position_ + 25.132741228718345) * 85445659.42715958 + 0.5
+        near = joint1_position_ * 85445659.42715958 + 2147483647.9999998
         joint1_position_raw_ = int(near)
         if not 1.52587890625e-05 < near - joint1_position_raw_ < 0.9999847412109375: joint1_position_raw_ = rt.exact_raw(joint1_position_, _R_3)
         joint2_position_ = self.joint2_position
         if not -25.132741228718345 <= joint2_position_ <= 25.132741228718345: raise rt.Reject
-        near = (joint2_position_ + 25.132741228718345) * 85445659.42715958 + 0.5
+        near = joint2_position_ * 85445659.42715958 + 2147483647.9999998
         joint2_position_raw_ = int(near)
         if not 1.52587890625e-05 < near - joint2_position_raw_ < 0.9999847412109375: joint2_position_raw_ = rt.exact_raw(joint2_position_, _R_3)
         return _S_H2I.pack(0x0622, joint1_position_raw_, joint2_position_raw_)
@@ -318,7 +318,7 @@ class ReportPanTiltSpecifications(rt.Message):
         if pan_tilt_coordinate_sys_x_ is not None:
             mask |= 1
             if not -30.0 <= pan_tilt_coordinate_sys_x_ <= 30.0: raise rt.Reject
-            near = (pan_tilt_coordinate_sys_x_ + 30.0) * 71582788.25 + 0.5
+            near = pan_tilt_coordinate_sys_x_ * 71582788.25 + 2147483648.0
             pan_tilt_coordinate_sys_x_raw_ = int(near)
             if not 1.52587890625e-05 < near - pan_tilt_coordinate_sys_x_raw_ < 0.9999847412109375: pan_tilt_coordinate_sys_x_raw_ = rt.exact_raw(pan_tilt_coordinate_sys_x_, _R_7)
             raw.append(pan_tilt_coordinate_sys_x_raw_)
@@ -326,7 +326,7 @@ class ReportPanTiltSpecifications(rt.Message):
         if pan_tilt_coordinate_sys_y_ is not None:
             mask |= 2
             if not -30.0 <= pan_tilt_coordinate_sys_y_ <= 30.0: raise rt.Reject
-            near = (pan_tilt_coordinate_sys_y_ + 30.0) * 71582788.25 + 0.5
+            near = pan_tilt_coordinate_sys_y_ * 71582788.25 + 2147483648.0
             pan_tilt_coordinate_sys_y_raw_ = int(near)
             if not 1.52587890625e-05 < near - pan_tilt_coordinate_sys_y_raw_ < 0.9999847412109375: pan_tilt_coordinate_sys_y_raw_ = rt.exact_raw(pan_tilt_coordinate_sys_y_, _R_7)
             raw.append(pan_tilt_coordinate_sys_y_raw_)
@@ -334,7 +334,7 @@ class ReportPanTiltSpecifications(rt.Message):
         if pan_tilt_coordinate_sys_z_ is not None:
             mask |= 4
             if not -30.0 <= pan_tilt_coordinate_sys_z_ <= 30.0: raise rt.Reject
-            near = (pan_tilt_coordinate_sys_z_ + 30.0) * 71582788.25 + 0.5
+            near = pan_tilt_coordinate_sys_z_ * 71582788.25 + 2147483648.0
             pan_tilt_coordinate_sys_z_raw_ = int(near)
             if not 1.52587890625e-05 < near - pan_tilt_coordinate_sys_z_raw_ < 0.9999847412109375: pan_tilt_coordinate_sys_z_raw_ = rt.exact_raw(pan_tilt_coordinate_sys_z_, _R_7)
             raw.append(pan_tilt_coordinate_sys_z_raw_)
@@ -342,7 +342,7 @@ class ReportPanTiltSpecifications(rt.Message):
         if d_component_of_unit_quaternion_q_ is not None:
             mask |= 8
             if not -1.0 <= d_component_of_unit_quaternion_q_ <= 1.0: raise rt.Reject
-            near = (d_component_of_unit_quaternion_q_ + 1.0) * 2147483647.5 + 0.5
+            near = d_component_of_unit_quaternion_q_ * 2147483647.5 + 2147483648.0
             d_component_of_unit_quaternion_q_raw_ = int(near)
             if not 1.52587890625e-05 < near - d_component_of_unit_quaternion_q_raw_ < 0.9999847412109375: d_component_of_unit_quaternion_q_raw_ = rt.exact_raw(d_component_of_unit_quaternion_q_, _R_8)
             raw.append(d_component_of_unit_quaternion_q_raw_)
@@ -350,7 +350,7 @@ class ReportPanTiltSpecifications(rt.Message):
         if a_component_of_unit_quaternion_q_ is not None:
             mask |= 16
             if not -1.0 <= a_component_of_unit_quaternion_q_ <= 1.0: raise rt.Reject
-            near = (a_component_of_unit_quaternion_q_ + 1.0) * 2147483647.5 + 0.5
+            near = a_component_of_unit_quaternion_q_ * 2147483647.5 + 2147483648.0
             a_component_of_unit_quaternion_q_raw_ = int(near)
             if not 1.52587890625e-05 < near - a_component_of_unit_quaternion_q_raw_ < 0.9999847412109375: a_component_of_unit_quaternion_q_raw_ = rt.exact_raw(a_component_of_unit_quaternion_q_, _R_8)
             raw.append(a_component_of_unit_quaternion_q_raw_)
@@ -358,7 +358,7 @@ class ReportPanTiltSpecifications(rt.Message):
         if b_component_of_unit_quaternion_q_ is not None:
             mask |= 32
             if not -1.0 <= b_component_of_unit_quaternion_q_ <= 1.0: raise rt.Reject
-            near = (b_component_of_unit_quaternion_q_ + 1.0) * 2147483647.5 + 0.5
+            near = b_component_of_unit_quaternion_q_ * 2147483647.5 + 2147483648.0
             b_component_of_unit_quaternion_q_raw_ = int(near)
             if not 1.52587890625e-05 < near - b_component_of_unit_quaternion_q_raw_ < 0.9999847412109375: b_component_of_unit_quaternion_q_raw_ = rt.exact_raw(b_component_of_unit_quaternion_q_, _R_8)
             raw.append(b_component_of_unit_quaternion_q_raw_)
@@ -366,19 +366,19 @@ class ReportPanTiltSpecifications(rt.Message):
         if c_component_of_unit_quaternion_q_ is not None:
             mask |= 64
             if not -1.0 <= c_component_of_unit_quaternion_q_ <= 1.0: raise rt.Reject
-            near = (c_component_of_unit_quaternion_q_ + 1.0) * 2147483647.5 + 0.5
+            near = c_component_of_unit_quaternion_q_ * 2147483647.5 + 2147483648.0
             c_component_of_unit_quaternion_q_raw_ = int(near)
             if not 1.52587890625e-05 < near - c_component_of_unit_quaternion_q_raw_ < 0.9999847412109375: c_component_of_unit_quaternion_q_raw_ = rt.exact_raw(c_component_of_unit_quaternion_q_, _R_8)
             raw.append(c_component_of_unit_quaternion_q_raw_)
         joint1_min_value_ = self.joint1_min_value
         if not -25.132741228718345 <= joint1_min_value_ <= 25.132741228718345: raise rt.Reject
-        near = (joint1_min_value_ + 25.132741228718345) * 85445659.42715958 + 0.5
+        near = joint1_min_value_ * 85445659.42715958 + 2147483647.9999998
         joint1_min_value_raw_ = int(near)
         if not 1.52587890625e-05 < near - joint1_min_value_raw_ < 0.9999847412109375: joint1_min_value_raw_ = rt.exact_raw(joint1_min_value_, _R_3)
         raw.append(joint1_min_value_raw_)
         joint1_max_value_ = self.joint1_max_value
         if not -25.132741228718345 <= joint1_max_value_ <= 25.132741228718345: raise rt.Reject
-        near = (joint1_max_value_ + 25.132741228718345) * 85445659.42715958 + 0.5
+        near = joint1_max_value_ * 85445659.42715958 + 2147483647.9999998
         joint1_max_value_raw_ = int(near)
         if not 1.52587890625e-05 < near - joint1_max_value_raw_ < 0.9999847412109375: joint1_max_value_raw_ = rt.exact_raw(joint1_max_value_, _R_3)
         raw.append(joint1_max_value_raw_)
@@ -390,13 +390,13 @@ class ReportPanTiltSpecifications(rt.Message):
         raw.append(joint1_max_speed_raw_)
         joint2_min_value_ = self.joint2_min_value
         if not -25.132741228718345 <= joint2_min_value_ <= 25.132741228718345: raise rt.Reject
-        near = (joint2_min_value_ + 25.132741228718345) * 85445659.42715958 + 0.5
+        near = joint2_min_value_ * 85445659.42715958 + 2147483647.9999998
         joint2_min_value_raw_ = int(near)
         if not 1.52587890625e-05 < near - joint2_min_value_raw_ < 0.9999847412109375: joint2_min_value_raw_ = rt.exact_raw(joint2_min_value_, _R_3)
         raw.append(joint2_min_value_raw_)
         joint2_max_value_ = self.joint2_max_value
         if not -25.132741228718345 <= joint2_max_value_ <= 25.132741228718345: raise rt.Reject
-        near = (joint2_max_value_ + 25.132741228718345) * 85445659.42715958 + 0.5
+        near = joint2_max_value_ * 85445659.42715958 + 2147483647.9999998
         joint2_max_value_raw_ = int(near)
         if not 1.52587890625e-05 < near - joint2_max_value_raw_ < 0.9999847412109375: joint2_max_value_raw_ = rt.exact_raw(joint2_max_value_, _R_3)
         raw.append(joint2_max_value_raw_)
@@ -446,12 +446,12 @@ class ReportCommandedPanTiltJointPositions(rt.Message):
     def _pack(self) -> bytes:
         joint1_position_ = self.joint1_position
         if not -25.132741228718345 <= joint1_position_ <= 25.132741228718345: raise rt.Reject
-        near = (joint1_position_ + 25.132741228718345) * 85445659.42715958 + 0.5
+        near = joint1_position_ * 85445659.42715958 + 2147483647.9999998
         joint1_position_raw_ = int(near)
         if not 1.52587890625e-05 < near - joint1_position_raw_ < 0.9999847412109375: joint1_position_raw_ = rt.exact_raw(joint1_position_, _R_3)
         joint2_position_ = self.joint2_position
         if not -25.132741228718345 <= joint2_position_ <= 25.132741228718345: raise rt.Reject
-        near = (joint2_position_ + 25.132741228718345) * 85445659.42715958 + 0.5
+        near = joint2_position_ * 85445659.42715958 + 2147483647.9999998
         joint2_position_raw_ = int(near)
         if not 1.52587890625e-05 < near - joint2_position_raw_ < 0.9999847412109375: joint2_position_raw_ = rt.exact_raw(joint2_position_, _R_3)
         return _S_H2I.pack(0x4628, joint1_position_raw_, joint2_position_raw_)

@@ -79,12 +79,12 @@ class ReportPanTiltJointPositions(rt.Message):
     def _pack(self) -> bytes:
         joint1_position_ = self.joint1_position
         if not -25.132741228718345 <= joint1_position_ <= 25.132741228718345: raise rt.Reject
-        near = (joint1_position_ + 25.132741228718345) * 85445659.42715958 + 0.5
+        near = joint1_position_ * 85445659.42715958 + 2147483647.9999998
         joint1_position_raw_ = int(near)
         if not 1.52587890625e-05 < near - joint1_position_raw_ < 0.9999847412109375: joint1_position_raw_ = rt.exact_raw(joint1_position_, _R_2)
         joint2_position_ = self.joint2_position
         if not -25.132741228718345 <= joint2_position_ <= 25.132741228718345: raise rt.Reject
-        near = (joint2_position_ + 25.132741228718345) * 85445659.42715958 + 0.5
+        near = joint2_position_ * 85445659.42715958 + 2147483647.9999998
         joint2_position_raw_ = int(near)
         if not 1.52587890625e-05 < near - joint2_position_raw_ < 0.9999847412109375: joint2_position_raw_ = rt.exact_raw(joint2_position_, _R_2)
         return _S_H2I.pack(0x4622, joint1_position_raw_, joint2_position_raw_)

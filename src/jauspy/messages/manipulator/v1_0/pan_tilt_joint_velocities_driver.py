@@ -54,12 +54,12 @@ class SetPanTiltJointVelocities(rt.Message):
     def _pack(self) -> bytes:
         joint1_velocity_ = self.joint1_velocity
         if not -31.41592653589793 <= joint1_velocity_ <= 31.41592653589793: raise rt.Reject
-        near = (joint1_velocity_ + 31.41592653589793) * 68356527.54172766 + 0.5
+        near = joint1_velocity_ * 68356527.54172766 + 2147483647.9999998
         joint1_velocity_raw_ = int(near)
         if not 1.52587890625e-05 < near - joint1_velocity_raw_ < 0.9999847412109375: joint1_velocity_raw_ = rt.exact_raw(joint1_velocity_, _R_1)
         joint2_velocity_ = self.joint2_velocity
         if not -31.41592653589793 <= joint2_velocity_ <= 31.41592653589793: raise rt.Reject
-        near = (joint2_velocity_ + 31.41592653589793) * 68356527.54172766 + 0.5
+        near = joint2_velocity_ * 68356527.54172766 + 2147483647.9999998
         joint2_velocity_raw_ = int(near)
         if not 1.52587890625e-05 < near - joint2_velocity_raw_ < 0.9999847412109375: joint2_velocity_raw_ = rt.exact_raw(joint2_velocity_, _R_1)
         return _S_H2I.pack(0x0623, joint1_velocity_raw_, joint2_velocity_raw_)
@@ -151,12 +151,12 @@ class ReportCommandedPanTiltJointVelocities(rt.Message):
     def _pack(self) -> bytes:
         joint1_velocity_ = self.joint1_velocity
         if not -31.41592653589793 <= joint1_velocity_ <= 31.41592653589793: raise rt.Reject
-        near = (joint1_velocity_ + 31.41592653589793) * 68356527.54172766 + 0.5
+        near = joint1_velocity_ * 68356527.54172766 + 2147483647.9999998
         joint1_velocity_raw_ = int(near)
         if not 1.52587890625e-05 < near - joint1_velocity_raw_ < 0.9999847412109375: joint1_velocity_raw_ = rt.exact_raw(joint1_velocity_, _R_1)
         joint2_velocity_ = self.joint2_velocity
         if not -31.41592653589793 <= joint2_velocity_ <= 31.41592653589793: raise rt.Reject
-        near = (joint2_velocity_ + 31.41592653589793) * 68356527.54172766 + 0.5
+        near = joint2_velocity_ * 68356527.54172766 + 2147483647.9999998
         joint2_velocity_raw_ = int(near)
         if not 1.52587890625e-05 < near - joint2_velocity_raw_ < 0.9999847412109375: joint2_velocity_raw_ = rt.exact_raw(joint2_velocity_, _R_1)
         return _S_H2I.pack(0x4631, joint1_velocity_raw_, joint2_velocity_raw_)

@@ -91,7 +91,7 @@ class SetEndEffectorEffort(rt.Message):
     def _pack(self) -> bytes:
         end_effector_effort_ = self.end_effector_effort
         if not -100.0 <= end_effector_effort_ <= 100.0: raise rt.Reject
-        near = (end_effector_effort_ + 100.0) * 327.675 + 0.5
+        near = end_effector_effort_ * 327.675 + 32768.0
         end_effector_effort_raw_ = int(near)
         if not 1.52587890625e-05 < near - end_effector_effort_raw_ < 0.9999847412109375: end_effector_effort_raw_ = rt.exact_raw(end_effector_effort_, _R_2)
         return _S_2H.pack(0x0633, end_effector_effort_raw_)
@@ -163,7 +163,7 @@ class ReportEndEffectorEffort(rt.Message):
     def _pack(self) -> bytes:
         end_effector_effort_ = self.end_effector_effort
         if not -100.0 <= end_effector_effort_ <= 100.0: raise rt.Reject
-        near = (end_effector_effort_ + 100.0) * 327.675 + 0.5
+        near = end_effector_effort_ * 327.675 + 32768.0
         end_effector_effort_raw_ = int(near)
         if not 1.52587890625e-05 < near - end_effector_effort_raw_ < 0.9999847412109375: end_effector_effort_raw_ = rt.exact_raw(end_effector_effort_, _R_2)
         return _S_2H.pack(0x4633, end_effector_effort_raw_)

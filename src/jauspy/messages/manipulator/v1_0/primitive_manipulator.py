@@ -74,7 +74,7 @@ class SetJointEfforts(rt.Message):
         self = rt.new(cls)
         joint_effort_list_count_ = data[2]
         joint_effort_list_end_ = 3 + joint_effort_list_count_ * 2
-        self.joint_effort_list = [manipulator_v1_0_types.JointEffortRec(-100.0 + joint_effort_ * 0.0030518043793392844) for (joint_effort_,) in _S_H.iter_unpack(data[3:joint_effort_list_end_])]
+        self.joint_effort_list = [manipulator_v1_0_types.JointEffortRec(-100.0 + joint_effort_ * 0.0030518043793392844) for joint_effort_ in _L_H[joint_effort_list_count_].unpack_from(data, 3)]
         if joint_effort_list_end_ != size: raise rt.Reject
         return self
 
@@ -83,14 +83,16 @@ class SetJointEfforts(rt.Message):
         joint_effort_list_ = self.joint_effort_list
         if type(joint_effort_list_) is not list: raise rt.Reject
         out.append(len(joint_effort_list_))
+        raw_: list[int | float] = []
         for item_ in joint_effort_list_:
             if type(item_) is not manipulator_v1_0_types.JointEffortRec: raise rt.Reject
             joint_effort_ = item_.joint_effort
             if not -100.0 <= joint_effort_ <= 100.0: raise rt.Reject
-            near = (joint_effort_ + 100.0) * 327.675 + 0.5
+            near = joint_effort_ * 327.675 + 32768.0
             joint_effort_raw_ = int(near)
-            if not 1.52587890625e-05 < near - joint_effort_raw_ < 0.9999847412109375: joint_effort_raw_ = rt.exact_raw(joint_effort_, _R_1)
-            out += _S_H.pack(joint_effort_raw_)
+            if not 1.52587890625e-05 < near - joint_effort_raw_ < 0.9999847412109375: joint_effort_raw_ = rt.exact_raw(joint_effort_, _R_2)
+            raw_.append(joint_effort_raw_)
+        out += _L_H[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -133,7 +135,7 @@ class ReportJointEfforts(rt.Message):
         self = rt.new(cls)
         joint_effort_list_count_ = data[2]
         joint_effort_list_end_ = 3 + joint_effort_list_count_ * 2
-        self.joint_effort_list = [manipulator_v1_0_types.JointEffortRec(-100.0 + joint_effort_ * 0.0030518043793392844) for (joint_effort_,) in _S_H.iter_unpack(data[3:joint_effort_list_end_])]
+        self.joint_effort_list = [manipulator_v1_0_types.JointEffortRec(-100.0 + joint_effort_ * 0.0030518043793392844) for joint_effort_ in _L_H[joint_effort_list_count_].unpack_from(data, 3)]
         if joint_effort_list_end_ != size: raise rt.Reject
         return self
 
@@ -142,16 +144,19 @@ class ReportJointEfforts(rt.Message):
         joint_effort_list_ = self.joint_effort_list
         if type(joint_effort_list_) is not list: raise rt.Reject
         out.append(len(joint_effort_list_))
+        raw_: list[int | float] = []
         for item_ in joint_effort_list_:
             if type(item_) is not manipulator_v1_0_types.JointEffortRec: raise rt.Reject
             joint_effort_ = item_.joint_effort
             if not -100.0 <= joint_effort_ <= 100.0: raise rt.Reject
-            near = (joint_effort_ + 100.0) * 327.675 + 0.5
+            near = joint_effort_ * 327.675 + 32768.0
             joint_effort_raw_ = int(near)
-            if not 1.52587890625e-05 < near - joint_effort_raw_ < 0.9999847412109375: joint_effort_raw_ = rt.exact_raw(joint_effort_, _R_1)
-            out += _S_H.pack(joint_effort_raw_)
+            if not 1.52587890625e-05 < near - joint_effort_raw_ < 0.9999847412109375: joint_effort_raw_ = rt.exact_raw(joint_effort_, _R_2)
+            raw_.append(joint_effort_raw_)
+        out += _L_H[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
 _S_H = rt.Packer("<H")
-_R_1 = rt.Scaling(-100.0, 100.0, 65535)
+_L_H = rt.Rows("H")
+_R_2 = rt.Scaling(-100.0, 100.0, 65535)

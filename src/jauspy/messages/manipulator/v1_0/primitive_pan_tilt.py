@@ -79,12 +79,12 @@ class SetPanTiltJointEfforts(rt.Message):
     def _pack(self) -> bytes:
         joint1_effort_ = self.joint1_effort
         if not -100.0 <= joint1_effort_ <= 100.0: raise rt.Reject
-        near = (joint1_effort_ + 100.0) * 327.675 + 0.5
+        near = joint1_effort_ * 327.675 + 32768.0
         joint1_effort_raw_ = int(near)
         if not 1.52587890625e-05 < near - joint1_effort_raw_ < 0.9999847412109375: joint1_effort_raw_ = rt.exact_raw(joint1_effort_, _R_2)
         joint2_effort_ = self.joint2_effort
         if not -100.0 <= joint2_effort_ <= 100.0: raise rt.Reject
-        near = (joint2_effort_ + 100.0) * 327.675 + 0.5
+        near = joint2_effort_ * 327.675 + 32768.0
         joint2_effort_raw_ = int(near)
         if not 1.52587890625e-05 < near - joint2_effort_raw_ < 0.9999847412109375: joint2_effort_raw_ = rt.exact_raw(joint2_effort_, _R_2)
         return _S_3H.pack(0x0621, joint1_effort_raw_, joint2_effort_raw_)
@@ -135,12 +135,12 @@ class ReportPanTiltJointEfforts(rt.Message):
     def _pack(self) -> bytes:
         joint1_effort_ = self.joint1_effort
         if not -100.0 <= joint1_effort_ <= 100.0: raise rt.Reject
-        near = (joint1_effort_ + 100.0) * 327.675 + 0.5
+        near = joint1_effort_ * 327.675 + 32768.0
         joint1_effort_raw_ = int(near)
         if not 1.52587890625e-05 < near - joint1_effort_raw_ < 0.9999847412109375: joint1_effort_raw_ = rt.exact_raw(joint1_effort_, _R_2)
         joint2_effort_ = self.joint2_effort
         if not -100.0 <= joint2_effort_ <= 100.0: raise rt.Reject
-        near = (joint2_effort_ + 100.0) * 327.675 + 0.5
+        near = joint2_effort_ * 327.675 + 32768.0
         joint2_effort_raw_ = int(near)
         if not 1.52587890625e-05 < near - joint2_effort_raw_ < 0.9999847412109375: joint2_effort_raw_ = rt.exact_raw(joint2_effort_, _R_2)
         return _S_3H.pack(0x4621, joint1_effort_raw_, joint2_effort_raw_)

@@ -65,14 +65,14 @@ class ActuatorForceTorqueRec(rt.Struct):
             if choice == 1:
                 value_ = self.value
                 if not -1000.0 <= value_ <= 1000.0: raise rt.Reject
-                near = (value_ + 1000.0) * 2147483.6475 + 0.5
+                near = value_ * 2147483.6475 + 2147483648.0
                 value_raw_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_ < 0.9999847412109375: value_raw_ = rt.exact_raw(value_, _R_2)
                 out += _S_BI.pack(choice, value_raw_)
             elif choice == 2:
                 value_2_ = self.value
                 if not -500.0 <= value_2_ <= 500.0: raise rt.Reject
-                near = (value_2_ + 500.0) * 4294967.295 + 0.5
+                near = value_2_ * 4294967.295 + 2147483648.0
                 value_raw_2_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_2_ < 0.9999847412109375: value_raw_2_ = rt.exact_raw(value_2_, _R_4)
                 out += _S_BI.pack(choice, value_raw_2_)
@@ -176,7 +176,7 @@ class RevoluteJoint1OffsetRec(rt.Struct):
         raw: list[int | float | bytes] = []
         joint1_offset_ = self.joint1_offset
         if not -10.0 <= joint1_offset_ <= 10.0: raise rt.Reject
-        near = (joint1_offset_ + 10.0) * 3276.75 + 0.5
+        near = joint1_offset_ * 3276.75 + 32768.0
         joint1_offset_raw_ = int(near)
         if not 1.52587890625e-05 < near - joint1_offset_raw_ < 0.9999847412109375: joint1_offset_raw_ = rt.exact_raw(joint1_offset_, _R_6)
         raw.append(joint1_offset_raw_)
@@ -184,7 +184,7 @@ class RevoluteJoint1OffsetRec(rt.Struct):
         if joint1_min_value_ is not None:
             mask |= 1
             if not -25.132741228718345 <= joint1_min_value_ <= 25.132741228718345: raise rt.Reject
-            near = (joint1_min_value_ + 25.132741228718345) * 85445659.42715958 + 0.5
+            near = joint1_min_value_ * 85445659.42715958 + 2147483647.9999998
             joint1_min_value_raw_ = int(near)
             if not 1.52587890625e-05 < near - joint1_min_value_raw_ < 0.9999847412109375: joint1_min_value_raw_ = rt.exact_raw(joint1_min_value_, _R_7)
             raw.append(joint1_min_value_raw_)
@@ -192,7 +192,7 @@ class RevoluteJoint1OffsetRec(rt.Struct):
         if joint1_max_value_ is not None:
             mask |= 2
             if not -25.132741228718345 <= joint1_max_value_ <= 25.132741228718345: raise rt.Reject
-            near = (joint1_max_value_ + 25.132741228718345) * 85445659.42715958 + 0.5
+            near = joint1_max_value_ * 85445659.42715958 + 2147483647.9999998
             joint1_max_value_raw_ = int(near)
             if not 1.52587890625e-05 < near - joint1_max_value_raw_ < 0.9999847412109375: joint1_max_value_raw_ = rt.exact_raw(joint1_max_value_, _R_7)
             raw.append(joint1_max_value_raw_)
@@ -271,19 +271,19 @@ class PrismaticJoint1AngleRec(rt.Struct):
         raw: list[int | float | bytes] = []
         joint1_angle_ = self.joint1_angle
         if not -3.141592653589793 <= joint1_angle_ <= 3.141592653589793: raise rt.Reject
-        near = (joint1_angle_ + 3.141592653589793) * 10430.219195527361 + 0.5
+        near = joint1_angle_ * 10430.219195527361 + 32768.0
         joint1_angle_raw_ = int(near)
         if not 1.52587890625e-05 < near - joint1_angle_raw_ < 0.9999847412109375: joint1_angle_raw_ = rt.exact_raw(joint1_angle_, _R_12)
         raw.append(joint1_angle_raw_)
         joint1_min_value_ = self.joint1_min_value
         if not -10.0 <= joint1_min_value_ <= 10.0: raise rt.Reject
-        near = (joint1_min_value_ + 10.0) * 214748364.75 + 0.5
+        near = joint1_min_value_ * 214748364.75 + 2147483648.0
         joint1_min_value_raw_ = int(near)
         if not 1.52587890625e-05 < near - joint1_min_value_raw_ < 0.9999847412109375: joint1_min_value_raw_ = rt.exact_raw(joint1_min_value_, _R_13)
         raw.append(joint1_min_value_raw_)
         joint1_max_value_ = self.joint1_max_value
         if not -10.0 <= joint1_max_value_ <= 10.0: raise rt.Reject
-        near = (joint1_max_value_ + 10.0) * 214748364.75 + 0.5
+        near = joint1_max_value_ * 214748364.75 + 2147483648.0
         joint1_max_value_raw_ = int(near)
         if not 1.52587890625e-05 < near - joint1_max_value_raw_ < 0.9999847412109375: joint1_max_value_raw_ = rt.exact_raw(joint1_max_value_, _R_13)
         raw.append(joint1_max_value_raw_)
@@ -291,7 +291,7 @@ class PrismaticJoint1AngleRec(rt.Struct):
         if joint1_max_speed_ is not None:
             mask |= 1
             if not -5.0 <= joint1_max_speed_ <= 5.0: raise rt.Reject
-            near = (joint1_max_speed_ + 5.0) * 429496729.5 + 0.5
+            near = joint1_max_speed_ * 429496729.5 + 2147483648.0
             joint1_max_speed_raw_ = int(near)
             if not 1.52587890625e-05 < near - joint1_max_speed_raw_ < 0.9999847412109375: joint1_max_speed_raw_ = rt.exact_raw(joint1_max_speed_, _R_14)
             raw.append(joint1_max_speed_raw_)
@@ -370,19 +370,19 @@ class RevoluteJointSpecificationRec(rt.Struct):
         raw: list[int | float | bytes] = []
         link_length_ = self.link_length
         if not -10.0 <= link_length_ <= 10.0: raise rt.Reject
-        near = (link_length_ + 10.0) * 3276.75 + 0.5
+        near = link_length_ * 3276.75 + 32768.0
         link_length_raw_ = int(near)
         if not 1.52587890625e-05 < near - link_length_raw_ < 0.9999847412109375: link_length_raw_ = rt.exact_raw(link_length_, _R_6)
         raw.append(link_length_raw_)
         twist_angle_ = self.twist_angle
         if not -3.141592653589793 <= twist_angle_ <= 3.141592653589793: raise rt.Reject
-        near = (twist_angle_ + 3.141592653589793) * 10430.219195527361 + 0.5
+        near = twist_angle_ * 10430.219195527361 + 32768.0
         twist_angle_raw_ = int(near)
         if not 1.52587890625e-05 < near - twist_angle_raw_ < 0.9999847412109375: twist_angle_raw_ = rt.exact_raw(twist_angle_, _R_12)
         raw.append(twist_angle_raw_)
         joint_offset_ = self.joint_offset
         if not -10.0 <= joint_offset_ <= 10.0: raise rt.Reject
-        near = (joint_offset_ + 10.0) * 3276.75 + 0.5
+        near = joint_offset_ * 3276.75 + 32768.0
         joint_offset_raw_ = int(near)
         if not 1.52587890625e-05 < near - joint_offset_raw_ < 0.9999847412109375: joint_offset_raw_ = rt.exact_raw(joint_offset_, _R_6)
         raw.append(joint_offset_raw_)
@@ -390,7 +390,7 @@ class RevoluteJointSpecificationRec(rt.Struct):
         if min_value_ is not None:
             mask |= 1
             if not -25.132741228718345 <= min_value_ <= 25.132741228718345: raise rt.Reject
-            near = (min_value_ + 25.132741228718345) * 85445659.42715958 + 0.5
+            near = min_value_ * 85445659.42715958 + 2147483647.9999998
             min_value_raw_ = int(near)
             if not 1.52587890625e-05 < near - min_value_raw_ < 0.9999847412109375: min_value_raw_ = rt.exact_raw(min_value_, _R_7)
             raw.append(min_value_raw_)
@@ -398,7 +398,7 @@ class RevoluteJointSpecificationRec(rt.Struct):
         if max_value_ is not None:
             mask |= 2
             if not -25.132741228718345 <= max_value_ <= 25.132741228718345: raise rt.Reject
-            near = (max_value_ + 25.132741228718345) * 85445659.42715958 + 0.5
+            near = max_value_ * 85445659.42715958 + 2147483647.9999998
             max_value_raw_ = int(near)
             if not 1.52587890625e-05 < near - max_value_raw_ < 0.9999847412109375: max_value_raw_ = rt.exact_raw(max_value_, _R_7)
             raw.append(max_value_raw_)
@@ -487,31 +487,31 @@ class PrismaticJointSpecificationRec(rt.Struct):
         raw: list[int | float | bytes] = []
         link_length_ = self.link_length
         if not -10.0 <= link_length_ <= 10.0: raise rt.Reject
-        near = (link_length_ + 10.0) * 3276.75 + 0.5
+        near = link_length_ * 3276.75 + 32768.0
         link_length_raw_ = int(near)
         if not 1.52587890625e-05 < near - link_length_raw_ < 0.9999847412109375: link_length_raw_ = rt.exact_raw(link_length_, _R_6)
         raw.append(link_length_raw_)
         twist_angle_ = self.twist_angle
         if not -3.141592653589793 <= twist_angle_ <= 3.141592653589793: raise rt.Reject
-        near = (twist_angle_ + 3.141592653589793) * 10430.219195527361 + 0.5
+        near = twist_angle_ * 10430.219195527361 + 32768.0
         twist_angle_raw_ = int(near)
         if not 1.52587890625e-05 < near - twist_angle_raw_ < 0.9999847412109375: twist_angle_raw_ = rt.exact_raw(twist_angle_, _R_12)
         raw.append(twist_angle_raw_)
         joint_angle_ = self.joint_angle
         if not -3.141592653589793 <= joint_angle_ <= 3.141592653589793: raise rt.Reject
-        near = (joint_angle_ + 3.141592653589793) * 10430.219195527361 + 0.5
+        near = joint_angle_ * 10430.219195527361 + 32768.0
         joint_angle_raw_ = int(near)
         if not 1.52587890625e-05 < near - joint_angle_raw_ < 0.9999847412109375: joint_angle_raw_ = rt.exact_raw(joint_angle_, _R_12)
         raw.append(joint_angle_raw_)
         min_value_ = self.min_value
         if not -10.0 <= min_value_ <= 10.0: raise rt.Reject
-        near = (min_value_ + 10.0) * 214748364.75 + 0.5
+        near = min_value_ * 214748364.75 + 2147483648.0
         min_value_raw_ = int(near)
         if not 1.52587890625e-05 < near - min_value_raw_ < 0.9999847412109375: min_value_raw_ = rt.exact_raw(min_value_, _R_13)
         raw.append(min_value_raw_)
         max_value_ = self.max_value
         if not -10.0 <= max_value_ <= 10.0: raise rt.Reject
-        near = (max_value_ + 10.0) * 214748364.75 + 0.5
+        near = max_value_ * 214748364.75 + 2147483648.0
         max_value_raw_ = int(near)
         if not 1.52587890625e-05 < near - max_value_raw_ < 0.9999847412109375: max_value_raw_ = rt.exact_raw(max_value_, _R_13)
         raw.append(max_value_raw_)
@@ -519,7 +519,7 @@ class PrismaticJointSpecificationRec(rt.Struct):
         if max_speed_ is not None:
             mask |= 1
             if not -5.0 <= max_speed_ <= 5.0: raise rt.Reject
-            near = (max_speed_ + 5.0) * 429496729.5 + 0.5
+            near = max_speed_ * 429496729.5 + 2147483648.0
             max_speed_raw_ = int(near)
             if not 1.52587890625e-05 < near - max_speed_raw_ < 0.9999847412109375: max_speed_raw_ = rt.exact_raw(max_speed_, _R_14)
             raw.append(max_speed_raw_)
@@ -691,14 +691,14 @@ class JointPositionRec(rt.Struct):
             if choice == 1:
                 value_ = self.value
                 if not -25.132741228718345 <= value_ <= 25.132741228718345: raise rt.Reject
-                near = (value_ + 25.132741228718345) * 85445659.42715958 + 0.5
+                near = value_ * 85445659.42715958 + 2147483647.9999998
                 value_raw_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_ < 0.9999847412109375: value_raw_ = rt.exact_raw(value_, _R_7)
                 out += _S_BI.pack(choice, value_raw_)
             elif choice == 2:
                 value_2_ = self.value
                 if not -10.0 <= value_2_ <= 10.0: raise rt.Reject
-                near = (value_2_ + 10.0) * 214748364.75 + 0.5
+                near = value_2_ * 214748364.75 + 2147483648.0
                 value_raw_2_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_2_ < 0.9999847412109375: value_raw_2_ = rt.exact_raw(value_2_, _R_13)
                 out += _S_BI.pack(choice, value_raw_2_)
@@ -770,14 +770,14 @@ class JointVelocityRec(rt.Struct):
             if choice == 1:
                 value_ = self.value
                 if not -31.41592653589793 <= value_ <= 31.41592653589793: raise rt.Reject
-                near = (value_ + 31.41592653589793) * 68356527.54172766 + 0.5
+                near = value_ * 68356527.54172766 + 2147483647.9999998
                 value_raw_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_ < 0.9999847412109375: value_raw_ = rt.exact_raw(value_, _R_22)
                 out += _S_BI.pack(choice, value_raw_)
             elif choice == 2:
                 value_2_ = self.value
                 if not -5.0 <= value_2_ <= 5.0: raise rt.Reject
-                near = (value_2_ + 5.0) * 429496729.5 + 0.5
+                near = value_2_ * 429496729.5 + 2147483648.0
                 value_raw_2_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_2_ < 0.9999847412109375: value_raw_2_ = rt.exact_raw(value_2_, _R_14)
                 out += _S_BI.pack(choice, value_raw_2_)

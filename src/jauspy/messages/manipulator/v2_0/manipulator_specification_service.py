@@ -93,7 +93,7 @@ class ReportManipulatorSpecifications(rt.Message):
             raw: list[int | float | bytes] = []
             joint1_offset_ = self.joint1_offset
             if not -10.0 <= joint1_offset_ <= 10.0: raise rt.Reject
-            near = (joint1_offset_ + 10.0) * 3276.75 + 0.5
+            near = joint1_offset_ * 3276.75 + 32768.0
             joint1_offset_raw_ = int(near)
             if not 1.52587890625e-05 < near - joint1_offset_raw_ < 0.9999847412109375: joint1_offset_raw_ = rt.exact_raw(joint1_offset_, _R_1)
             raw.append(joint1_offset_raw_)
@@ -101,7 +101,7 @@ class ReportManipulatorSpecifications(rt.Message):
             if joint1_min_value_ is not None:
                 mask |= 1
                 if not -25.132741228718345 <= joint1_min_value_ <= 25.132741228718345: raise rt.Reject
-                near = (joint1_min_value_ + 25.132741228718345) * 85445659.42715958 + 0.5
+                near = joint1_min_value_ * 85445659.42715958 + 2147483647.9999998
                 joint1_min_value_raw_ = int(near)
                 if not 1.52587890625e-05 < near - joint1_min_value_raw_ < 0.9999847412109375: joint1_min_value_raw_ = rt.exact_raw(joint1_min_value_, _R_2)
                 raw.append(joint1_min_value_raw_)
@@ -109,7 +109,7 @@ class ReportManipulatorSpecifications(rt.Message):
             if joint1_max_value_ is not None:
                 mask |= 2
                 if not -25.132741228718345 <= joint1_max_value_ <= 25.132741228718345: raise rt.Reject
-                near = (joint1_max_value_ + 25.132741228718345) * 85445659.42715958 + 0.5
+                near = joint1_max_value_ * 85445659.42715958 + 2147483647.9999998
                 joint1_max_value_raw_ = int(near)
                 if not 1.52587890625e-05 < near - joint1_max_value_raw_ < 0.9999847412109375: joint1_max_value_raw_ = rt.exact_raw(joint1_max_value_, _R_2)
                 raw.append(joint1_max_value_raw_)
@@ -199,19 +199,19 @@ class ReportManipulatorSpecifications(rt.Message):
             raw: list[int | float | bytes] = []
             joint1_angle_ = self.joint1_angle
             if not -3.141592653589793 <= joint1_angle_ <= 3.141592653589793: raise rt.Reject
-            near = (joint1_angle_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = joint1_angle_ * 10430.219195527361 + 32768.0
             joint1_angle_raw_ = int(near)
             if not 1.52587890625e-05 < near - joint1_angle_raw_ < 0.9999847412109375: joint1_angle_raw_ = rt.exact_raw(joint1_angle_, _R_8)
             raw.append(joint1_angle_raw_)
             joint1_min_value_ = self.joint1_min_value
             if not -10.0 <= joint1_min_value_ <= 10.0: raise rt.Reject
-            near = (joint1_min_value_ + 10.0) * 214748364.75 + 0.5
+            near = joint1_min_value_ * 214748364.75 + 2147483648.0
             joint1_min_value_raw_ = int(near)
             if not 1.52587890625e-05 < near - joint1_min_value_raw_ < 0.9999847412109375: joint1_min_value_raw_ = rt.exact_raw(joint1_min_value_, _R_9)
             raw.append(joint1_min_value_raw_)
             joint1_max_value_ = self.joint1_max_value
             if not -10.0 <= joint1_max_value_ <= 10.0: raise rt.Reject
-            near = (joint1_max_value_ + 10.0) * 214748364.75 + 0.5
+            near = joint1_max_value_ * 214748364.75 + 2147483648.0
             joint1_max_value_raw_ = int(near)
             if not 1.52587890625e-05 < near - joint1_max_value_raw_ < 0.9999847412109375: joint1_max_value_raw_ = rt.exact_raw(joint1_max_value_, _R_9)
             raw.append(joint1_max_value_raw_)
@@ -219,7 +219,7 @@ class ReportManipulatorSpecifications(rt.Message):
             if joint1_max_speed_ is not None:
                 mask |= 1
                 if not -5.0 <= joint1_max_speed_ <= 5.0: raise rt.Reject
-                near = (joint1_max_speed_ + 5.0) * 429496729.5 + 0.5
+                near = joint1_max_speed_ * 429496729.5 + 2147483648.0
                 joint1_max_speed_raw_ = int(near)
                 if not 1.52587890625e-05 < near - joint1_max_speed_raw_ < 0.9999847412109375: joint1_max_speed_raw_ = rt.exact_raw(joint1_max_speed_, _R_10)
                 raw.append(joint1_max_speed_raw_)
@@ -313,19 +313,19 @@ class ReportManipulatorSpecifications(rt.Message):
             raw: list[int | float | bytes] = []
             link_length_ = self.link_length
             if not -10.0 <= link_length_ <= 10.0: raise rt.Reject
-            near = (link_length_ + 10.0) * 3276.75 + 0.5
+            near = link_length_ * 3276.75 + 32768.0
             link_length_raw_ = int(near)
             if not 1.52587890625e-05 < near - link_length_raw_ < 0.9999847412109375: link_length_raw_ = rt.exact_raw(link_length_, _R_1)
             raw.append(link_length_raw_)
             twist_angle_ = self.twist_angle
             if not -3.141592653589793 <= twist_angle_ <= 3.141592653589793: raise rt.Reject
-            near = (twist_angle_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = twist_angle_ * 10430.219195527361 + 32768.0
             twist_angle_raw_ = int(near)
             if not 1.52587890625e-05 < near - twist_angle_raw_ < 0.9999847412109375: twist_angle_raw_ = rt.exact_raw(twist_angle_, _R_8)
             raw.append(twist_angle_raw_)
             joint_offset_ = self.joint_offset
             if not -10.0 <= joint_offset_ <= 10.0: raise rt.Reject
-            near = (joint_offset_ + 10.0) * 3276.75 + 0.5
+            near = joint_offset_ * 3276.75 + 32768.0
             joint_offset_raw_ = int(near)
             if not 1.52587890625e-05 < near - joint_offset_raw_ < 0.9999847412109375: joint_offset_raw_ = rt.exact_raw(joint_offset_, _R_1)
             raw.append(joint_offset_raw_)
@@ -333,7 +333,7 @@ class ReportManipulatorSpecifications(rt.Message):
             if min_value_ is not None:
                 mask |= 1
                 if not -25.132741228718345 <= min_value_ <= 25.132741228718345: raise rt.Reject
-                near = (min_value_ + 25.132741228718345) * 85445659.42715958 + 0.5
+                near = min_value_ * 85445659.42715958 + 2147483647.9999998
                 min_value_raw_ = int(near)
                 if not 1.52587890625e-05 < near - min_value_raw_ < 0.9999847412109375: min_value_raw_ = rt.exact_raw(min_value_, _R_2)
                 raw.append(min_value_raw_)
@@ -341,7 +341,7 @@ class ReportManipulatorSpecifications(rt.Message):
             if max_value_ is not None:
                 mask |= 2
                 if not -25.132741228718345 <= max_value_ <= 25.132741228718345: raise rt.Reject
-                near = (max_value_ + 25.132741228718345) * 85445659.42715958 + 0.5
+                near = max_value_ * 85445659.42715958 + 2147483647.9999998
                 max_value_raw_ = int(near)
                 if not 1.52587890625e-05 < near - max_value_raw_ < 0.9999847412109375: max_value_raw_ = rt.exact_raw(max_value_, _R_2)
                 raw.append(max_value_raw_)
@@ -453,31 +453,31 @@ class ReportManipulatorSpecifications(rt.Message):
             raw: list[int | float | bytes] = []
             link_length_ = self.link_length
             if not -10.0 <= link_length_ <= 10.0: raise rt.Reject
-            near = (link_length_ + 10.0) * 3276.75 + 0.5
+            near = link_length_ * 3276.75 + 32768.0
             link_length_raw_ = int(near)
             if not 1.52587890625e-05 < near - link_length_raw_ < 0.9999847412109375: link_length_raw_ = rt.exact_raw(link_length_, _R_1)
             raw.append(link_length_raw_)
             twist_angle_ = self.twist_angle
             if not -3.141592653589793 <= twist_angle_ <= 3.141592653589793: raise rt.Reject
-            near = (twist_angle_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = twist_angle_ * 10430.219195527361 + 32768.0
             twist_angle_raw_ = int(near)
             if not 1.52587890625e-05 < near - twist_angle_raw_ < 0.9999847412109375: twist_angle_raw_ = rt.exact_raw(twist_angle_, _R_8)
             raw.append(twist_angle_raw_)
             joint_angle_ = self.joint_angle
             if not -3.141592653589793 <= joint_angle_ <= 3.141592653589793: raise rt.Reject
-            near = (joint_angle_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = joint_angle_ * 10430.219195527361 + 32768.0
             joint_angle_raw_ = int(near)
             if not 1.52587890625e-05 < near - joint_angle_raw_ < 0.9999847412109375: joint_angle_raw_ = rt.exact_raw(joint_angle_, _R_8)
             raw.append(joint_angle_raw_)
             min_value_ = self.min_value
             if not -10.0 <= min_value_ <= 10.0: raise rt.Reject
-            near = (min_value_ + 10.0) * 214748364.75 + 0.5
+            near = min_value_ * 214748364.75 + 2147483648.0
             min_value_raw_ = int(near)
             if not 1.52587890625e-05 < near - min_value_raw_ < 0.9999847412109375: min_value_raw_ = rt.exact_raw(min_value_, _R_9)
             raw.append(min_value_raw_)
             max_value_ = self.max_value
             if not -10.0 <= max_value_ <= 10.0: raise rt.Reject
-            near = (max_value_ + 10.0) * 214748364.75 + 0.5
+            near = max_value_ * 214748364.75 + 2147483648.0
             max_value_raw_ = int(near)
             if not 1.52587890625e-05 < near - max_value_raw_ < 0.9999847412109375: max_value_raw_ = rt.exact_raw(max_value_, _R_9)
             raw.append(max_value_raw_)
@@ -485,7 +485,7 @@ class ReportManipulatorSpecifications(rt.Message):
             if max_speed_ is not None:
                 mask |= 1
                 if not -5.0 <= max_speed_ <= 5.0: raise rt.Reject
-                near = (max_speed_ + 5.0) * 429496729.5 + 0.5
+                near = max_speed_ * 429496729.5 + 2147483648.0
                 max_speed_raw_ = int(near)
                 if not 1.52587890625e-05 < near - max_speed_raw_ < 0.9999847412109375: max_speed_raw_ = rt.exact_raw(max_speed_, _R_10)
                 raw.append(max_speed_raw_)
@@ -602,37 +602,37 @@ class ReportManipulatorSpecifications(rt.Message):
             if type(manipulator_coordinate_system_rec_) is not manipulator_v1_0_types.ManipulatorCoordinateSystemRec: raise rt.Reject
             manipulator_coordinate_sys_x_ = manipulator_coordinate_system_rec_.manipulator_coordinate_sys_x
             if not -30.0 <= manipulator_coordinate_sys_x_ <= 30.0: raise rt.Reject
-            near = (manipulator_coordinate_sys_x_ + 30.0) * 71582788.25 + 0.5
+            near = manipulator_coordinate_sys_x_ * 71582788.25 + 2147483648.0
             manipulator_coordinate_sys_x_raw_ = int(near)
             if not 1.52587890625e-05 < near - manipulator_coordinate_sys_x_raw_ < 0.9999847412109375: manipulator_coordinate_sys_x_raw_ = rt.exact_raw(manipulator_coordinate_sys_x_, _R_16)
             manipulator_coordinate_sys_y_ = manipulator_coordinate_system_rec_.manipulator_coordinate_sys_y
             if not -30.0 <= manipulator_coordinate_sys_y_ <= 30.0: raise rt.Reject
-            near = (manipulator_coordinate_sys_y_ + 30.0) * 71582788.25 + 0.5
+            near = manipulator_coordinate_sys_y_ * 71582788.25 + 2147483648.0
             manipulator_coordinate_sys_y_raw_ = int(near)
             if not 1.52587890625e-05 < near - manipulator_coordinate_sys_y_raw_ < 0.9999847412109375: manipulator_coordinate_sys_y_raw_ = rt.exact_raw(manipulator_coordinate_sys_y_, _R_16)
             manipulator_coordinate_sys_z_ = manipulator_coordinate_system_rec_.manipulator_coordinate_sys_z
             if not -30.0 <= manipulator_coordinate_sys_z_ <= 30.0: raise rt.Reject
-            near = (manipulator_coordinate_sys_z_ + 30.0) * 71582788.25 + 0.5
+            near = manipulator_coordinate_sys_z_ * 71582788.25 + 2147483648.0
             manipulator_coordinate_sys_z_raw_ = int(near)
             if not 1.52587890625e-05 < near - manipulator_coordinate_sys_z_raw_ < 0.9999847412109375: manipulator_coordinate_sys_z_raw_ = rt.exact_raw(manipulator_coordinate_sys_z_, _R_16)
             d_component_of_unit_quaternion_q_ = manipulator_coordinate_system_rec_.d_component_of_unit_quaternion_q
             if not -1.0 <= d_component_of_unit_quaternion_q_ <= 1.0: raise rt.Reject
-            near = (d_component_of_unit_quaternion_q_ + 1.0) * 2147483647.5 + 0.5
+            near = d_component_of_unit_quaternion_q_ * 2147483647.5 + 2147483648.0
             d_component_of_unit_quaternion_q_raw_ = int(near)
             if not 1.52587890625e-05 < near - d_component_of_unit_quaternion_q_raw_ < 0.9999847412109375: d_component_of_unit_quaternion_q_raw_ = rt.exact_raw(d_component_of_unit_quaternion_q_, _R_17)
             a_component_of_unit_quaternion_q_ = manipulator_coordinate_system_rec_.a_component_of_unit_quaternion_q
             if not -1.0 <= a_component_of_unit_quaternion_q_ <= 1.0: raise rt.Reject
-            near = (a_component_of_unit_quaternion_q_ + 1.0) * 2147483647.5 + 0.5
+            near = a_component_of_unit_quaternion_q_ * 2147483647.5 + 2147483648.0
             a_component_of_unit_quaternion_q_raw_ = int(near)
             if not 1.52587890625e-05 < near - a_component_of_unit_quaternion_q_raw_ < 0.9999847412109375: a_component_of_unit_quaternion_q_raw_ = rt.exact_raw(a_component_of_unit_quaternion_q_, _R_17)
             b_component_of_unit_quaternion_q_ = manipulator_coordinate_system_rec_.b_component_of_unit_quaternion_q
             if not -1.0 <= b_component_of_unit_quaternion_q_ <= 1.0: raise rt.Reject
-            near = (b_component_of_unit_quaternion_q_ + 1.0) * 2147483647.5 + 0.5
+            near = b_component_of_unit_quaternion_q_ * 2147483647.5 + 2147483648.0
             b_component_of_unit_quaternion_q_raw_ = int(near)
             if not 1.52587890625e-05 < near - b_component_of_unit_quaternion_q_raw_ < 0.9999847412109375: b_component_of_unit_quaternion_q_raw_ = rt.exact_raw(b_component_of_unit_quaternion_q_, _R_17)
             c_component_of_unit_quaternion_q_ = manipulator_coordinate_system_rec_.c_component_of_unit_quaternion_q
             if not -1.0 <= c_component_of_unit_quaternion_q_ <= 1.0: raise rt.Reject
-            near = (c_component_of_unit_quaternion_q_ + 1.0) * 2147483647.5 + 0.5
+            near = c_component_of_unit_quaternion_q_ * 2147483647.5 + 2147483648.0
             c_component_of_unit_quaternion_q_raw_ = int(near)
             if not 1.52587890625e-05 < near - c_component_of_unit_quaternion_q_raw_ < 0.9999847412109375: c_component_of_unit_quaternion_q_raw_ = rt.exact_raw(c_component_of_unit_quaternion_q_, _R_17)
             out += _S_7I.pack(manipulator_coordinate_sys_x_raw_, manipulator_coordinate_sys_y_raw_, manipulator_coordinate_sys_z_raw_, d_component_of_unit_quaternion_q_raw_, a_component_of_unit_quaternion_q_raw_, b_component_of_unit_quaternion_q_raw_, c_component_of_unit_quaternion_q_raw_)

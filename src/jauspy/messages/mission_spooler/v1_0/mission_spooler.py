@@ -203,7 +203,7 @@ class SpoolMission(rt.Message):
             task_data_.jaus_messages = jaus_messages_
             (sub_tasks_count_,) = _S_H.unpack_from(data, at)
             sub_tasks_end_ = at + 2 + sub_tasks_count_ * 2
-            item_.sub_tasks = [SpoolMission.SubTaskIndex(child_task_index_) for (child_task_index_,) in _S_H.iter_unpack(data[at + 2:sub_tasks_end_])]
+            item_.sub_tasks = [SpoolMission.SubTaskIndex(child_task_index_) for child_task_index_ in _L_H[sub_tasks_count_].unpack_from(data, at + 2)]
             at = sub_tasks_end_
             mission_plan_.append(item_)
         self.mission_plan = mission_plan_
@@ -254,9 +254,11 @@ class SpoolMission(rt.Message):
             sub_tasks_ = item_.sub_tasks
             if type(sub_tasks_) is not list: raise rt.Reject
             out += _S_H.pack(len(sub_tasks_))
+            raw_: list[int | float] = []
             for item_3_ in sub_tasks_:
                 if type(item_3_) is not SpoolMission.SubTaskIndex: raise rt.Reject
-                out += _S_H.pack(item_3_.child_task_index)
+                raw_.append(item_3_.child_task_index)
+            out += _L_H[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -507,7 +509,7 @@ class RemoveMessages(rt.Message):
         self.mission_info = RemoveMessages.MissionInfo(mission_id_, task_id_)
         (message_list_count_,) = _S_H.unpack_from(data, 6)
         message_list_end_ = 8 + message_list_count_ * 2
-        self.message_list = [RemoveMessages.MessageInfo(uid_) for (uid_,) in _S_H.iter_unpack(data[8:message_list_end_])]
+        self.message_list = [RemoveMessages.MessageInfo(uid_) for uid_ in _L_H[message_list_count_].unpack_from(data, 8)]
         if message_list_end_ != size: raise rt.Reject
         return self
 
@@ -519,9 +521,11 @@ class RemoveMessages(rt.Message):
         message_list_ = self.message_list
         if type(message_list_) is not list: raise rt.Reject
         out += _S_H.pack(len(message_list_))
+        raw_: list[int | float] = []
         for item_ in message_list_:
             if type(item_) is not RemoveMessages.MessageInfo: raise rt.Reject
-            out += _S_H.pack(item_.uid)
+            raw_.append(item_.uid)
+        out += _L_H[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -739,7 +743,7 @@ class RemoveMissionTask(rt.Message):
         self.mission_and_task_info = RemoveMissionTask.MissionAndTaskInfo(mission_id_, task_id_)
         (remove_task_list_count_,) = _S_H.unpack_from(data, 6)
         remove_task_list_end_ = 8 + remove_task_list_count_ * 2
-        self.remove_task_list = [RemoveMissionTask.RemoveTaskInfo(task_id_2_) for (task_id_2_,) in _S_H.iter_unpack(data[8:remove_task_list_end_])]
+        self.remove_task_list = [RemoveMissionTask.RemoveTaskInfo(task_id_2_) for task_id_2_ in _L_H[remove_task_list_count_].unpack_from(data, 8)]
         if remove_task_list_end_ != size: raise rt.Reject
         return self
 
@@ -751,9 +755,11 @@ class RemoveMissionTask(rt.Message):
         remove_task_list_ = self.remove_task_list
         if type(remove_task_list_) is not list: raise rt.Reject
         out += _S_H.pack(len(remove_task_list_))
+        raw_: list[int | float] = []
         for item_ in remove_task_list_:
             if type(item_) is not RemoveMissionTask.RemoveTaskInfo: raise rt.Reject
-            out += _S_H.pack(item_.task_id)
+            raw_.append(item_.task_id)
+        out += _L_H[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -945,7 +951,7 @@ class InsertMissionTask(rt.Message):
         task_data_.task_messages = task_messages_
         (sub_tasks_count_,) = _S_H.unpack_from(data, at)
         sub_tasks_end_ = at + 2 + sub_tasks_count_ * 2
-        task_.sub_tasks = [InsertMissionTask.SubTaskIndex(child_task_index_) for (child_task_index_,) in _S_H.iter_unpack(data[at + 2:sub_tasks_end_])]
+        task_.sub_tasks = [InsertMissionTask.SubTaskIndex(child_task_index_) for child_task_index_ in _L_H[sub_tasks_count_].unpack_from(data, at + 2)]
         if sub_tasks_end_ != size: raise rt.Reject
         return self
 
@@ -982,9 +988,11 @@ class InsertMissionTask(rt.Message):
         sub_tasks_ = task_.sub_tasks
         if type(sub_tasks_) is not list: raise rt.Reject
         out += _S_H.pack(len(sub_tasks_))
+        raw_: list[int | float] = []
         for item_2_ in sub_tasks_:
             if type(item_2_) is not InsertMissionTask.SubTaskIndex: raise rt.Reject
-            out += _S_H.pack(item_2_.child_task_index)
+            raw_.append(item_2_.child_task_index)
+        out += _L_H[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -1196,7 +1204,7 @@ class ReportSpoolingPreferences(rt.Message):
                 if not 0.0 <= value_ <= 35000.0: raise rt.Reject
                 near = value_ * 122713.35128571429 + 0.5
                 value_raw_ = int(near)
-                if not 1.52587890625e-05 < near - value_raw_ < 0.9999847412109375: value_raw_ = rt.exact_raw(value_, _R_18)
+                if not 1.52587890625e-05 < near - value_raw_ < 0.9999847412109375: value_raw_ = rt.exact_raw(value_, _R_19)
                 out += _S_BI.pack(choice, value_raw_)
             else: raise rt.Reject
 
@@ -1590,7 +1598,7 @@ class ReportMissionPlan(rt.Message):
         task_data_.jaus_messages = jaus_messages_
         (sub_tasks_count_,) = _S_H.unpack_from(data, at)
         sub_tasks_end_ = at + 2 + sub_tasks_count_ * 2
-        task_.sub_tasks = [ReportMissionPlan.SubTaskIndex(child_task_index_) for (child_task_index_,) in _S_H.iter_unpack(data[at + 2:sub_tasks_end_])]
+        task_.sub_tasks = [ReportMissionPlan.SubTaskIndex(child_task_index_) for child_task_index_ in _L_H[sub_tasks_count_].unpack_from(data, at + 2)]
         if sub_tasks_end_ != size: raise rt.Reject
         return self
 
@@ -1635,9 +1643,11 @@ class ReportMissionPlan(rt.Message):
         sub_tasks_ = task_.sub_tasks
         if type(sub_tasks_) is not list: raise rt.Reject
         out += _S_H.pack(len(sub_tasks_))
+        raw_: list[int | float] = []
         for item_2_ in sub_tasks_:
             if type(item_2_) is not ReportMissionPlan.SubTaskIndex: raise rt.Reject
-            out += _S_H.pack(item_2_.child_task_index)
+            raw_.append(item_2_.child_task_index)
+        out += _L_H[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -1645,6 +1655,7 @@ _S_HI = rt.Packer("<HI")
 _S_H = rt.Packer("<H")
 _S_I = rt.Packer("<I")
 _E_SpoolMission_Blocking = rt.members(SpoolMission.Blocking)
+_L_H = rt.Rows("H")
 _S_HB = rt.Packer("<HB")
 _M_RunMission = rt.Masks("3x", ((1, "H"), (2, "H"), (4, "H")))
 _M_RunMission_pack = rt.Masks("HB", ((1, "H"), (2, "H"), (4, "H")))
@@ -1659,7 +1670,7 @@ _S_2HBH = rt.Packer("<2HBH")
 _E_InsertMissionTask_Blocking = rt.members(InsertMissionTask.Blocking)
 _E_ReportSpoolingPreferences_DataChoice = rt.members(ReportSpoolingPreferences.DataChoice)
 _S_BH = rt.Packer("<BH")
-_R_18 = rt.Scaling(0.0, 35000.0, 4294967295)
+_R_19 = rt.Scaling(0.0, 35000.0, 4294967295)
 _S_BI = rt.Packer("<BI")
 _E_ReportMissionStatus_Type = rt.members(ReportMissionStatus.Type)
 _E_ReportMissionStatus_Status = rt.members(ReportMissionStatus.Status)

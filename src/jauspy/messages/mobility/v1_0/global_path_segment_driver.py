@@ -81,13 +81,13 @@ class SetGlobalPathSegment(rt.Message):
         raw: list[int | float | bytes] = []
         p1_latitude_ = self.p1_latitude
         if not -90.0 <= p1_latitude_ <= 90.0: raise rt.Reject
-        near = (p1_latitude_ + 90.0) * 23860929.416666668 + 0.5
+        near = p1_latitude_ * 23860929.416666668 + 2147483648.0
         p1_latitude_raw_ = int(near)
         if not 1.52587890625e-05 < near - p1_latitude_raw_ < 0.9999847412109375: p1_latitude_raw_ = rt.exact_raw(p1_latitude_, _R_2)
         raw.append(p1_latitude_raw_)
         p1_longitude_ = self.p1_longitude
         if not -180.0 <= p1_longitude_ <= 180.0: raise rt.Reject
-        near = (p1_longitude_ + 180.0) * 11930464.708333334 + 0.5
+        near = p1_longitude_ * 11930464.708333334 + 2147483648.0
         p1_longitude_raw_ = int(near)
         if not 1.52587890625e-05 < near - p1_longitude_raw_ < 0.9999847412109375: p1_longitude_raw_ = rt.exact_raw(p1_longitude_, _R_3)
         raw.append(p1_longitude_raw_)
@@ -95,19 +95,19 @@ class SetGlobalPathSegment(rt.Message):
         if p1_altitude_ is not None:
             mask |= 1
             if not -10000.0 <= p1_altitude_ <= 35000.0: raise rt.Reject
-            near = (p1_altitude_ + 10000.0) * 95443.71766666666 + 0.5
+            near = p1_altitude_ * 95443.71766666666 + 954437177.1666666
             p1_altitude_raw_ = int(near)
             if not 1.52587890625e-05 < near - p1_altitude_raw_ < 0.9999847412109375: p1_altitude_raw_ = rt.exact_raw(p1_altitude_, _R_4)
             raw.append(p1_altitude_raw_)
         p2_latitude_ = self.p2_latitude
         if not -90.0 <= p2_latitude_ <= 90.0: raise rt.Reject
-        near = (p2_latitude_ + 90.0) * 23860929.416666668 + 0.5
+        near = p2_latitude_ * 23860929.416666668 + 2147483648.0
         p2_latitude_raw_ = int(near)
         if not 1.52587890625e-05 < near - p2_latitude_raw_ < 0.9999847412109375: p2_latitude_raw_ = rt.exact_raw(p2_latitude_, _R_2)
         raw.append(p2_latitude_raw_)
         p2_longitude_ = self.p2_longitude
         if not -180.0 <= p2_longitude_ <= 180.0: raise rt.Reject
-        near = (p2_longitude_ + 180.0) * 11930464.708333334 + 0.5
+        near = p2_longitude_ * 11930464.708333334 + 2147483648.0
         p2_longitude_raw_ = int(near)
         if not 1.52587890625e-05 < near - p2_longitude_raw_ < 0.9999847412109375: p2_longitude_raw_ = rt.exact_raw(p2_longitude_, _R_3)
         raw.append(p2_longitude_raw_)
@@ -115,7 +115,7 @@ class SetGlobalPathSegment(rt.Message):
         if p2_altitude_ is not None:
             mask |= 2
             if not -10000.0 <= p2_altitude_ <= 35000.0: raise rt.Reject
-            near = (p2_altitude_ + 10000.0) * 95443.71766666666 + 0.5
+            near = p2_altitude_ * 95443.71766666666 + 954437177.1666666
             p2_altitude_raw_ = int(near)
             if not 1.52587890625e-05 < near - p2_altitude_raw_ < 0.9999847412109375: p2_altitude_raw_ = rt.exact_raw(p2_altitude_, _R_4)
             raw.append(p2_altitude_raw_)
@@ -385,13 +385,13 @@ class ReportGlobalPathSegment(rt.Message):
         raw: list[int | float | bytes] = []
         p1_latitude_ = self.p1_latitude
         if not -90.0 <= p1_latitude_ <= 90.0: raise rt.Reject
-        near = (p1_latitude_ + 90.0) * 23860929.416666668 + 0.5
+        near = p1_latitude_ * 23860929.416666668 + 2147483648.0
         p1_latitude_raw_ = int(near)
         if not 1.52587890625e-05 < near - p1_latitude_raw_ < 0.9999847412109375: p1_latitude_raw_ = rt.exact_raw(p1_latitude_, _R_2)
         raw.append(p1_latitude_raw_)
         p1_longitude_ = self.p1_longitude
         if not -180.0 <= p1_longitude_ <= 180.0: raise rt.Reject
-        near = (p1_longitude_ + 180.0) * 11930464.708333334 + 0.5
+        near = p1_longitude_ * 11930464.708333334 + 2147483648.0
         p1_longitude_raw_ = int(near)
         if not 1.52587890625e-05 < near - p1_longitude_raw_ < 0.9999847412109375: p1_longitude_raw_ = rt.exact_raw(p1_longitude_, _R_3)
         raw.append(p1_longitude_raw_)
@@ -399,19 +399,19 @@ class ReportGlobalPathSegment(rt.Message):
         if p1_altitude_ is not None:
             mask |= 1
             if not -10000.0 <= p1_altitude_ <= 35000.0: raise rt.Reject
-            near = (p1_altitude_ + 10000.0) * 95443.71766666666 + 0.5
+            near = p1_altitude_ * 95443.71766666666 + 954437177.1666666
             p1_altitude_raw_ = int(near)
             if not 1.52587890625e-05 < near - p1_altitude_raw_ < 0.9999847412109375: p1_altitude_raw_ = rt.exact_raw(p1_altitude_, _R_4)
             raw.append(p1_altitude_raw_)
         p2_latitude_ = self.p2_latitude
         if not -90.0 <= p2_latitude_ <= 90.0: raise rt.Reject
-        near = (p2_latitude_ + 90.0) * 23860929.416666668 + 0.5
+        near = p2_latitude_ * 23860929.416666668 + 2147483648.0
         p2_latitude_raw_ = int(near)
         if not 1.52587890625e-05 < near - p2_latitude_raw_ < 0.9999847412109375: p2_latitude_raw_ = rt.exact_raw(p2_latitude_, _R_2)
         raw.append(p2_latitude_raw_)
         p2_longitude_ = self.p2_longitude
         if not -180.0 <= p2_longitude_ <= 180.0: raise rt.Reject
-        near = (p2_longitude_ + 180.0) * 11930464.708333334 + 0.5
+        near = p2_longitude_ * 11930464.708333334 + 2147483648.0
         p2_longitude_raw_ = int(near)
         if not 1.52587890625e-05 < near - p2_longitude_raw_ < 0.9999847412109375: p2_longitude_raw_ = rt.exact_raw(p2_longitude_, _R_3)
         raw.append(p2_longitude_raw_)
@@ -419,7 +419,7 @@ class ReportGlobalPathSegment(rt.Message):
         if p2_altitude_ is not None:
             mask |= 2
             if not -10000.0 <= p2_altitude_ <= 35000.0: raise rt.Reject
-            near = (p2_altitude_ + 10000.0) * 95443.71766666666 + 0.5
+            near = p2_altitude_ * 95443.71766666666 + 954437177.1666666
             p2_altitude_raw_ = int(near)
             if not 1.52587890625e-05 < near - p2_altitude_raw_ < 0.9999847412109375: p2_altitude_raw_ = rt.exact_raw(p2_altitude_, _R_4)
             raw.append(p2_altitude_raw_)

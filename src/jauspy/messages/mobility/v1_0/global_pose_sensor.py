@@ -97,7 +97,7 @@ class SetGlobalPose(rt.Message):
         if latitude_ is not None:
             mask |= 1
             if not -90.0 <= latitude_ <= 90.0: raise rt.Reject
-            near = (latitude_ + 90.0) * 23860929.416666668 + 0.5
+            near = latitude_ * 23860929.416666668 + 2147483648.0
             latitude_raw_ = int(near)
             if not 1.52587890625e-05 < near - latitude_raw_ < 0.9999847412109375: latitude_raw_ = rt.exact_raw(latitude_, _R_2)
             raw.append(latitude_raw_)
@@ -105,7 +105,7 @@ class SetGlobalPose(rt.Message):
         if longitude_ is not None:
             mask |= 2
             if not -180.0 <= longitude_ <= 180.0: raise rt.Reject
-            near = (longitude_ + 180.0) * 11930464.708333334 + 0.5
+            near = longitude_ * 11930464.708333334 + 2147483648.0
             longitude_raw_ = int(near)
             if not 1.52587890625e-05 < near - longitude_raw_ < 0.9999847412109375: longitude_raw_ = rt.exact_raw(longitude_, _R_3)
             raw.append(longitude_raw_)
@@ -113,7 +113,7 @@ class SetGlobalPose(rt.Message):
         if altitude_ is not None:
             mask |= 4
             if not -10000.0 <= altitude_ <= 35000.0: raise rt.Reject
-            near = (altitude_ + 10000.0) * 95443.71766666666 + 0.5
+            near = altitude_ * 95443.71766666666 + 954437177.1666666
             altitude_raw_ = int(near)
             if not 1.52587890625e-05 < near - altitude_raw_ < 0.9999847412109375: altitude_raw_ = rt.exact_raw(altitude_, _R_4)
             raw.append(altitude_raw_)
@@ -129,7 +129,7 @@ class SetGlobalPose(rt.Message):
         if roll_ is not None:
             mask |= 16
             if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = (roll_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = roll_ * 10430.219195527361 + 32768.0
             roll_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_6)
             raw.append(roll_raw_)
@@ -137,7 +137,7 @@ class SetGlobalPose(rt.Message):
         if pitch_ is not None:
             mask |= 32
             if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = (pitch_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = pitch_ * 10430.219195527361 + 32768.0
             pitch_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_6)
             raw.append(pitch_raw_)
@@ -145,7 +145,7 @@ class SetGlobalPose(rt.Message):
         if yaw_ is not None:
             mask |= 64
             if not -3.141592653589793 <= yaw_ <= 3.141592653589793: raise rt.Reject
-            near = (yaw_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = yaw_ * 10430.219195527361 + 32768.0
             yaw_raw_ = int(near)
             if not 1.52587890625e-05 < near - yaw_raw_ < 0.9999847412109375: yaw_raw_ = rt.exact_raw(yaw_, _R_6)
             raw.append(yaw_raw_)
@@ -208,7 +208,7 @@ class SetGeomagneticProperty(rt.Message):
     def _pack(self) -> bytes:
         magnetic_variation_ = self.magnetic_variation
         if not -3.141592653589793 <= magnetic_variation_ <= 3.141592653589793: raise rt.Reject
-        near = (magnetic_variation_ + 3.141592653589793) * 10430.219195527361 + 0.5
+        near = magnetic_variation_ * 10430.219195527361 + 32768.0
         magnetic_variation_raw_ = int(near)
         if not 1.52587890625e-05 < near - magnetic_variation_raw_ < 0.9999847412109375: magnetic_variation_raw_ = rt.exact_raw(magnetic_variation_, _R_6)
         return _S_2H.pack(0x0412, magnetic_variation_raw_)
@@ -360,7 +360,7 @@ class ReportGlobalPose(rt.Message):
         if latitude_ is not None:
             mask |= 1
             if not -90.0 <= latitude_ <= 90.0: raise rt.Reject
-            near = (latitude_ + 90.0) * 23860929.416666668 + 0.5
+            near = latitude_ * 23860929.416666668 + 2147483648.0
             latitude_raw_ = int(near)
             if not 1.52587890625e-05 < near - latitude_raw_ < 0.9999847412109375: latitude_raw_ = rt.exact_raw(latitude_, _R_2)
             raw.append(latitude_raw_)
@@ -368,7 +368,7 @@ class ReportGlobalPose(rt.Message):
         if longitude_ is not None:
             mask |= 2
             if not -180.0 <= longitude_ <= 180.0: raise rt.Reject
-            near = (longitude_ + 180.0) * 11930464.708333334 + 0.5
+            near = longitude_ * 11930464.708333334 + 2147483648.0
             longitude_raw_ = int(near)
             if not 1.52587890625e-05 < near - longitude_raw_ < 0.9999847412109375: longitude_raw_ = rt.exact_raw(longitude_, _R_3)
             raw.append(longitude_raw_)
@@ -376,7 +376,7 @@ class ReportGlobalPose(rt.Message):
         if altitude_ is not None:
             mask |= 4
             if not -10000.0 <= altitude_ <= 35000.0: raise rt.Reject
-            near = (altitude_ + 10000.0) * 95443.71766666666 + 0.5
+            near = altitude_ * 95443.71766666666 + 954437177.1666666
             altitude_raw_ = int(near)
             if not 1.52587890625e-05 < near - altitude_raw_ < 0.9999847412109375: altitude_raw_ = rt.exact_raw(altitude_, _R_4)
             raw.append(altitude_raw_)
@@ -392,7 +392,7 @@ class ReportGlobalPose(rt.Message):
         if roll_ is not None:
             mask |= 16
             if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = (roll_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = roll_ * 10430.219195527361 + 32768.0
             roll_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_6)
             raw.append(roll_raw_)
@@ -400,7 +400,7 @@ class ReportGlobalPose(rt.Message):
         if pitch_ is not None:
             mask |= 32
             if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = (pitch_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = pitch_ * 10430.219195527361 + 32768.0
             pitch_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_6)
             raw.append(pitch_raw_)
@@ -408,7 +408,7 @@ class ReportGlobalPose(rt.Message):
         if yaw_ is not None:
             mask |= 64
             if not -3.141592653589793 <= yaw_ <= 3.141592653589793: raise rt.Reject
-            near = (yaw_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = yaw_ * 10430.219195527361 + 32768.0
             yaw_raw_ = int(near)
             if not 1.52587890625e-05 < near - yaw_raw_ < 0.9999847412109375: yaw_raw_ = rt.exact_raw(yaw_, _R_6)
             raw.append(yaw_raw_)
@@ -471,7 +471,7 @@ class ReportGeomagneticProperty(rt.Message):
     def _pack(self) -> bytes:
         magnetic_variation_ = self.magnetic_variation
         if not -3.141592653589793 <= magnetic_variation_ <= 3.141592653589793: raise rt.Reject
-        near = (magnetic_variation_ + 3.141592653589793) * 10430.219195527361 + 0.5
+        near = magnetic_variation_ * 10430.219195527361 + 32768.0
         magnetic_variation_raw_ = int(near)
         if not 1.52587890625e-05 < near - magnetic_variation_raw_ < 0.9999847412109375: magnetic_variation_raw_ = rt.exact_raw(magnetic_variation_, _R_6)
         return _S_2H.pack(0x4412, magnetic_variation_raw_)

@@ -117,13 +117,13 @@ class SetGlobalWaypoint(rt.Message):
         raw: list[int | float | bytes] = []
         latitude_ = self.latitude
         if not -90.0 <= latitude_ <= 90.0: raise rt.Reject
-        near = (latitude_ + 90.0) * 23860929.416666668 + 0.5
+        near = latitude_ * 23860929.416666668 + 2147483648.0
         latitude_raw_ = int(near)
         if not 1.52587890625e-05 < near - latitude_raw_ < 0.9999847412109375: latitude_raw_ = rt.exact_raw(latitude_, _R_4)
         raw.append(latitude_raw_)
         longitude_ = self.longitude
         if not -180.0 <= longitude_ <= 180.0: raise rt.Reject
-        near = (longitude_ + 180.0) * 11930464.708333334 + 0.5
+        near = longitude_ * 11930464.708333334 + 2147483648.0
         longitude_raw_ = int(near)
         if not 1.52587890625e-05 < near - longitude_raw_ < 0.9999847412109375: longitude_raw_ = rt.exact_raw(longitude_, _R_5)
         raw.append(longitude_raw_)
@@ -131,7 +131,7 @@ class SetGlobalWaypoint(rt.Message):
         if altitude_ is not None:
             mask |= 1
             if not -10000.0 <= altitude_ <= 35000.0: raise rt.Reject
-            near = (altitude_ + 10000.0) * 95443.71766666666 + 0.5
+            near = altitude_ * 95443.71766666666 + 954437177.1666666
             altitude_raw_ = int(near)
             if not 1.52587890625e-05 < near - altitude_raw_ < 0.9999847412109375: altitude_raw_ = rt.exact_raw(altitude_, _R_6)
             raw.append(altitude_raw_)
@@ -139,7 +139,7 @@ class SetGlobalWaypoint(rt.Message):
         if roll_ is not None:
             mask |= 2
             if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = (roll_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = roll_ * 10430.219195527361 + 32768.0
             roll_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_7)
             raw.append(roll_raw_)
@@ -147,7 +147,7 @@ class SetGlobalWaypoint(rt.Message):
         if pitch_ is not None:
             mask |= 4
             if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = (pitch_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = pitch_ * 10430.219195527361 + 32768.0
             pitch_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_7)
             raw.append(pitch_raw_)
@@ -155,7 +155,7 @@ class SetGlobalWaypoint(rt.Message):
         if yaw_ is not None:
             mask |= 8
             if not -3.141592653589793 <= yaw_ <= 3.141592653589793: raise rt.Reject
-            near = (yaw_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = yaw_ * 10430.219195527361 + 32768.0
             yaw_raw_ = int(near)
             if not 1.52587890625e-05 < near - yaw_raw_ < 0.9999847412109375: yaw_raw_ = rt.exact_raw(yaw_, _R_7)
             raw.append(yaw_raw_)
@@ -296,13 +296,13 @@ class ReportGlobalWaypoint(rt.Message):
         raw: list[int | float | bytes] = []
         latitude_ = self.latitude
         if not -90.0 <= latitude_ <= 90.0: raise rt.Reject
-        near = (latitude_ + 90.0) * 23860929.416666668 + 0.5
+        near = latitude_ * 23860929.416666668 + 2147483648.0
         latitude_raw_ = int(near)
         if not 1.52587890625e-05 < near - latitude_raw_ < 0.9999847412109375: latitude_raw_ = rt.exact_raw(latitude_, _R_4)
         raw.append(latitude_raw_)
         longitude_ = self.longitude
         if not -180.0 <= longitude_ <= 180.0: raise rt.Reject
-        near = (longitude_ + 180.0) * 11930464.708333334 + 0.5
+        near = longitude_ * 11930464.708333334 + 2147483648.0
         longitude_raw_ = int(near)
         if not 1.52587890625e-05 < near - longitude_raw_ < 0.9999847412109375: longitude_raw_ = rt.exact_raw(longitude_, _R_5)
         raw.append(longitude_raw_)
@@ -310,7 +310,7 @@ class ReportGlobalWaypoint(rt.Message):
         if altitude_ is not None:
             mask |= 1
             if not -10000.0 <= altitude_ <= 35000.0: raise rt.Reject
-            near = (altitude_ + 10000.0) * 95443.71766666666 + 0.5
+            near = altitude_ * 95443.71766666666 + 954437177.1666666
             altitude_raw_ = int(near)
             if not 1.52587890625e-05 < near - altitude_raw_ < 0.9999847412109375: altitude_raw_ = rt.exact_raw(altitude_, _R_6)
             raw.append(altitude_raw_)
@@ -318,7 +318,7 @@ class ReportGlobalWaypoint(rt.Message):
         if roll_ is not None:
             mask |= 2
             if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = (roll_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = roll_ * 10430.219195527361 + 32768.0
             roll_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_7)
             raw.append(roll_raw_)
@@ -326,7 +326,7 @@ class ReportGlobalWaypoint(rt.Message):
         if pitch_ is not None:
             mask |= 4
             if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = (pitch_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = pitch_ * 10430.219195527361 + 32768.0
             pitch_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_7)
             raw.append(pitch_raw_)
@@ -334,7 +334,7 @@ class ReportGlobalWaypoint(rt.Message):
         if yaw_ is not None:
             mask |= 8
             if not -3.141592653589793 <= yaw_ <= 3.141592653589793: raise rt.Reject
-            near = (yaw_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = yaw_ * 10430.219195527361 + 32768.0
             yaw_raw_ = int(near)
             if not 1.52587890625e-05 < near - yaw_raw_ < 0.9999847412109375: yaw_raw_ = rt.exact_raw(yaw_, _R_7)
             raw.append(yaw_raw_)

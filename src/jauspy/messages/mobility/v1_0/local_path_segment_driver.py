@@ -82,13 +82,13 @@ class SetLocalPathSegment(rt.Message):
         raw: list[int | float | bytes] = []
         p1_x_ = self.p1_x
         if not -100000.0 <= p1_x_ <= 100000.0: raise rt.Reject
-        near = (p1_x_ + 100000.0) * 21474.836475 + 0.5
+        near = p1_x_ * 21474.836475 + 2147483648.0
         p1_x_raw_ = int(near)
         if not 1.52587890625e-05 < near - p1_x_raw_ < 0.9999847412109375: p1_x_raw_ = rt.exact_raw(p1_x_, _R_2)
         raw.append(p1_x_raw_)
         p1_y_ = self.p1_y
         if not -100000.0 <= p1_y_ <= 100000.0: raise rt.Reject
-        near = (p1_y_ + 100000.0) * 21474.836475 + 0.5
+        near = p1_y_ * 21474.836475 + 2147483648.0
         p1_y_raw_ = int(near)
         if not 1.52587890625e-05 < near - p1_y_raw_ < 0.9999847412109375: p1_y_raw_ = rt.exact_raw(p1_y_, _R_2)
         raw.append(p1_y_raw_)
@@ -96,19 +96,19 @@ class SetLocalPathSegment(rt.Message):
         if p1_z_ is not None:
             mask |= 1
             if not -10000.0 <= p1_z_ <= 35000.0: raise rt.Reject
-            near = (p1_z_ + 10000.0) * 95443.71766666666 + 0.5
+            near = p1_z_ * 95443.71766666666 + 954437177.1666666
             p1_z_raw_ = int(near)
             if not 1.52587890625e-05 < near - p1_z_raw_ < 0.9999847412109375: p1_z_raw_ = rt.exact_raw(p1_z_, _R_3)
             raw.append(p1_z_raw_)
         p2_x_ = self.p2_x
         if not -100000.0 <= p2_x_ <= 100000.0: raise rt.Reject
-        near = (p2_x_ + 100000.0) * 21474.836475 + 0.5
+        near = p2_x_ * 21474.836475 + 2147483648.0
         p2_x_raw_ = int(near)
         if not 1.52587890625e-05 < near - p2_x_raw_ < 0.9999847412109375: p2_x_raw_ = rt.exact_raw(p2_x_, _R_2)
         raw.append(p2_x_raw_)
         p2_y_ = self.p2_y
         if not -100000.0 <= p2_y_ <= 100000.0: raise rt.Reject
-        near = (p2_y_ + 100000.0) * 21474.836475 + 0.5
+        near = p2_y_ * 21474.836475 + 2147483648.0
         p2_y_raw_ = int(near)
         if not 1.52587890625e-05 < near - p2_y_raw_ < 0.9999847412109375: p2_y_raw_ = rt.exact_raw(p2_y_, _R_2)
         raw.append(p2_y_raw_)
@@ -116,7 +116,7 @@ class SetLocalPathSegment(rt.Message):
         if p2_z_ is not None:
             mask |= 2
             if not -10000.0 <= p2_z_ <= 35000.0: raise rt.Reject
-            near = (p2_z_ + 10000.0) * 95443.71766666666 + 0.5
+            near = p2_z_ * 95443.71766666666 + 954437177.1666666
             p2_z_raw_ = int(near)
             if not 1.52587890625e-05 < near - p2_z_raw_ < 0.9999847412109375: p2_z_raw_ = rt.exact_raw(p2_z_, _R_3)
             raw.append(p2_z_raw_)
@@ -274,13 +274,13 @@ class ReportLocalPathSegment(rt.Message):
         raw: list[int | float | bytes] = []
         p1_x_ = self.p1_x
         if not -100000.0 <= p1_x_ <= 100000.0: raise rt.Reject
-        near = (p1_x_ + 100000.0) * 21474.836475 + 0.5
+        near = p1_x_ * 21474.836475 + 2147483648.0
         p1_x_raw_ = int(near)
         if not 1.52587890625e-05 < near - p1_x_raw_ < 0.9999847412109375: p1_x_raw_ = rt.exact_raw(p1_x_, _R_2)
         raw.append(p1_x_raw_)
         p1_y_ = self.p1_y
         if not -100000.0 <= p1_y_ <= 100000.0: raise rt.Reject
-        near = (p1_y_ + 100000.0) * 21474.836475 + 0.5
+        near = p1_y_ * 21474.836475 + 2147483648.0
         p1_y_raw_ = int(near)
         if not 1.52587890625e-05 < near - p1_y_raw_ < 0.9999847412109375: p1_y_raw_ = rt.exact_raw(p1_y_, _R_2)
         raw.append(p1_y_raw_)
@@ -288,19 +288,19 @@ class ReportLocalPathSegment(rt.Message):
         if p1_z_ is not None:
             mask |= 1
             if not -10000.0 <= p1_z_ <= 35000.0: raise rt.Reject
-            near = (p1_z_ + 10000.0) * 95443.71766666666 + 0.5
+            near = p1_z_ * 95443.71766666666 + 954437177.1666666
             p1_z_raw_ = int(near)
             if not 1.52587890625e-05 < near - p1_z_raw_ < 0.9999847412109375: p1_z_raw_ = rt.exact_raw(p1_z_, _R_3)
             raw.append(p1_z_raw_)
         p2_x_ = self.p2_x
         if not -100000.0 <= p2_x_ <= 100000.0: raise rt.Reject
-        near = (p2_x_ + 100000.0) * 21474.836475 + 0.5
+        near = p2_x_ * 21474.836475 + 2147483648.0
         p2_x_raw_ = int(near)
         if not 1.52587890625e-05 < near - p2_x_raw_ < 0.9999847412109375: p2_x_raw_ = rt.exact_raw(p2_x_, _R_2)
         raw.append(p2_x_raw_)
         p2_y_ = self.p2_y
         if not -100000.0 <= p2_y_ <= 100000.0: raise rt.Reject
-        near = (p2_y_ + 100000.0) * 21474.836475 + 0.5
+        near = p2_y_ * 21474.836475 + 2147483648.0
         p2_y_raw_ = int(near)
         if not 1.52587890625e-05 < near - p2_y_raw_ < 0.9999847412109375: p2_y_raw_ = rt.exact_raw(p2_y_, _R_2)
         raw.append(p2_y_raw_)
@@ -308,7 +308,7 @@ class ReportLocalPathSegment(rt.Message):
         if p2_z_ is not None:
             mask |= 2
             if not -10000.0 <= p2_z_ <= 35000.0: raise rt.Reject
-            near = (p2_z_ + 10000.0) * 95443.71766666666 + 0.5
+            near = p2_z_ * 95443.71766666666 + 954437177.1666666
             p2_z_raw_ = int(near)
             if not 1.52587890625e-05 < near - p2_z_raw_ < 0.9999847412109375: p2_z_raw_ = rt.exact_raw(p2_z_, _R_3)
             raw.append(p2_z_raw_)

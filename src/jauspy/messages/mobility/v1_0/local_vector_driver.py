@@ -73,7 +73,7 @@ class SetLocalVector(rt.Message):
         if z_ is not None:
             mask |= 2
             if not -10000.0 <= z_ <= 35000.0: raise rt.Reject
-            near = (z_ + 10000.0) * 95443.71766666666 + 0.5
+            near = z_ * 95443.71766666666 + 954437177.1666666
             z_raw_ = int(near)
             if not 1.52587890625e-05 < near - z_raw_ < 0.9999847412109375: z_raw_ = rt.exact_raw(z_, _R_3)
             raw.append(z_raw_)
@@ -81,7 +81,7 @@ class SetLocalVector(rt.Message):
         if heading_ is not None:
             mask |= 4
             if not -3.141592653589793 <= heading_ <= 3.141592653589793: raise rt.Reject
-            near = (heading_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = heading_ * 10430.219195527361 + 32768.0
             heading_raw_ = int(near)
             if not 1.52587890625e-05 < near - heading_raw_ < 0.9999847412109375: heading_raw_ = rt.exact_raw(heading_, _R_4)
             raw.append(heading_raw_)
@@ -89,7 +89,7 @@ class SetLocalVector(rt.Message):
         if roll_ is not None:
             mask |= 8
             if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = (roll_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = roll_ * 10430.219195527361 + 32768.0
             roll_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_4)
             raw.append(roll_raw_)
@@ -97,7 +97,7 @@ class SetLocalVector(rt.Message):
         if pitch_ is not None:
             mask |= 16
             if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = (pitch_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = pitch_ * 10430.219195527361 + 32768.0
             pitch_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_4)
             raw.append(pitch_raw_)
@@ -202,7 +202,7 @@ class ReportLocalVector(rt.Message):
         if z_ is not None:
             mask |= 2
             if not -10000.0 <= z_ <= 35000.0: raise rt.Reject
-            near = (z_ + 10000.0) * 95443.71766666666 + 0.5
+            near = z_ * 95443.71766666666 + 954437177.1666666
             z_raw_ = int(near)
             if not 1.52587890625e-05 < near - z_raw_ < 0.9999847412109375: z_raw_ = rt.exact_raw(z_, _R_3)
             raw.append(z_raw_)
@@ -210,7 +210,7 @@ class ReportLocalVector(rt.Message):
         if heading_ is not None:
             mask |= 4
             if not -3.141592653589793 <= heading_ <= 3.141592653589793: raise rt.Reject
-            near = (heading_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = heading_ * 10430.219195527361 + 32768.0
             heading_raw_ = int(near)
             if not 1.52587890625e-05 < near - heading_raw_ < 0.9999847412109375: heading_raw_ = rt.exact_raw(heading_, _R_4)
             raw.append(heading_raw_)
@@ -218,7 +218,7 @@ class ReportLocalVector(rt.Message):
         if roll_ is not None:
             mask |= 8
             if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = (roll_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = roll_ * 10430.219195527361 + 32768.0
             roll_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_4)
             raw.append(roll_raw_)
@@ -226,7 +226,7 @@ class ReportLocalVector(rt.Message):
         if pitch_ is not None:
             mask |= 16
             if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = (pitch_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = pitch_ * 10430.219195527361 + 32768.0
             pitch_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_4)
             raw.append(pitch_raw_)

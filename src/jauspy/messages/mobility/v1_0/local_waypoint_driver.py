@@ -87,13 +87,13 @@ class SetLocalWaypoint(rt.Message):
         raw: list[int | float | bytes] = []
         x_ = self.x
         if not -100000.0 <= x_ <= 100000.0: raise rt.Reject
-        near = (x_ + 100000.0) * 21474.836475 + 0.5
+        near = x_ * 21474.836475 + 2147483648.0
         x_raw_ = int(near)
         if not 1.52587890625e-05 < near - x_raw_ < 0.9999847412109375: x_raw_ = rt.exact_raw(x_, _R_2)
         raw.append(x_raw_)
         y_ = self.y
         if not -100000.0 <= y_ <= 100000.0: raise rt.Reject
-        near = (y_ + 100000.0) * 21474.836475 + 0.5
+        near = y_ * 21474.836475 + 2147483648.0
         y_raw_ = int(near)
         if not 1.52587890625e-05 < near - y_raw_ < 0.9999847412109375: y_raw_ = rt.exact_raw(y_, _R_2)
         raw.append(y_raw_)
@@ -101,7 +101,7 @@ class SetLocalWaypoint(rt.Message):
         if z_ is not None:
             mask |= 1
             if not -100000.0 <= z_ <= 100000.0: raise rt.Reject
-            near = (z_ + 100000.0) * 21474.836475 + 0.5
+            near = z_ * 21474.836475 + 2147483648.0
             z_raw_ = int(near)
             if not 1.52587890625e-05 < near - z_raw_ < 0.9999847412109375: z_raw_ = rt.exact_raw(z_, _R_2)
             raw.append(z_raw_)
@@ -109,7 +109,7 @@ class SetLocalWaypoint(rt.Message):
         if roll_ is not None:
             mask |= 2
             if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = (roll_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = roll_ * 10430.219195527361 + 32768.0
             roll_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_3)
             raw.append(roll_raw_)
@@ -117,7 +117,7 @@ class SetLocalWaypoint(rt.Message):
         if pitch_ is not None:
             mask |= 4
             if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = (pitch_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = pitch_ * 10430.219195527361 + 32768.0
             pitch_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_3)
             raw.append(pitch_raw_)
@@ -125,7 +125,7 @@ class SetLocalWaypoint(rt.Message):
         if yaw_ is not None:
             mask |= 8
             if not -3.141592653589793 <= yaw_ <= 3.141592653589793: raise rt.Reject
-            near = (yaw_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = yaw_ * 10430.219195527361 + 32768.0
             yaw_raw_ = int(near)
             if not 1.52587890625e-05 < near - yaw_raw_ < 0.9999847412109375: yaw_raw_ = rt.exact_raw(yaw_, _R_3)
             raw.append(yaw_raw_)
@@ -266,13 +266,13 @@ class ReportLocalWaypoint(rt.Message):
         raw: list[int | float | bytes] = []
         x_ = self.x
         if not -100000.0 <= x_ <= 100000.0: raise rt.Reject
-        near = (x_ + 100000.0) * 21474.836475 + 0.5
+        near = x_ * 21474.836475 + 2147483648.0
         x_raw_ = int(near)
         if not 1.52587890625e-05 < near - x_raw_ < 0.9999847412109375: x_raw_ = rt.exact_raw(x_, _R_2)
         raw.append(x_raw_)
         y_ = self.y
         if not -100000.0 <= y_ <= 100000.0: raise rt.Reject
-        near = (y_ + 100000.0) * 21474.836475 + 0.5
+        near = y_ * 21474.836475 + 2147483648.0
         y_raw_ = int(near)
         if not 1.52587890625e-05 < near - y_raw_ < 0.9999847412109375: y_raw_ = rt.exact_raw(y_, _R_2)
         raw.append(y_raw_)
@@ -280,7 +280,7 @@ class ReportLocalWaypoint(rt.Message):
         if z_ is not None:
             mask |= 1
             if not -100000.0 <= z_ <= 100000.0: raise rt.Reject
-            near = (z_ + 100000.0) * 21474.836475 + 0.5
+            near = z_ * 21474.836475 + 2147483648.0
             z_raw_ = int(near)
             if not 1.52587890625e-05 < near - z_raw_ < 0.9999847412109375: z_raw_ = rt.exact_raw(z_, _R_2)
             raw.append(z_raw_)
@@ -288,7 +288,7 @@ class ReportLocalWaypoint(rt.Message):
         if roll_ is not None:
             mask |= 2
             if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = (roll_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = roll_ * 10430.219195527361 + 32768.0
             roll_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_3)
             raw.append(roll_raw_)
@@ -296,7 +296,7 @@ class ReportLocalWaypoint(rt.Message):
         if pitch_ is not None:
             mask |= 4
             if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = (pitch_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = pitch_ * 10430.219195527361 + 32768.0
             pitch_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_3)
             raw.append(pitch_raw_)
@@ -304,7 +304,7 @@ class ReportLocalWaypoint(rt.Message):
         if yaw_ is not None:
             mask |= 8
             if not -3.141592653589793 <= yaw_ <= 3.141592653589793: raise rt.Reject
-            near = (yaw_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = yaw_ * 10430.219195527361 + 32768.0
             yaw_raw_ = int(near)
             if not 1.52587890625e-05 < near - yaw_raw_ < 0.9999847412109375: yaw_raw_ = rt.exact_raw(yaw_, _R_3)
             raw.append(yaw_raw_)

@@ -93,7 +93,7 @@ class SetWrenchEffort(rt.Message):
         if propulsive_linear_effort_x_ is not None:
             mask |= 1
             if not -100.0 <= propulsive_linear_effort_x_ <= 100.0: raise rt.Reject
-            near = (propulsive_linear_effort_x_ + 100.0) * 327.675 + 0.5
+            near = propulsive_linear_effort_x_ * 327.675 + 32768.0
             propulsive_linear_effort_x_raw_ = int(near)
             if not 1.52587890625e-05 < near - propulsive_linear_effort_x_raw_ < 0.9999847412109375: propulsive_linear_effort_x_raw_ = rt.exact_raw(propulsive_linear_effort_x_, _R_2)
             raw.append(propulsive_linear_effort_x_raw_)
@@ -101,7 +101,7 @@ class SetWrenchEffort(rt.Message):
         if propulsive_linear_effort_y_ is not None:
             mask |= 2
             if not -100.0 <= propulsive_linear_effort_y_ <= 100.0: raise rt.Reject
-            near = (propulsive_linear_effort_y_ + 100.0) * 327.675 + 0.5
+            near = propulsive_linear_effort_y_ * 327.675 + 32768.0
             propulsive_linear_effort_y_raw_ = int(near)
             if not 1.52587890625e-05 < near - propulsive_linear_effort_y_raw_ < 0.9999847412109375: propulsive_linear_effort_y_raw_ = rt.exact_raw(propulsive_linear_effort_y_, _R_2)
             raw.append(propulsive_linear_effort_y_raw_)
@@ -109,7 +109,7 @@ class SetWrenchEffort(rt.Message):
         if propulsive_linear_effort_z_ is not None:
             mask |= 4
             if not -100.0 <= propulsive_linear_effort_z_ <= 100.0: raise rt.Reject
-            near = (propulsive_linear_effort_z_ + 100.0) * 327.675 + 0.5
+            near = propulsive_linear_effort_z_ * 327.675 + 32768.0
             propulsive_linear_effort_z_raw_ = int(near)
             if not 1.52587890625e-05 < near - propulsive_linear_effort_z_raw_ < 0.9999847412109375: propulsive_linear_effort_z_raw_ = rt.exact_raw(propulsive_linear_effort_z_, _R_2)
             raw.append(propulsive_linear_effort_z_raw_)
@@ -117,7 +117,7 @@ class SetWrenchEffort(rt.Message):
         if propulsive_rotational_effort_x_ is not None:
             mask |= 8
             if not -100.0 <= propulsive_rotational_effort_x_ <= 100.0: raise rt.Reject
-            near = (propulsive_rotational_effort_x_ + 100.0) * 327.675 + 0.5
+            near = propulsive_rotational_effort_x_ * 327.675 + 32768.0
             propulsive_rotational_effort_x_raw_ = int(near)
             if not 1.52587890625e-05 < near - propulsive_rotational_effort_x_raw_ < 0.9999847412109375: propulsive_rotational_effort_x_raw_ = rt.exact_raw(propulsive_rotational_effort_x_, _R_2)
             raw.append(propulsive_rotational_effort_x_raw_)
@@ -125,7 +125,7 @@ class SetWrenchEffort(rt.Message):
         if propulsive_rotational_effort_y_ is not None:
             mask |= 16
             if not -100.0 <= propulsive_rotational_effort_y_ <= 100.0: raise rt.Reject
-            near = (propulsive_rotational_effort_y_ + 100.0) * 327.675 + 0.5
+            near = propulsive_rotational_effort_y_ * 327.675 + 32768.0
             propulsive_rotational_effort_y_raw_ = int(near)
             if not 1.52587890625e-05 < near - propulsive_rotational_effort_y_raw_ < 0.9999847412109375: propulsive_rotational_effort_y_raw_ = rt.exact_raw(propulsive_rotational_effort_y_, _R_2)
             raw.append(propulsive_rotational_effort_y_raw_)
@@ -133,7 +133,7 @@ class SetWrenchEffort(rt.Message):
         if propulsive_rotational_effort_z_ is not None:
             mask |= 32
             if not -100.0 <= propulsive_rotational_effort_z_ <= 100.0: raise rt.Reject
-            near = (propulsive_rotational_effort_z_ + 100.0) * 327.675 + 0.5
+            near = propulsive_rotational_effort_z_ * 327.675 + 32768.0
             propulsive_rotational_effort_z_raw_ = int(near)
             if not 1.52587890625e-05 < near - propulsive_rotational_effort_z_raw_ < 0.9999847412109375: propulsive_rotational_effort_z_raw_ = rt.exact_raw(propulsive_rotational_effort_z_, _R_2)
             raw.append(propulsive_rotational_effort_z_raw_)
@@ -306,7 +306,7 @@ class ReportWrenchEffort(rt.Message):
         if propulsive_linear_effort_x_ is not None:
             mask |= 1
             if not -100.0 <= propulsive_linear_effort_x_ <= 100.0: raise rt.Reject
-            near = (propulsive_linear_effort_x_ + 100.0) * 327.675 + 0.5
+            near = propulsive_linear_effort_x_ * 327.675 + 32768.0
             propulsive_linear_effort_x_raw_ = int(near)
             if not 1.52587890625e-05 < near - propulsive_linear_effort_x_raw_ < 0.9999847412109375: propulsive_linear_effort_x_raw_ = rt.exact_raw(propulsive_linear_effort_x_, _R_2)
             raw.append(propulsive_linear_effort_x_raw_)
@@ -314,7 +314,7 @@ class ReportWrenchEffort(rt.Message):
         if propulsive_linear_effort_y_ is not None:
             mask |= 2
             if not -100.0 <= propulsive_linear_effort_y_ <= 100.0: raise rt.Reject
-            near = (propulsive_linear_effort_y_ + 100.0) * 327.675 + 0.5
+            near = propulsive_linear_effort_y_ * 327.675 + 32768.0
             propulsive_linear_effort_y_raw_ = int(near)
             if not 1.52587890625e-05 < near - propulsive_linear_effort_y_raw_ < 0.9999847412109375: propulsive_linear_effort_y_raw_ = rt.exact_raw(propulsive_linear_effort_y_, _R_2)
             raw.append(propulsive_linear_effort_y_raw_)
@@ -322,7 +322,7 @@ class ReportWrenchEffort(rt.Message):
         if propulsive_linear_effort_z_ is not None:
             mask |= 4
             if not -100.0 <= propulsive_linear_effort_z_ <= 100.0: raise rt.Reject
-            near = (propulsive_linear_effort_z_ + 100.0) * 327.675 + 0.5
+            near = propulsive_linear_effort_z_ * 327.675 + 32768.0
             propulsive_linear_effort_z_raw_ = int(near)
             if not 1.52587890625e-05 < near - propulsive_linear_effort_z_raw_ < 0.9999847412109375: propulsive_linear_effort_z_raw_ = rt.exact_raw(propulsive_linear_effort_z_, _R_2)
             raw.append(propulsive_linear_effort_z_raw_)
@@ -330,7 +330,7 @@ class ReportWrenchEffort(rt.Message):
         if propulsive_rotational_effort_x_ is not None:
             mask |= 8
             if not -100.0 <= propulsive_rotational_effort_x_ <= 100.0: raise rt.Reject
-            near = (propulsive_rotational_effort_x_ + 100.0) * 327.675 + 0.5
+            near = propulsive_rotational_effort_x_ * 327.675 + 32768.0
             propulsive_rotational_effort_x_raw_ = int(near)
             if not 1.52587890625e-05 < near - propulsive_rotational_effort_x_raw_ < 0.9999847412109375: propulsive_rotational_effort_x_raw_ = rt.exact_raw(propulsive_rotational_effort_x_, _R_2)
             raw.append(propulsive_rotational_effort_x_raw_)
@@ -338,7 +338,7 @@ class ReportWrenchEffort(rt.Message):
         if propulsive_rotational_effort_y_ is not None:
             mask |= 16
             if not -100.0 <= propulsive_rotational_effort_y_ <= 100.0: raise rt.Reject
-            near = (propulsive_rotational_effort_y_ + 100.0) * 327.675 + 0.5
+            near = propulsive_rotational_effort_y_ * 327.675 + 32768.0
             propulsive_rotational_effort_y_raw_ = int(near)
             if not 1.52587890625e-05 < near - propulsive_rotational_effort_y_raw_ < 0.9999847412109375: propulsive_rotational_effort_y_raw_ = rt.exact_raw(propulsive_rotational_effort_y_, _R_2)
             raw.append(propulsive_rotational_effort_y_raw_)
@@ -346,7 +346,7 @@ class ReportWrenchEffort(rt.Message):
         if propulsive_rotational_effort_z_ is not None:
             mask |= 32
             if not -100.0 <= propulsive_rotational_effort_z_ <= 100.0: raise rt.Reject
-            near = (propulsive_rotational_effort_z_ + 100.0) * 327.675 + 0.5
+            near = propulsive_rotational_effort_z_ * 327.675 + 32768.0
             propulsive_rotational_effort_z_raw_ = int(near)
             if not 1.52587890625e-05 < near - propulsive_rotational_effort_z_raw_ < 0.9999847412109375: propulsive_rotational_effort_z_raw_ = rt.exact_raw(propulsive_rotational_effort_z_, _R_2)
             raw.append(propulsive_rotational_effort_z_raw_)

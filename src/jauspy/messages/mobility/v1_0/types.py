@@ -93,7 +93,7 @@ class GlobalPoseRec(rt.Struct):
         if latitude_ is not None:
             mask |= 1
             if not -90.0 <= latitude_ <= 90.0: raise rt.Reject
-            near = (latitude_ + 90.0) * 23860929.416666668 + 0.5
+            near = latitude_ * 23860929.416666668 + 2147483648.0
             latitude_raw_ = int(near)
             if not 1.52587890625e-05 < near - latitude_raw_ < 0.9999847412109375: latitude_raw_ = rt.exact_raw(latitude_, _R_2)
             raw.append(latitude_raw_)
@@ -101,7 +101,7 @@ class GlobalPoseRec(rt.Struct):
         if longitude_ is not None:
             mask |= 2
             if not -180.0 <= longitude_ <= 180.0: raise rt.Reject
-            near = (longitude_ + 180.0) * 11930464.708333334 + 0.5
+            near = longitude_ * 11930464.708333334 + 2147483648.0
             longitude_raw_ = int(near)
             if not 1.52587890625e-05 < near - longitude_raw_ < 0.9999847412109375: longitude_raw_ = rt.exact_raw(longitude_, _R_3)
             raw.append(longitude_raw_)
@@ -109,7 +109,7 @@ class GlobalPoseRec(rt.Struct):
         if altitude_ is not None:
             mask |= 4
             if not -10000.0 <= altitude_ <= 35000.0: raise rt.Reject
-            near = (altitude_ + 10000.0) * 95443.71766666666 + 0.5
+            near = altitude_ * 95443.71766666666 + 954437177.1666666
             altitude_raw_ = int(near)
             if not 1.52587890625e-05 < near - altitude_raw_ < 0.9999847412109375: altitude_raw_ = rt.exact_raw(altitude_, _R_4)
             raw.append(altitude_raw_)
@@ -125,7 +125,7 @@ class GlobalPoseRec(rt.Struct):
         if roll_ is not None:
             mask |= 16
             if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = (roll_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = roll_ * 10430.219195527361 + 32768.0
             roll_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_6)
             raw.append(roll_raw_)
@@ -133,7 +133,7 @@ class GlobalPoseRec(rt.Struct):
         if pitch_ is not None:
             mask |= 32
             if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = (pitch_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = pitch_ * 10430.219195527361 + 32768.0
             pitch_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_6)
             raw.append(pitch_raw_)
@@ -141,7 +141,7 @@ class GlobalPoseRec(rt.Struct):
         if yaw_ is not None:
             mask |= 64
             if not -3.141592653589793 <= yaw_ <= 3.141592653589793: raise rt.Reject
-            near = (yaw_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = yaw_ * 10430.219195527361 + 32768.0
             yaw_raw_ = int(near)
             if not 1.52587890625e-05 < near - yaw_raw_ < 0.9999847412109375: yaw_raw_ = rt.exact_raw(yaw_, _R_6)
             raw.append(yaw_raw_)
@@ -255,7 +255,7 @@ class LocalPoseRec(rt.Struct):
         if x_ is not None:
             mask |= 1
             if not -100000.0 <= x_ <= 100000.0: raise rt.Reject
-            near = (x_ + 100000.0) * 21474.836475 + 0.5
+            near = x_ * 21474.836475 + 2147483648.0
             x_raw_ = int(near)
             if not 1.52587890625e-05 < near - x_raw_ < 0.9999847412109375: x_raw_ = rt.exact_raw(x_, _R_8)
             raw.append(x_raw_)
@@ -263,7 +263,7 @@ class LocalPoseRec(rt.Struct):
         if y_ is not None:
             mask |= 2
             if not -100000.0 <= y_ <= 100000.0: raise rt.Reject
-            near = (y_ + 100000.0) * 21474.836475 + 0.5
+            near = y_ * 21474.836475 + 2147483648.0
             y_raw_ = int(near)
             if not 1.52587890625e-05 < near - y_raw_ < 0.9999847412109375: y_raw_ = rt.exact_raw(y_, _R_8)
             raw.append(y_raw_)
@@ -271,7 +271,7 @@ class LocalPoseRec(rt.Struct):
         if z_ is not None:
             mask |= 4
             if not -100000.0 <= z_ <= 100000.0: raise rt.Reject
-            near = (z_ + 100000.0) * 21474.836475 + 0.5
+            near = z_ * 21474.836475 + 2147483648.0
             z_raw_ = int(near)
             if not 1.52587890625e-05 < near - z_raw_ < 0.9999847412109375: z_raw_ = rt.exact_raw(z_, _R_8)
             raw.append(z_raw_)
@@ -287,7 +287,7 @@ class LocalPoseRec(rt.Struct):
         if roll_ is not None:
             mask |= 16
             if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = (roll_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = roll_ * 10430.219195527361 + 32768.0
             roll_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_6)
             raw.append(roll_raw_)
@@ -295,7 +295,7 @@ class LocalPoseRec(rt.Struct):
         if pitch_ is not None:
             mask |= 32
             if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = (pitch_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = pitch_ * 10430.219195527361 + 32768.0
             pitch_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_6)
             raw.append(pitch_raw_)
@@ -303,7 +303,7 @@ class LocalPoseRec(rt.Struct):
         if yaw_ is not None:
             mask |= 64
             if not -3.141592653589793 <= yaw_ <= 3.141592653589793: raise rt.Reject
-            near = (yaw_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = yaw_ * 10430.219195527361 + 32768.0
             yaw_raw_ = int(near)
             if not 1.52587890625e-05 < near - yaw_raw_ < 0.9999847412109375: yaw_raw_ = rt.exact_raw(yaw_, _R_6)
             raw.append(yaw_raw_)
@@ -397,28 +397,28 @@ class GlobalZPosition(rt.Struct):
         if choice == 0:
             value_ = self.value
             if not -50000.0 <= value_ <= 50000.0: raise rt.Reject
-            near = (value_ + 50000.0) * 42949.67295 + 0.5
+            near = value_ * 42949.67295 + 2147483648.0
             value_raw_ = int(near)
             if not 1.52587890625e-05 < near - value_raw_ < 0.9999847412109375: value_raw_ = rt.exact_raw(value_, _R_11)
             out += _S_BI.pack(choice, value_raw_)
         elif choice == 1:
             value_2_ = self.value
             if not -50000.0 <= value_2_ <= 50000.0: raise rt.Reject
-            near = (value_2_ + 50000.0) * 42949.67295 + 0.5
+            near = value_2_ * 42949.67295 + 2147483648.0
             value_raw_2_ = int(near)
             if not 1.52587890625e-05 < near - value_raw_2_ < 0.9999847412109375: value_raw_2_ = rt.exact_raw(value_2_, _R_11)
             out += _S_BI.pack(choice, value_raw_2_)
         elif choice == 2:
             value_3_ = self.value
             if not -50000.0 <= value_3_ <= 50000.0: raise rt.Reject
-            near = (value_3_ + 50000.0) * 42949.67295 + 0.5
+            near = value_3_ * 42949.67295 + 2147483648.0
             value_raw_3_ = int(near)
             if not 1.52587890625e-05 < near - value_raw_3_ < 0.9999847412109375: value_raw_3_ = rt.exact_raw(value_3_, _R_11)
             out += _S_BI.pack(choice, value_raw_3_)
         elif choice == 3:
             value_4_ = self.value
             if not -50000.0 <= value_4_ <= 50000.0: raise rt.Reject
-            near = (value_4_ + 50000.0) * 42949.67295 + 0.5
+            near = value_4_ * 42949.67295 + 2147483648.0
             value_raw_4_ = int(near)
             if not 1.52587890625e-05 < near - value_raw_4_ < 0.9999847412109375: value_raw_4_ = rt.exact_raw(value_4_, _R_11)
             out += _S_BI.pack(choice, value_raw_4_)
@@ -620,28 +620,28 @@ class Speed(rt.Struct):
         if choice == 0:
             value_ = self.value
             if not -327.68 <= value_ <= 327.67: raise rt.Reject
-            near = (value_ + 327.68) * 100.0 + 0.5
+            near = value_ * 100.0 + 32768.5
             value_raw_ = int(near)
             if not 1.52587890625e-05 < near - value_raw_ < 0.9999847412109375: value_raw_ = rt.exact_raw(value_, _R_21)
             out += _S_BH.pack(choice, value_raw_)
         elif choice == 1:
             value_2_ = self.value
             if not -327.68 <= value_2_ <= 327.67: raise rt.Reject
-            near = (value_2_ + 327.68) * 100.0 + 0.5
+            near = value_2_ * 100.0 + 32768.5
             value_raw_2_ = int(near)
             if not 1.52587890625e-05 < near - value_raw_2_ < 0.9999847412109375: value_raw_2_ = rt.exact_raw(value_2_, _R_21)
             out += _S_BH.pack(choice, value_raw_2_)
         elif choice == 2:
             value_3_ = self.value
             if not -1000.0 <= value_3_ <= 1000.0: raise rt.Reject
-            near = (value_3_ + 1000.0) * 32.7675 + 0.5
+            near = value_3_ * 32.7675 + 32768.0
             value_raw_3_ = int(near)
             if not 1.52587890625e-05 < near - value_raw_3_ < 0.9999847412109375: value_raw_3_ = rt.exact_raw(value_3_, _R_23)
             out += _S_BH.pack(choice, value_raw_3_)
         elif choice == 3:
             value_4_ = self.value
             if not -327.68 <= value_4_ <= 327.67: raise rt.Reject
-            near = (value_4_ + 327.68) * 100.0 + 0.5
+            near = value_4_ * 100.0 + 32768.5
             value_raw_4_ = int(near)
             if not 1.52587890625e-05 < near - value_raw_4_ < 0.9999847412109375: value_raw_4_ = rt.exact_raw(value_4_, _R_21)
             out += _S_BH.pack(choice, value_raw_4_)
@@ -774,35 +774,35 @@ class ZPosition(rt.Struct):
         if choice == 0:
             value_ = self.value
             if not -50000.0 <= value_ <= 50000.0: raise rt.Reject
-            near = (value_ + 50000.0) * 42949.67295 + 0.5
+            near = value_ * 42949.67295 + 2147483648.0
             value_raw_ = int(near)
             if not 1.52587890625e-05 < near - value_raw_ < 0.9999847412109375: value_raw_ = rt.exact_raw(value_, _R_11)
             out += _S_BI.pack(choice, value_raw_)
         elif choice == 1:
             value_2_ = self.value
             if not -50000.0 <= value_2_ <= 50000.0: raise rt.Reject
-            near = (value_2_ + 50000.0) * 42949.67295 + 0.5
+            near = value_2_ * 42949.67295 + 2147483648.0
             value_raw_2_ = int(near)
             if not 1.52587890625e-05 < near - value_raw_2_ < 0.9999847412109375: value_raw_2_ = rt.exact_raw(value_2_, _R_11)
             out += _S_BI.pack(choice, value_raw_2_)
         elif choice == 2:
             value_3_ = self.value
             if not -50000.0 <= value_3_ <= 50000.0: raise rt.Reject
-            near = (value_3_ + 50000.0) * 42949.67295 + 0.5
+            near = value_3_ * 42949.67295 + 2147483648.0
             value_raw_3_ = int(near)
             if not 1.52587890625e-05 < near - value_raw_3_ < 0.9999847412109375: value_raw_3_ = rt.exact_raw(value_3_, _R_11)
             out += _S_BI.pack(choice, value_raw_3_)
         elif choice == 3:
             value_4_ = self.value
             if not -50000.0 <= value_4_ <= 50000.0: raise rt.Reject
-            near = (value_4_ + 50000.0) * 42949.67295 + 0.5
+            near = value_4_ * 42949.67295 + 2147483648.0
             value_raw_4_ = int(near)
             if not 1.52587890625e-05 < near - value_raw_4_ < 0.9999847412109375: value_raw_4_ = rt.exact_raw(value_4_, _R_11)
             out += _S_BI.pack(choice, value_raw_4_)
         elif choice == 4:
             value_5_ = self.value
             if not -50000.0 <= value_5_ <= 50000.0: raise rt.Reject
-            near = (value_5_ + 50000.0) * 42949.67295 + 0.5
+            near = value_5_ * 42949.67295 + 2147483648.0
             value_raw_5_ = int(near)
             if not 1.52587890625e-05 < near - value_raw_5_ < 0.9999847412109375: value_raw_5_ = rt.exact_raw(value_5_, _R_11)
             out += _S_BI.pack(choice, value_raw_5_)
@@ -903,7 +903,7 @@ class ReportGlobalPoseExtRec(rt.Struct):
         if latitude_ is not None:
             mask |= 1
             if not -90.0 <= latitude_ <= 90.0: raise rt.Reject
-            near = (latitude_ + 90.0) * 23860929.416666668 + 0.5
+            near = latitude_ * 23860929.416666668 + 2147483648.0
             latitude_raw_ = int(near)
             if not 1.52587890625e-05 < near - latitude_raw_ < 0.9999847412109375: latitude_raw_ = rt.exact_raw(latitude_, _R_2)
             raw.append(latitude_raw_)
@@ -911,7 +911,7 @@ class ReportGlobalPoseExtRec(rt.Struct):
         if longitude_ is not None:
             mask |= 2
             if not -180.0 <= longitude_ <= 180.0: raise rt.Reject
-            near = (longitude_ + 180.0) * 11930464.708333334 + 0.5
+            near = longitude_ * 11930464.708333334 + 2147483648.0
             longitude_raw_ = int(near)
             if not 1.52587890625e-05 < near - longitude_raw_ < 0.9999847412109375: longitude_raw_ = rt.exact_raw(longitude_, _R_3)
             raw.append(longitude_raw_)
@@ -919,7 +919,7 @@ class ReportGlobalPoseExtRec(rt.Struct):
         if altitude_agl_ is not None:
             mask |= 4
             if not -50000.0 <= altitude_agl_ <= 50000.0: raise rt.Reject
-            near = (altitude_agl_ + 50000.0) * 42949.67295 + 0.5
+            near = altitude_agl_ * 42949.67295 + 2147483648.0
             altitude_agl_raw_ = int(near)
             if not 1.52587890625e-05 < near - altitude_agl_raw_ < 0.9999847412109375: altitude_agl_raw_ = rt.exact_raw(altitude_agl_, _R_11)
             raw.append(altitude_agl_raw_)
@@ -927,7 +927,7 @@ class ReportGlobalPoseExtRec(rt.Struct):
         if altitude_msl_ is not None:
             mask |= 8
             if not -50000.0 <= altitude_msl_ <= 50000.0: raise rt.Reject
-            near = (altitude_msl_ + 50000.0) * 42949.67295 + 0.5
+            near = altitude_msl_ * 42949.67295 + 2147483648.0
             altitude_msl_raw_ = int(near)
             if not 1.52587890625e-05 < near - altitude_msl_raw_ < 0.9999847412109375: altitude_msl_raw_ = rt.exact_raw(altitude_msl_, _R_11)
             raw.append(altitude_msl_raw_)
@@ -935,7 +935,7 @@ class ReportGlobalPoseExtRec(rt.Struct):
         if altitude_asf_ is not None:
             mask |= 16
             if not -50000.0 <= altitude_asf_ <= 50000.0: raise rt.Reject
-            near = (altitude_asf_ + 50000.0) * 42949.67295 + 0.5
+            near = altitude_asf_ * 42949.67295 + 2147483648.0
             altitude_asf_raw_ = int(near)
             if not 1.52587890625e-05 < near - altitude_asf_raw_ < 0.9999847412109375: altitude_asf_raw_ = rt.exact_raw(altitude_asf_, _R_11)
             raw.append(altitude_asf_raw_)
@@ -943,7 +943,7 @@ class ReportGlobalPoseExtRec(rt.Struct):
         if depth_ is not None:
             mask |= 32
             if not -50000.0 <= depth_ <= 50000.0: raise rt.Reject
-            near = (depth_ + 50000.0) * 42949.67295 + 0.5
+            near = depth_ * 42949.67295 + 2147483648.0
             depth_raw_ = int(near)
             if not 1.52587890625e-05 < near - depth_raw_ < 0.9999847412109375: depth_raw_ = rt.exact_raw(depth_, _R_11)
             raw.append(depth_raw_)
@@ -967,7 +967,7 @@ class ReportGlobalPoseExtRec(rt.Struct):
         if roll_ is not None:
             mask |= 256
             if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = (roll_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = roll_ * 10430.219195527361 + 32768.0
             roll_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_6)
             raw.append(roll_raw_)
@@ -975,7 +975,7 @@ class ReportGlobalPoseExtRec(rt.Struct):
         if pitch_ is not None:
             mask |= 512
             if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = (pitch_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = pitch_ * 10430.219195527361 + 32768.0
             pitch_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_6)
             raw.append(pitch_raw_)
@@ -983,7 +983,7 @@ class ReportGlobalPoseExtRec(rt.Struct):
         if heading_ is not None:
             mask |= 1024
             if not -3.141592653589793 <= heading_ <= 3.141592653589793: raise rt.Reject
-            near = (heading_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = heading_ * 10430.219195527361 + 32768.0
             heading_raw_ = int(near)
             if not 1.52587890625e-05 < near - heading_raw_ < 0.9999847412109375: heading_raw_ = rt.exact_raw(heading_, _R_6)
             raw.append(heading_raw_)
@@ -999,7 +999,7 @@ class ReportGlobalPoseExtRec(rt.Struct):
         if course_ is not None:
             mask |= 4096
             if not -3.141592653589793 <= course_ <= 3.141592653589793: raise rt.Reject
-            near = (course_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = course_ * 10430.219195527361 + 32768.0
             course_raw_ = int(near)
             if not 1.52587890625e-05 < near - course_raw_ < 0.9999847412109375: course_raw_ = rt.exact_raw(course_, _R_6)
             raw.append(course_raw_)
@@ -1110,7 +1110,7 @@ class ReportLocalPoseExtRec(rt.Struct):
         if x_ is not None:
             mask |= 1
             if not -20000000.0 <= x_ <= 20000000.0: raise rt.Reject
-            near = (x_ + 20000000.0) * 107.374182375 + 0.5
+            near = x_ * 107.374182375 + 2147483648.0
             x_raw_ = int(near)
             if not 1.52587890625e-05 < near - x_raw_ < 0.9999847412109375: x_raw_ = rt.exact_raw(x_, _R_27)
             raw.append(x_raw_)
@@ -1118,7 +1118,7 @@ class ReportLocalPoseExtRec(rt.Struct):
         if y_ is not None:
             mask |= 2
             if not -20000000.0 <= y_ <= 20000000.0: raise rt.Reject
-            near = (y_ + 20000000.0) * 107.374182375 + 0.5
+            near = y_ * 107.374182375 + 2147483648.0
             y_raw_ = int(near)
             if not 1.52587890625e-05 < near - y_raw_ < 0.9999847412109375: y_raw_ = rt.exact_raw(y_, _R_27)
             raw.append(y_raw_)
@@ -1126,7 +1126,7 @@ class ReportLocalPoseExtRec(rt.Struct):
         if altitude_agl_ is not None:
             mask |= 4
             if not -50000.0 <= altitude_agl_ <= 50000.0: raise rt.Reject
-            near = (altitude_agl_ + 50000.0) * 42949.67295 + 0.5
+            near = altitude_agl_ * 42949.67295 + 2147483648.0
             altitude_agl_raw_ = int(near)
             if not 1.52587890625e-05 < near - altitude_agl_raw_ < 0.9999847412109375: altitude_agl_raw_ = rt.exact_raw(altitude_agl_, _R_11)
             raw.append(altitude_agl_raw_)
@@ -1134,7 +1134,7 @@ class ReportLocalPoseExtRec(rt.Struct):
         if altitude_msl_ is not None:
             mask |= 8
             if not -50000.0 <= altitude_msl_ <= 50000.0: raise rt.Reject
-            near = (altitude_msl_ + 50000.0) * 42949.67295 + 0.5
+            near = altitude_msl_ * 42949.67295 + 2147483648.0
             altitude_msl_raw_ = int(near)
             if not 1.52587890625e-05 < near - altitude_msl_raw_ < 0.9999847412109375: altitude_msl_raw_ = rt.exact_raw(altitude_msl_, _R_11)
             raw.append(altitude_msl_raw_)
@@ -1142,7 +1142,7 @@ class ReportLocalPoseExtRec(rt.Struct):
         if altitude_asf_ is not None:
             mask |= 16
             if not -50000.0 <= altitude_asf_ <= 50000.0: raise rt.Reject
-            near = (altitude_asf_ + 50000.0) * 42949.67295 + 0.5
+            near = altitude_asf_ * 42949.67295 + 2147483648.0
             altitude_asf_raw_ = int(near)
             if not 1.52587890625e-05 < near - altitude_asf_raw_ < 0.9999847412109375: altitude_asf_raw_ = rt.exact_raw(altitude_asf_, _R_11)
             raw.append(altitude_asf_raw_)
@@ -1150,7 +1150,7 @@ class ReportLocalPoseExtRec(rt.Struct):
         if depth_ is not None:
             mask |= 32
             if not -50000.0 <= depth_ <= 50000.0: raise rt.Reject
-            near = (depth_ + 50000.0) * 42949.67295 + 0.5
+            near = depth_ * 42949.67295 + 2147483648.0
             depth_raw_ = int(near)
             if not 1.52587890625e-05 < near - depth_raw_ < 0.9999847412109375: depth_raw_ = rt.exact_raw(depth_, _R_11)
             raw.append(depth_raw_)
@@ -1158,7 +1158,7 @@ class ReportLocalPoseExtRec(rt.Struct):
         if z_local_ is not None:
             mask |= 64
             if not -50000.0 <= z_local_ <= 50000.0: raise rt.Reject
-            near = (z_local_ + 50000.0) * 42949.67295 + 0.5
+            near = z_local_ * 42949.67295 + 2147483648.0
             z_local_raw_ = int(near)
             if not 1.52587890625e-05 < near - z_local_raw_ < 0.9999847412109375: z_local_raw_ = rt.exact_raw(z_local_, _R_11)
             raw.append(z_local_raw_)
@@ -1182,7 +1182,7 @@ class ReportLocalPoseExtRec(rt.Struct):
         if roll_ is not None:
             mask |= 512
             if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = (roll_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = roll_ * 10430.219195527361 + 32768.0
             roll_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_6)
             raw.append(roll_raw_)
@@ -1190,7 +1190,7 @@ class ReportLocalPoseExtRec(rt.Struct):
         if pitch_ is not None:
             mask |= 1024
             if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = (pitch_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = pitch_ * 10430.219195527361 + 32768.0
             pitch_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_6)
             raw.append(pitch_raw_)
@@ -1198,7 +1198,7 @@ class ReportLocalPoseExtRec(rt.Struct):
         if heading_ is not None:
             mask |= 2048
             if not -3.141592653589793 <= heading_ <= 3.141592653589793: raise rt.Reject
-            near = (heading_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = heading_ * 10430.219195527361 + 32768.0
             heading_raw_ = int(near)
             if not 1.52587890625e-05 < near - heading_raw_ < 0.9999847412109375: heading_raw_ = rt.exact_raw(heading_, _R_6)
             raw.append(heading_raw_)
@@ -1214,7 +1214,7 @@ class ReportLocalPoseExtRec(rt.Struct):
         if course_ is not None:
             mask |= 8192
             if not -3.141592653589793 <= course_ <= 3.141592653589793: raise rt.Reject
-            near = (course_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = course_ * 10430.219195527361 + 32768.0
             course_raw_ = int(near)
             if not 1.52587890625e-05 < near - course_raw_ < 0.9999847412109375: course_raw_ = rt.exact_raw(course_, _R_6)
             raw.append(course_raw_)
@@ -1276,7 +1276,7 @@ class VelocityVehicleXYZRec(rt.Struct):
         if velocity_x_ is not None:
             mask |= 1
             if not -327.68 <= velocity_x_ <= 327.67: raise rt.Reject
-            near = (velocity_x_ + 327.68) * 6553700.0 + 0.5
+            near = velocity_x_ * 6553700.0 + 2147516416.5
             velocity_x_raw_ = int(near)
             if not 1.52587890625e-05 < near - velocity_x_raw_ < 0.9999847412109375: velocity_x_raw_ = rt.exact_raw(velocity_x_, _R_29)
             raw.append(velocity_x_raw_)
@@ -1284,7 +1284,7 @@ class VelocityVehicleXYZRec(rt.Struct):
         if velocity_y_ is not None:
             mask |= 2
             if not -327.68 <= velocity_y_ <= 327.67: raise rt.Reject
-            near = (velocity_y_ + 327.68) * 6553700.0 + 0.5
+            near = velocity_y_ * 6553700.0 + 2147516416.5
             velocity_y_raw_ = int(near)
             if not 1.52587890625e-05 < near - velocity_y_raw_ < 0.9999847412109375: velocity_y_raw_ = rt.exact_raw(velocity_y_, _R_29)
             raw.append(velocity_y_raw_)
@@ -1292,7 +1292,7 @@ class VelocityVehicleXYZRec(rt.Struct):
         if velocity_z_ is not None:
             mask |= 4
             if not -327.68 <= velocity_z_ <= 327.67: raise rt.Reject
-            near = (velocity_z_ + 327.68) * 6553700.0 + 0.5
+            near = velocity_z_ * 6553700.0 + 2147516416.5
             velocity_z_raw_ = int(near)
             if not 1.52587890625e-05 < near - velocity_z_raw_ < 0.9999847412109375: velocity_z_raw_ = rt.exact_raw(velocity_z_, _R_29)
             raw.append(velocity_z_raw_)
@@ -1346,7 +1346,7 @@ class VelocityLocalXYZRec(rt.Struct):
         if velocity_x_ is not None:
             mask |= 1
             if not -327.68 <= velocity_x_ <= 327.67: raise rt.Reject
-            near = (velocity_x_ + 327.68) * 6553700.0 + 0.5
+            near = velocity_x_ * 6553700.0 + 2147516416.5
             velocity_x_raw_ = int(near)
             if not 1.52587890625e-05 < near - velocity_x_raw_ < 0.9999847412109375: velocity_x_raw_ = rt.exact_raw(velocity_x_, _R_29)
             raw.append(velocity_x_raw_)
@@ -1354,7 +1354,7 @@ class VelocityLocalXYZRec(rt.Struct):
         if velocity_y_ is not None:
             mask |= 2
             if not -327.68 <= velocity_y_ <= 327.67: raise rt.Reject
-            near = (velocity_y_ + 327.68) * 6553700.0 + 0.5
+            near = velocity_y_ * 6553700.0 + 2147516416.5
             velocity_y_raw_ = int(near)
             if not 1.52587890625e-05 < near - velocity_y_raw_ < 0.9999847412109375: velocity_y_raw_ = rt.exact_raw(velocity_y_, _R_29)
             raw.append(velocity_y_raw_)
@@ -1362,7 +1362,7 @@ class VelocityLocalXYZRec(rt.Struct):
         if velocity_z_ is not None:
             mask |= 4
             if not -327.68 <= velocity_z_ <= 327.67: raise rt.Reject
-            near = (velocity_z_ + 327.68) * 6553700.0 + 0.5
+            near = velocity_z_ * 6553700.0 + 2147516416.5
             velocity_z_raw_ = int(near)
             if not 1.52587890625e-05 < near - velocity_z_raw_ < 0.9999847412109375: velocity_z_raw_ = rt.exact_raw(velocity_z_, _R_29)
             raw.append(velocity_z_raw_)
@@ -1416,7 +1416,7 @@ class VelocityNEDRec(rt.Struct):
         if velocity_n_ is not None:
             mask |= 1
             if not -327.68 <= velocity_n_ <= 327.67: raise rt.Reject
-            near = (velocity_n_ + 327.68) * 6553700.0 + 0.5
+            near = velocity_n_ * 6553700.0 + 2147516416.5
             velocity_n_raw_ = int(near)
             if not 1.52587890625e-05 < near - velocity_n_raw_ < 0.9999847412109375: velocity_n_raw_ = rt.exact_raw(velocity_n_, _R_29)
             raw.append(velocity_n_raw_)
@@ -1424,7 +1424,7 @@ class VelocityNEDRec(rt.Struct):
         if velocity_e_ is not None:
             mask |= 2
             if not -327.68 <= velocity_e_ <= 327.67: raise rt.Reject
-            near = (velocity_e_ + 327.68) * 6553700.0 + 0.5
+            near = velocity_e_ * 6553700.0 + 2147516416.5
             velocity_e_raw_ = int(near)
             if not 1.52587890625e-05 < near - velocity_e_raw_ < 0.9999847412109375: velocity_e_raw_ = rt.exact_raw(velocity_e_, _R_29)
             raw.append(velocity_e_raw_)
@@ -1432,7 +1432,7 @@ class VelocityNEDRec(rt.Struct):
         if velocity_d_ is not None:
             mask |= 4
             if not -327.68 <= velocity_d_ <= 327.67: raise rt.Reject
-            near = (velocity_d_ + 327.68) * 6553700.0 + 0.5
+            near = velocity_d_ * 6553700.0 + 2147516416.5
             velocity_d_raw_ = int(near)
             if not 1.52587890625e-05 < near - velocity_d_raw_ < 0.9999847412109375: velocity_d_raw_ = rt.exact_raw(velocity_d_, _R_29)
             raw.append(velocity_d_raw_)
@@ -1535,7 +1535,7 @@ class ReportVelocityStateExtRec(rt.Struct):
         if roll_rate_ is not None:
             mask |= 2
             if not -32.768 <= roll_rate_ <= 32.767: raise rt.Reject
-            near = (roll_rate_ + 32.768) * 65537000.0 + 0.5
+            near = roll_rate_ * 65537000.0 + 2147516416.5
             roll_rate_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_rate_raw_ < 0.9999847412109375: roll_rate_raw_ = rt.exact_raw(roll_rate_, _R_32)
             raw.append(roll_rate_raw_)
@@ -1543,7 +1543,7 @@ class ReportVelocityStateExtRec(rt.Struct):
         if pitch_rate_ is not None:
             mask |= 4
             if not -32.768 <= pitch_rate_ <= 32.767: raise rt.Reject
-            near = (pitch_rate_ + 32.768) * 65537000.0 + 0.5
+            near = pitch_rate_ * 65537000.0 + 2147516416.5
             pitch_rate_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_rate_raw_ < 0.9999847412109375: pitch_rate_raw_ = rt.exact_raw(pitch_rate_, _R_32)
             raw.append(pitch_rate_raw_)
@@ -1551,7 +1551,7 @@ class ReportVelocityStateExtRec(rt.Struct):
         if yaw_rate_ is not None:
             mask |= 8
             if not -32.768 <= yaw_rate_ <= 32.767: raise rt.Reject
-            near = (yaw_rate_ + 32.768) * 65537000.0 + 0.5
+            near = yaw_rate_ * 65537000.0 + 2147516416.5
             yaw_rate_raw_ = int(near)
             if not 1.52587890625e-05 < near - yaw_rate_raw_ < 0.9999847412109375: yaw_rate_raw_ = rt.exact_raw(yaw_rate_, _R_32)
             raw.append(yaw_rate_raw_)
@@ -1567,7 +1567,7 @@ class ReportVelocityStateExtRec(rt.Struct):
         if speed_over_ground_ is not None:
             mask |= 32
             if not -327.68 <= speed_over_ground_ <= 327.67: raise rt.Reject
-            near = (speed_over_ground_ + 327.68) * 100.0 + 0.5
+            near = speed_over_ground_ * 100.0 + 32768.5
             speed_over_ground_raw_ = int(near)
             if not 1.52587890625e-05 < near - speed_over_ground_raw_ < 0.9999847412109375: speed_over_ground_raw_ = rt.exact_raw(speed_over_ground_, _R_21)
             raw.append(speed_over_ground_raw_)
@@ -1575,7 +1575,7 @@ class ReportVelocityStateExtRec(rt.Struct):
         if speed_relative_to_medium_ is not None:
             mask |= 64
             if not -327.68 <= speed_relative_to_medium_ <= 327.67: raise rt.Reject
-            near = (speed_relative_to_medium_ + 327.68) * 100.0 + 0.5
+            near = speed_relative_to_medium_ * 100.0 + 32768.5
             speed_relative_to_medium_raw_ = int(near)
             if not 1.52587890625e-05 < near - speed_relative_to_medium_raw_ < 0.9999847412109375: speed_relative_to_medium_raw_ = rt.exact_raw(speed_relative_to_medium_, _R_21)
             raw.append(speed_relative_to_medium_raw_)
@@ -1583,7 +1583,7 @@ class ReportVelocityStateExtRec(rt.Struct):
         if rotations_per_minute_ is not None:
             mask |= 128
             if not -1000.0 <= rotations_per_minute_ <= 1000.0: raise rt.Reject
-            near = (rotations_per_minute_ + 1000.0) * 32.7675 + 0.5
+            near = rotations_per_minute_ * 32.7675 + 32768.0
             rotations_per_minute_raw_ = int(near)
             if not 1.52587890625e-05 < near - rotations_per_minute_raw_ < 0.9999847412109375: rotations_per_minute_raw_ = rt.exact_raw(rotations_per_minute_, _R_23)
             raw.append(rotations_per_minute_raw_)
@@ -1591,7 +1591,7 @@ class ReportVelocityStateExtRec(rt.Struct):
         if indicated_speed_ is not None:
             mask |= 256
             if not -327.68 <= indicated_speed_ <= 327.67: raise rt.Reject
-            near = (indicated_speed_ + 327.68) * 100.0 + 0.5
+            near = indicated_speed_ * 100.0 + 32768.5
             indicated_speed_raw_ = int(near)
             if not 1.52587890625e-05 < near - indicated_speed_raw_ < 0.9999847412109375: indicated_speed_raw_ = rt.exact_raw(indicated_speed_, _R_21)
             raw.append(indicated_speed_raw_)
@@ -1681,7 +1681,7 @@ class ReportAccelerationStateExtRec(rt.Struct):
         if acceleration_x_ is not None:
             mask |= 1
             if not -1310.68 <= acceleration_x_ <= 1310.68: raise rt.Reject
-            near = (acceleration_x_ + 1310.68) * 1638450.001144444 + 0.5
+            near = acceleration_x_ * 1638450.001144444 + 2147483648.0
             acceleration_x_raw_ = int(near)
             if not 1.52587890625e-05 < near - acceleration_x_raw_ < 0.9999847412109375: acceleration_x_raw_ = rt.exact_raw(acceleration_x_, _R_35)
             raw.append(acceleration_x_raw_)
@@ -1689,7 +1689,7 @@ class ReportAccelerationStateExtRec(rt.Struct):
         if acceleration_y_ is not None:
             mask |= 2
             if not -1310.68 <= acceleration_y_ <= 1310.68: raise rt.Reject
-            near = (acceleration_y_ + 1310.68) * 1638450.001144444 + 0.5
+            near = acceleration_y_ * 1638450.001144444 + 2147483648.0
             acceleration_y_raw_ = int(near)
             if not 1.52587890625e-05 < near - acceleration_y_raw_ < 0.9999847412109375: acceleration_y_raw_ = rt.exact_raw(acceleration_y_, _R_35)
             raw.append(acceleration_y_raw_)
@@ -1697,7 +1697,7 @@ class ReportAccelerationStateExtRec(rt.Struct):
         if acceleration_z_ is not None:
             mask |= 4
             if not -1310.68 <= acceleration_z_ <= 1310.68: raise rt.Reject
-            near = (acceleration_z_ + 1310.68) * 1638450.001144444 + 0.5
+            near = acceleration_z_ * 1638450.001144444 + 2147483648.0
             acceleration_z_raw_ = int(near)
             if not 1.52587890625e-05 < near - acceleration_z_raw_ < 0.9999847412109375: acceleration_z_raw_ = rt.exact_raw(acceleration_z_, _R_35)
             raw.append(acceleration_z_raw_)
@@ -1713,7 +1713,7 @@ class ReportAccelerationStateExtRec(rt.Struct):
         if roll_acceleration_ is not None:
             mask |= 16
             if not -13106.8 <= roll_acceleration_ <= 13106.8: raise rt.Reject
-            near = (roll_acceleration_ + 13106.8) * 163845.0001144444 + 0.5
+            near = roll_acceleration_ * 163845.0001144444 + 2147483647.9999998
             roll_acceleration_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_acceleration_raw_ < 0.9999847412109375: roll_acceleration_raw_ = rt.exact_raw(roll_acceleration_, _R_36)
             raw.append(roll_acceleration_raw_)
@@ -1721,7 +1721,7 @@ class ReportAccelerationStateExtRec(rt.Struct):
         if pitch_acceleration_ is not None:
             mask |= 32
             if not -13106.8 <= pitch_acceleration_ <= 13106.8: raise rt.Reject
-            near = (pitch_acceleration_ + 13106.8) * 163845.0001144444 + 0.5
+            near = pitch_acceleration_ * 163845.0001144444 + 2147483647.9999998
             pitch_acceleration_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_acceleration_raw_ < 0.9999847412109375: pitch_acceleration_raw_ = rt.exact_raw(pitch_acceleration_, _R_36)
             raw.append(pitch_acceleration_raw_)
@@ -1729,7 +1729,7 @@ class ReportAccelerationStateExtRec(rt.Struct):
         if yaw_acceleration_ is not None:
             mask |= 64
             if not -13106.8 <= yaw_acceleration_ <= 13106.8: raise rt.Reject
-            near = (yaw_acceleration_ + 13106.8) * 163845.0001144444 + 0.5
+            near = yaw_acceleration_ * 163845.0001144444 + 2147483647.9999998
             yaw_acceleration_raw_ = int(near)
             if not 1.52587890625e-05 < near - yaw_acceleration_raw_ < 0.9999847412109375: yaw_acceleration_raw_ = rt.exact_raw(yaw_acceleration_, _R_36)
             raw.append(yaw_acceleration_raw_)

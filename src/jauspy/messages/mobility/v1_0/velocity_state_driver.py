@@ -95,7 +95,7 @@ class SetVelocityCommand(rt.Message):
         if velocity_x_ is not None:
             mask |= 1
             if not -327.68 <= velocity_x_ <= 327.67: raise rt.Reject
-            near = (velocity_x_ + 327.68) * 6553700.0 + 0.5
+            near = velocity_x_ * 6553700.0 + 2147516416.5
             velocity_x_raw_ = int(near)
             if not 1.52587890625e-05 < near - velocity_x_raw_ < 0.9999847412109375: velocity_x_raw_ = rt.exact_raw(velocity_x_, _R_3)
             raw.append(velocity_x_raw_)
@@ -103,7 +103,7 @@ class SetVelocityCommand(rt.Message):
         if velocity_y_ is not None:
             mask |= 2
             if not -327.68 <= velocity_y_ <= 327.67: raise rt.Reject
-            near = (velocity_y_ + 327.68) * 6553700.0 + 0.5
+            near = velocity_y_ * 6553700.0 + 2147516416.5
             velocity_y_raw_ = int(near)
             if not 1.52587890625e-05 < near - velocity_y_raw_ < 0.9999847412109375: velocity_y_raw_ = rt.exact_raw(velocity_y_, _R_3)
             raw.append(velocity_y_raw_)
@@ -111,7 +111,7 @@ class SetVelocityCommand(rt.Message):
         if velocity_z_ is not None:
             mask |= 4
             if not -327.68 <= velocity_z_ <= 327.67: raise rt.Reject
-            near = (velocity_z_ + 327.68) * 6553700.0 + 0.5
+            near = velocity_z_ * 6553700.0 + 2147516416.5
             velocity_z_raw_ = int(near)
             if not 1.52587890625e-05 < near - velocity_z_raw_ < 0.9999847412109375: velocity_z_raw_ = rt.exact_raw(velocity_z_, _R_3)
             raw.append(velocity_z_raw_)
@@ -119,7 +119,7 @@ class SetVelocityCommand(rt.Message):
         if roll_rate_ is not None:
             mask |= 8
             if not -32.768 <= roll_rate_ <= 32.767: raise rt.Reject
-            near = (roll_rate_ + 32.768) * 1000.0 + 0.5
+            near = roll_rate_ * 1000.0 + 32768.5
             roll_rate_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_rate_raw_ < 0.9999847412109375: roll_rate_raw_ = rt.exact_raw(roll_rate_, _R_4)
             raw.append(roll_rate_raw_)
@@ -127,7 +127,7 @@ class SetVelocityCommand(rt.Message):
         if pitch_rate_ is not None:
             mask |= 16
             if not -32.768 <= pitch_rate_ <= 32.767: raise rt.Reject
-            near = (pitch_rate_ + 32.768) * 1000.0 + 0.5
+            near = pitch_rate_ * 1000.0 + 32768.5
             pitch_rate_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_rate_raw_ < 0.9999847412109375: pitch_rate_raw_ = rt.exact_raw(pitch_rate_, _R_4)
             raw.append(pitch_rate_raw_)
@@ -135,7 +135,7 @@ class SetVelocityCommand(rt.Message):
         if yaw_rate_ is not None:
             mask |= 32
             if not -32.768 <= yaw_rate_ <= 32.767: raise rt.Reject
-            near = (yaw_rate_ + 32.768) * 1000.0 + 0.5
+            near = yaw_rate_ * 1000.0 + 32768.5
             yaw_rate_raw_ = int(near)
             if not 1.52587890625e-05 < near - yaw_rate_raw_ < 0.9999847412109375: yaw_rate_raw_ = rt.exact_raw(yaw_rate_, _R_4)
             raw.append(yaw_rate_raw_)
@@ -217,7 +217,7 @@ class SetAccelerationLimit(rt.Message):
         if acceleration_x_ is not None:
             mask |= 1
             if not -1310.68 <= acceleration_x_ <= 1310.68: raise rt.Reject
-            near = (acceleration_x_ + 1310.68) * 1638450.001144444 + 0.5
+            near = acceleration_x_ * 1638450.001144444 + 2147483648.0
             acceleration_x_raw_ = int(near)
             if not 1.52587890625e-05 < near - acceleration_x_raw_ < 0.9999847412109375: acceleration_x_raw_ = rt.exact_raw(acceleration_x_, _R_8)
             raw.append(acceleration_x_raw_)
@@ -225,7 +225,7 @@ class SetAccelerationLimit(rt.Message):
         if acceleration_y_ is not None:
             mask |= 2
             if not -1310.68 <= acceleration_y_ <= 1310.68: raise rt.Reject
-            near = (acceleration_y_ + 1310.68) * 1638450.001144444 + 0.5
+            near = acceleration_y_ * 1638450.001144444 + 2147483648.0
             acceleration_y_raw_ = int(near)
             if not 1.52587890625e-05 < near - acceleration_y_raw_ < 0.9999847412109375: acceleration_y_raw_ = rt.exact_raw(acceleration_y_, _R_8)
             raw.append(acceleration_y_raw_)
@@ -233,7 +233,7 @@ class SetAccelerationLimit(rt.Message):
         if acceleration_z_ is not None:
             mask |= 4
             if not -1310.68 <= acceleration_z_ <= 1310.68: raise rt.Reject
-            near = (acceleration_z_ + 1310.68) * 1638450.001144444 + 0.5
+            near = acceleration_z_ * 1638450.001144444 + 2147483648.0
             acceleration_z_raw_ = int(near)
             if not 1.52587890625e-05 < near - acceleration_z_raw_ < 0.9999847412109375: acceleration_z_raw_ = rt.exact_raw(acceleration_z_, _R_8)
             raw.append(acceleration_z_raw_)
@@ -241,7 +241,7 @@ class SetAccelerationLimit(rt.Message):
         if roll_acceleration_ is not None:
             mask |= 8
             if not -13106.8 <= roll_acceleration_ <= 13106.8: raise rt.Reject
-            near = (roll_acceleration_ + 13106.8) * 163845.0001144444 + 0.5
+            near = roll_acceleration_ * 163845.0001144444 + 2147483647.9999998
             roll_acceleration_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_acceleration_raw_ < 0.9999847412109375: roll_acceleration_raw_ = rt.exact_raw(roll_acceleration_, _R_9)
             raw.append(roll_acceleration_raw_)
@@ -249,7 +249,7 @@ class SetAccelerationLimit(rt.Message):
         if pitch_acceleration_ is not None:
             mask |= 16
             if not -13106.8 <= pitch_acceleration_ <= 13106.8: raise rt.Reject
-            near = (pitch_acceleration_ + 13106.8) * 163845.0001144444 + 0.5
+            near = pitch_acceleration_ * 163845.0001144444 + 2147483647.9999998
             pitch_acceleration_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_acceleration_raw_ < 0.9999847412109375: pitch_acceleration_raw_ = rt.exact_raw(pitch_acceleration_, _R_9)
             raw.append(pitch_acceleration_raw_)
@@ -257,7 +257,7 @@ class SetAccelerationLimit(rt.Message):
         if yaw_acceleration_ is not None:
             mask |= 32
             if not -13106.8 <= yaw_acceleration_ <= 13106.8: raise rt.Reject
-            near = (yaw_acceleration_ + 13106.8) * 163845.0001144444 + 0.5
+            near = yaw_acceleration_ * 163845.0001144444 + 2147483647.9999998
             yaw_acceleration_raw_ = int(near)
             if not 1.52587890625e-05 < near - yaw_acceleration_raw_ < 0.9999847412109375: yaw_acceleration_raw_ = rt.exact_raw(yaw_acceleration_, _R_9)
             raw.append(yaw_acceleration_raw_)
@@ -422,7 +422,7 @@ class ReportVelocityCommand(rt.Message):
         if velocity_x_ is not None:
             mask |= 1
             if not -327.68 <= velocity_x_ <= 327.67: raise rt.Reject
-            near = (velocity_x_ + 327.68) * 6553700.0 + 0.5
+            near = velocity_x_ * 6553700.0 + 2147516416.5
             velocity_x_raw_ = int(near)
             if not 1.52587890625e-05 < near - velocity_x_raw_ < 0.9999847412109375: velocity_x_raw_ = rt.exact_raw(velocity_x_, _R_3)
             raw.append(velocity_x_raw_)
@@ -430,7 +430,7 @@ class ReportVelocityCommand(rt.Message):
         if velocity_y_ is not None:
             mask |= 2
             if not -327.68 <= velocity_y_ <= 327.67: raise rt.Reject
-            near = (velocity_y_ + 327.68) * 6553700.0 + 0.5
+            near = velocity_y_ * 6553700.0 + 2147516416.5
             velocity_y_raw_ = int(near)
             if not 1.52587890625e-05 < near - velocity_y_raw_ < 0.9999847412109375: velocity_y_raw_ = rt.exact_raw(velocity_y_, _R_3)
             raw.append(velocity_y_raw_)
@@ -438,7 +438,7 @@ class ReportVelocityCommand(rt.Message):
         if velocity_z_ is not None:
             mask |= 4
             if not -327.68 <= velocity_z_ <= 327.67: raise rt.Reject
-            near = (velocity_z_ + 327.68) * 6553700.0 + 0.5
+            near = velocity_z_ * 6553700.0 + 2147516416.5
             velocity_z_raw_ = int(near)
             if not 1.52587890625e-05 < near - velocity_z_raw_ < 0.9999847412109375: velocity_z_raw_ = rt.exact_raw(velocity_z_, _R_3)
             raw.append(velocity_z_raw_)
@@ -446,7 +446,7 @@ class ReportVelocityCommand(rt.Message):
         if roll_rate_ is not None:
             mask |= 8
             if not -32.768 <= roll_rate_ <= 32.767: raise rt.Reject
-            near = (roll_rate_ + 32.768) * 1000.0 + 0.5
+            near = roll_rate_ * 1000.0 + 32768.5
             roll_rate_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_rate_raw_ < 0.9999847412109375: roll_rate_raw_ = rt.exact_raw(roll_rate_, _R_4)
             raw.append(roll_rate_raw_)
@@ -454,7 +454,7 @@ class ReportVelocityCommand(rt.Message):
         if pitch_rate_ is not None:
             mask |= 16
             if not -32.768 <= pitch_rate_ <= 32.767: raise rt.Reject
-            near = (pitch_rate_ + 32.768) * 1000.0 + 0.5
+            near = pitch_rate_ * 1000.0 + 32768.5
             pitch_rate_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_rate_raw_ < 0.9999847412109375: pitch_rate_raw_ = rt.exact_raw(pitch_rate_, _R_4)
             raw.append(pitch_rate_raw_)
@@ -462,7 +462,7 @@ class ReportVelocityCommand(rt.Message):
         if yaw_rate_ is not None:
             mask |= 32
             if not -32.768 <= yaw_rate_ <= 32.767: raise rt.Reject
-            near = (yaw_rate_ + 32.768) * 1000.0 + 0.5
+            near = yaw_rate_ * 1000.0 + 32768.5
             yaw_rate_raw_ = int(near)
             if not 1.52587890625e-05 < near - yaw_rate_raw_ < 0.9999847412109375: yaw_rate_raw_ = rt.exact_raw(yaw_rate_, _R_4)
             raw.append(yaw_rate_raw_)
@@ -544,7 +544,7 @@ class ReportAccelerationLimit(rt.Message):
         if acceleration_x_ is not None:
             mask |= 1
             if not -1310.68 <= acceleration_x_ <= 1310.68: raise rt.Reject
-            near = (acceleration_x_ + 1310.68) * 1638450.001144444 + 0.5
+            near = acceleration_x_ * 1638450.001144444 + 2147483648.0
             acceleration_x_raw_ = int(near)
             if not 1.52587890625e-05 < near - acceleration_x_raw_ < 0.9999847412109375: acceleration_x_raw_ = rt.exact_raw(acceleration_x_, _R_8)
             raw.append(acceleration_x_raw_)
@@ -552,7 +552,7 @@ class ReportAccelerationLimit(rt.Message):
         if acceleration_y_ is not None:
             mask |= 2
             if not -1310.68 <= acceleration_y_ <= 1310.68: raise rt.Reject
-            near = (acceleration_y_ + 1310.68) * 1638450.001144444 + 0.5
+            near = acceleration_y_ * 1638450.001144444 + 2147483648.0
             acceleration_y_raw_ = int(near)
             if not 1.52587890625e-05 < near - acceleration_y_raw_ < 0.9999847412109375: acceleration_y_raw_ = rt.exact_raw(acceleration_y_, _R_8)
             raw.append(acceleration_y_raw_)
@@ -560,7 +560,7 @@ class ReportAccelerationLimit(rt.Message):
         if acceleration_z_ is not None:
             mask |= 4
             if not -1310.68 <= acceleration_z_ <= 1310.68: raise rt.Reject
-            near = (acceleration_z_ + 1310.68) * 1638450.001144444 + 0.5
+            near = acceleration_z_ * 1638450.001144444 + 2147483648.0
             acceleration_z_raw_ = int(near)
             if not 1.52587890625e-05 < near - acceleration_z_raw_ < 0.9999847412109375: acceleration_z_raw_ = rt.exact_raw(acceleration_z_, _R_8)
             raw.append(acceleration_z_raw_)
@@ -568,7 +568,7 @@ class ReportAccelerationLimit(rt.Message):
         if roll_acceleration_ is not None:
             mask |= 8
             if not -13106.8 <= roll_acceleration_ <= 13106.8: raise rt.Reject
-            near = (roll_acceleration_ + 13106.8) * 163845.0001144444 + 0.5
+            near = roll_acceleration_ * 163845.0001144444 + 2147483647.9999998
             roll_acceleration_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_acceleration_raw_ < 0.9999847412109375: roll_acceleration_raw_ = rt.exact_raw(roll_acceleration_, _R_9)
             raw.append(roll_acceleration_raw_)
@@ -576,7 +576,7 @@ class ReportAccelerationLimit(rt.Message):
         if pitch_acceleration_ is not None:
             mask |= 16
             if not -13106.8 <= pitch_acceleration_ <= 13106.8: raise rt.Reject
-            near = (pitch_acceleration_ + 13106.8) * 163845.0001144444 + 0.5
+            near = pitch_acceleration_ * 163845.0001144444 + 2147483647.9999998
             pitch_acceleration_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_acceleration_raw_ < 0.9999847412109375: pitch_acceleration_raw_ = rt.exact_raw(pitch_acceleration_, _R_9)
             raw.append(pitch_acceleration_raw_)
@@ -584,7 +584,7 @@ class ReportAccelerationLimit(rt.Message):
         if yaw_acceleration_ is not None:
             mask |= 32
             if not -13106.8 <= yaw_acceleration_ <= 13106.8: raise rt.Reject
-            near = (yaw_acceleration_ + 13106.8) * 163845.0001144444 + 0.5
+            near = yaw_acceleration_ * 163845.0001144444 + 2147483647.9999998
             yaw_acceleration_raw_ = int(near)
             if not 1.52587890625e-05 < near - yaw_acceleration_raw_ < 0.9999847412109375: yaw_acceleration_raw_ = rt.exact_raw(yaw_acceleration_, _R_9)
             raw.append(yaw_acceleration_raw_)

@@ -139,7 +139,7 @@ class ReportVelocityState(rt.Message):
         if velocity_x_ is not None:
             mask |= 1
             if not -327.68 <= velocity_x_ <= 327.67: raise rt.Reject
-            near = (velocity_x_ + 327.68) * 6553700.0 + 0.5
+            near = velocity_x_ * 6553700.0 + 2147516416.5
             velocity_x_raw_ = int(near)
             if not 1.52587890625e-05 < near - velocity_x_raw_ < 0.9999847412109375: velocity_x_raw_ = rt.exact_raw(velocity_x_, _R_2)
             raw.append(velocity_x_raw_)
@@ -147,7 +147,7 @@ class ReportVelocityState(rt.Message):
         if velocity_y_ is not None:
             mask |= 2
             if not -327.68 <= velocity_y_ <= 327.67: raise rt.Reject
-            near = (velocity_y_ + 327.68) * 6553700.0 + 0.5
+            near = velocity_y_ * 6553700.0 + 2147516416.5
             velocity_y_raw_ = int(near)
             if not 1.52587890625e-05 < near - velocity_y_raw_ < 0.9999847412109375: velocity_y_raw_ = rt.exact_raw(velocity_y_, _R_2)
             raw.append(velocity_y_raw_)
@@ -155,7 +155,7 @@ class ReportVelocityState(rt.Message):
         if velocity_z_ is not None:
             mask |= 4
             if not -327.68 <= velocity_z_ <= 327.67: raise rt.Reject
-            near = (velocity_z_ + 327.68) * 6553700.0 + 0.5
+            near = velocity_z_ * 6553700.0 + 2147516416.5
             velocity_z_raw_ = int(near)
             if not 1.52587890625e-05 < near - velocity_z_raw_ < 0.9999847412109375: velocity_z_raw_ = rt.exact_raw(velocity_z_, _R_2)
             raw.append(velocity_z_raw_)
@@ -171,7 +171,7 @@ class ReportVelocityState(rt.Message):
         if roll_rate_ is not None:
             mask |= 16
             if not -32.768 <= roll_rate_ <= 32.767: raise rt.Reject
-            near = (roll_rate_ + 32.768) * 1000.0 + 0.5
+            near = roll_rate_ * 1000.0 + 32768.5
             roll_rate_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_rate_raw_ < 0.9999847412109375: roll_rate_raw_ = rt.exact_raw(roll_rate_, _R_4)
             raw.append(roll_rate_raw_)
@@ -179,7 +179,7 @@ class ReportVelocityState(rt.Message):
         if pitch_rate_ is not None:
             mask |= 32
             if not -32.768 <= pitch_rate_ <= 32.767: raise rt.Reject
-            near = (pitch_rate_ + 32.768) * 1000.0 + 0.5
+            near = pitch_rate_ * 1000.0 + 32768.5
             pitch_rate_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_rate_raw_ < 0.9999847412109375: pitch_rate_raw_ = rt.exact_raw(pitch_rate_, _R_4)
             raw.append(pitch_rate_raw_)
@@ -187,7 +187,7 @@ class ReportVelocityState(rt.Message):
         if yaw_rate_ is not None:
             mask |= 64
             if not -32.768 <= yaw_rate_ <= 32.767: raise rt.Reject
-            near = (yaw_rate_ + 32.768) * 1000.0 + 0.5
+            near = yaw_rate_ * 1000.0 + 32768.5
             yaw_rate_raw_ = int(near)
             if not 1.52587890625e-05 < near - yaw_rate_raw_ < 0.9999847412109375: yaw_rate_raw_ = rt.exact_raw(yaw_rate_, _R_4)
             raw.append(yaw_rate_raw_)

@@ -135,7 +135,7 @@ class ReportAccelerationStateExt(rt.Message):
         if acceleration_x_ is not None:
             mask |= 1
             if not -1310.68 <= acceleration_x_ <= 1310.68: raise rt.Reject
-            near = (acceleration_x_ + 1310.68) * 1638450.001144444 + 0.5
+            near = acceleration_x_ * 1638450.001144444 + 2147483648.0
             acceleration_x_raw_ = int(near)
             if not 1.52587890625e-05 < near - acceleration_x_raw_ < 0.9999847412109375: acceleration_x_raw_ = rt.exact_raw(acceleration_x_, _R_2)
             raw.append(acceleration_x_raw_)
@@ -143,7 +143,7 @@ class ReportAccelerationStateExt(rt.Message):
         if acceleration_y_ is not None:
             mask |= 2
             if not -1310.68 <= acceleration_y_ <= 1310.68: raise rt.Reject
-            near = (acceleration_y_ + 1310.68) * 1638450.001144444 + 0.5
+            near = acceleration_y_ * 1638450.001144444 + 2147483648.0
             acceleration_y_raw_ = int(near)
             if not 1.52587890625e-05 < near - acceleration_y_raw_ < 0.9999847412109375: acceleration_y_raw_ = rt.exact_raw(acceleration_y_, _R_2)
             raw.append(acceleration_y_raw_)
@@ -151,7 +151,7 @@ class ReportAccelerationStateExt(rt.Message):
         if acceleration_z_ is not None:
             mask |= 4
             if not -1310.68 <= acceleration_z_ <= 1310.68: raise rt.Reject
-            near = (acceleration_z_ + 1310.68) * 1638450.001144444 + 0.5
+            near = acceleration_z_ * 1638450.001144444 + 2147483648.0
             acceleration_z_raw_ = int(near)
             if not 1.52587890625e-05 < near - acceleration_z_raw_ < 0.9999847412109375: acceleration_z_raw_ = rt.exact_raw(acceleration_z_, _R_2)
             raw.append(acceleration_z_raw_)
@@ -167,7 +167,7 @@ class ReportAccelerationStateExt(rt.Message):
         if roll_acceleration_ is not None:
             mask |= 16
             if not -13106.8 <= roll_acceleration_ <= 13106.8: raise rt.Reject
-            near = (roll_acceleration_ + 13106.8) * 163845.0001144444 + 0.5
+            near = roll_acceleration_ * 163845.0001144444 + 2147483647.9999998
             roll_acceleration_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_acceleration_raw_ < 0.9999847412109375: roll_acceleration_raw_ = rt.exact_raw(roll_acceleration_, _R_4)
             raw.append(roll_acceleration_raw_)
@@ -175,7 +175,7 @@ class ReportAccelerationStateExt(rt.Message):
         if pitch_acceleration_ is not None:
             mask |= 32
             if not -13106.8 <= pitch_acceleration_ <= 13106.8: raise rt.Reject
-            near = (pitch_acceleration_ + 13106.8) * 163845.0001144444 + 0.5
+            near = pitch_acceleration_ * 163845.0001144444 + 2147483647.9999998
             pitch_acceleration_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_acceleration_raw_ < 0.9999847412109375: pitch_acceleration_raw_ = rt.exact_raw(pitch_acceleration_, _R_4)
             raw.append(pitch_acceleration_raw_)
@@ -183,7 +183,7 @@ class ReportAccelerationStateExt(rt.Message):
         if yaw_acceleration_ is not None:
             mask |= 64
             if not -13106.8 <= yaw_acceleration_ <= 13106.8: raise rt.Reject
-            near = (yaw_acceleration_ + 13106.8) * 163845.0001144444 + 0.5
+            near = yaw_acceleration_ * 163845.0001144444 + 2147483647.9999998
             yaw_acceleration_raw_ = int(near)
             if not 1.52587890625e-05 < near - yaw_acceleration_raw_ < 0.9999847412109375: yaw_acceleration_raw_ = rt.exact_raw(yaw_acceleration_, _R_4)
             raw.append(yaw_acceleration_raw_)

@@ -87,28 +87,28 @@ class SetGlobalOperatingZone(rt.Message):
             if choice == 0:
                 value_ = self.value
                 if not -50000.0 <= value_ <= 50000.0: raise rt.Reject
-                near = (value_ + 50000.0) * 42949.67295 + 0.5
+                near = value_ * 42949.67295 + 2147483648.0
                 value_raw_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_ < 0.9999847412109375: value_raw_ = rt.exact_raw(value_, _R_2)
                 out += _S_BI.pack(choice, value_raw_)
             elif choice == 1:
                 value_2_ = self.value
                 if not -50000.0 <= value_2_ <= 50000.0: raise rt.Reject
-                near = (value_2_ + 50000.0) * 42949.67295 + 0.5
+                near = value_2_ * 42949.67295 + 2147483648.0
                 value_raw_2_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_2_ < 0.9999847412109375: value_raw_2_ = rt.exact_raw(value_2_, _R_2)
                 out += _S_BI.pack(choice, value_raw_2_)
             elif choice == 2:
                 value_3_ = self.value
                 if not -50000.0 <= value_3_ <= 50000.0: raise rt.Reject
-                near = (value_3_ + 50000.0) * 42949.67295 + 0.5
+                near = value_3_ * 42949.67295 + 2147483648.0
                 value_raw_3_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_3_ < 0.9999847412109375: value_raw_3_ = rt.exact_raw(value_3_, _R_2)
                 out += _S_BI.pack(choice, value_raw_3_)
             elif choice == 3:
                 value_4_ = self.value
                 if not -50000.0 <= value_4_ <= 50000.0: raise rt.Reject
-                near = (value_4_ + 50000.0) * 42949.67295 + 0.5
+                near = value_4_ * 42949.67295 + 2147483648.0
                 value_raw_4_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_4_ < 0.9999847412109375: value_raw_4_ = rt.exact_raw(value_4_, _R_2)
                 out += _S_BI.pack(choice, value_raw_4_)
@@ -177,28 +177,28 @@ class SetGlobalOperatingZone(rt.Message):
             if choice == 0:
                 value_ = self.value
                 if not -50000.0 <= value_ <= 50000.0: raise rt.Reject
-                near = (value_ + 50000.0) * 42949.67295 + 0.5
+                near = value_ * 42949.67295 + 2147483648.0
                 value_raw_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_ < 0.9999847412109375: value_raw_ = rt.exact_raw(value_, _R_2)
                 out += _S_BI.pack(choice, value_raw_)
             elif choice == 1:
                 value_2_ = self.value
                 if not -50000.0 <= value_2_ <= 50000.0: raise rt.Reject
-                near = (value_2_ + 50000.0) * 42949.67295 + 0.5
+                near = value_2_ * 42949.67295 + 2147483648.0
                 value_raw_2_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_2_ < 0.9999847412109375: value_raw_2_ = rt.exact_raw(value_2_, _R_2)
                 out += _S_BI.pack(choice, value_raw_2_)
             elif choice == 2:
                 value_3_ = self.value
                 if not -50000.0 <= value_3_ <= 50000.0: raise rt.Reject
-                near = (value_3_ + 50000.0) * 42949.67295 + 0.5
+                near = value_3_ * 42949.67295 + 2147483648.0
                 value_raw_3_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_3_ < 0.9999847412109375: value_raw_3_ = rt.exact_raw(value_3_, _R_2)
                 out += _S_BI.pack(choice, value_raw_3_)
             elif choice == 3:
                 value_4_ = self.value
                 if not -50000.0 <= value_4_ <= 50000.0: raise rt.Reject
-                near = (value_4_ + 50000.0) * 42949.67295 + 0.5
+                near = value_4_ * 42949.67295 + 2147483648.0
                 value_raw_4_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_4_ < 0.9999847412109375: value_raw_4_ = rt.exact_raw(value_4_, _R_2)
                 out += _S_BI.pack(choice, value_raw_4_)
@@ -254,12 +254,12 @@ class SetGlobalOperatingZone(rt.Message):
             if mask & 0x3: raise rt.Reject
             latitude_ = self.latitude
             if not -90.0 <= latitude_ <= 90.0: raise rt.Reject
-            near = (latitude_ + 90.0) * 23860929.416666668 + 0.5
+            near = latitude_ * 23860929.416666668 + 2147483648.0
             latitude_raw_ = int(near)
             if not 1.52587890625e-05 < near - latitude_raw_ < 0.9999847412109375: latitude_raw_ = rt.exact_raw(latitude_, _R_6)
             longitude_ = self.longitude
             if not -180.0 <= longitude_ <= 180.0: raise rt.Reject
-            near = (longitude_ + 180.0) * 11930464.708333334 + 0.5
+            near = longitude_ * 11930464.708333334 + 2147483648.0
             longitude_raw_ = int(near)
             if not 1.52587890625e-05 < near - longitude_raw_ < 0.9999847412109375: longitude_raw_ = rt.exact_raw(longitude_, _R_7)
             out += _S_2I.pack(latitude_raw_, longitude_raw_)
@@ -418,7 +418,7 @@ class DeleteZone(rt.Message):
         self = rt.new(cls)
         zone_id_list_count_ = data[2]
         zone_id_list_end_ = 3 + zone_id_list_count_ * 2
-        self.zone_id_list = [mobility_v1_0_types.ZoneIDRec(_E_ZoneIDRec_ZoneID.get(zone_id_, zone_id_)) for (zone_id_,) in _S_H.iter_unpack(data[3:zone_id_list_end_])]
+        self.zone_id_list = [mobility_v1_0_types.ZoneIDRec(_E_ZoneIDRec_ZoneID.get(zone_id_, zone_id_)) for zone_id_ in _L_H[zone_id_list_count_].unpack_from(data, 3)]
         if zone_id_list_end_ != size: raise rt.Reject
         return self
 
@@ -427,9 +427,11 @@ class DeleteZone(rt.Message):
         zone_id_list_ = self.zone_id_list
         if type(zone_id_list_) is not list: raise rt.Reject
         out.append(len(zone_id_list_))
+        raw_: list[int | float] = []
         for item_ in zone_id_list_:
             if type(item_) is not mobility_v1_0_types.ZoneIDRec: raise rt.Reject
-            out += _S_H.pack(item_.zone_id)
+            raw_.append(item_.zone_id)
+        out += _L_H[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -590,28 +592,28 @@ class ReportGlobalOperatingZone(rt.Message):
             if choice == 0:
                 value_ = self.value
                 if not -50000.0 <= value_ <= 50000.0: raise rt.Reject
-                near = (value_ + 50000.0) * 42949.67295 + 0.5
+                near = value_ * 42949.67295 + 2147483648.0
                 value_raw_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_ < 0.9999847412109375: value_raw_ = rt.exact_raw(value_, _R_2)
                 out += _S_BI.pack(choice, value_raw_)
             elif choice == 1:
                 value_2_ = self.value
                 if not -50000.0 <= value_2_ <= 50000.0: raise rt.Reject
-                near = (value_2_ + 50000.0) * 42949.67295 + 0.5
+                near = value_2_ * 42949.67295 + 2147483648.0
                 value_raw_2_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_2_ < 0.9999847412109375: value_raw_2_ = rt.exact_raw(value_2_, _R_2)
                 out += _S_BI.pack(choice, value_raw_2_)
             elif choice == 2:
                 value_3_ = self.value
                 if not -50000.0 <= value_3_ <= 50000.0: raise rt.Reject
-                near = (value_3_ + 50000.0) * 42949.67295 + 0.5
+                near = value_3_ * 42949.67295 + 2147483648.0
                 value_raw_3_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_3_ < 0.9999847412109375: value_raw_3_ = rt.exact_raw(value_3_, _R_2)
                 out += _S_BI.pack(choice, value_raw_3_)
             elif choice == 3:
                 value_4_ = self.value
                 if not -50000.0 <= value_4_ <= 50000.0: raise rt.Reject
-                near = (value_4_ + 50000.0) * 42949.67295 + 0.5
+                near = value_4_ * 42949.67295 + 2147483648.0
                 value_raw_4_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_4_ < 0.9999847412109375: value_raw_4_ = rt.exact_raw(value_4_, _R_2)
                 out += _S_BI.pack(choice, value_raw_4_)
@@ -680,28 +682,28 @@ class ReportGlobalOperatingZone(rt.Message):
             if choice == 0:
                 value_ = self.value
                 if not -50000.0 <= value_ <= 50000.0: raise rt.Reject
-                near = (value_ + 50000.0) * 42949.67295 + 0.5
+                near = value_ * 42949.67295 + 2147483648.0
                 value_raw_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_ < 0.9999847412109375: value_raw_ = rt.exact_raw(value_, _R_2)
                 out += _S_BI.pack(choice, value_raw_)
             elif choice == 1:
                 value_2_ = self.value
                 if not -50000.0 <= value_2_ <= 50000.0: raise rt.Reject
-                near = (value_2_ + 50000.0) * 42949.67295 + 0.5
+                near = value_2_ * 42949.67295 + 2147483648.0
                 value_raw_2_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_2_ < 0.9999847412109375: value_raw_2_ = rt.exact_raw(value_2_, _R_2)
                 out += _S_BI.pack(choice, value_raw_2_)
             elif choice == 2:
                 value_3_ = self.value
                 if not -50000.0 <= value_3_ <= 50000.0: raise rt.Reject
-                near = (value_3_ + 50000.0) * 42949.67295 + 0.5
+                near = value_3_ * 42949.67295 + 2147483648.0
                 value_raw_3_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_3_ < 0.9999847412109375: value_raw_3_ = rt.exact_raw(value_3_, _R_2)
                 out += _S_BI.pack(choice, value_raw_3_)
             elif choice == 3:
                 value_4_ = self.value
                 if not -50000.0 <= value_4_ <= 50000.0: raise rt.Reject
-                near = (value_4_ + 50000.0) * 42949.67295 + 0.5
+                near = value_4_ * 42949.67295 + 2147483648.0
                 value_raw_4_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_4_ < 0.9999847412109375: value_raw_4_ = rt.exact_raw(value_4_, _R_2)
                 out += _S_BI.pack(choice, value_raw_4_)
@@ -757,12 +759,12 @@ class ReportGlobalOperatingZone(rt.Message):
             if mask & 0x3: raise rt.Reject
             latitude_ = self.latitude
             if not -90.0 <= latitude_ <= 90.0: raise rt.Reject
-            near = (latitude_ + 90.0) * 23860929.416666668 + 0.5
+            near = latitude_ * 23860929.416666668 + 2147483648.0
             latitude_raw_ = int(near)
             if not 1.52587890625e-05 < near - latitude_raw_ < 0.9999847412109375: latitude_raw_ = rt.exact_raw(latitude_, _R_6)
             longitude_ = self.longitude
             if not -180.0 <= longitude_ <= 180.0: raise rt.Reject
-            near = (longitude_ + 180.0) * 11930464.708333334 + 0.5
+            near = longitude_ * 11930464.708333334 + 2147483648.0
             longitude_raw_ = int(near)
             if not 1.52587890625e-05 < near - longitude_raw_ < 0.9999847412109375: longitude_raw_ = rt.exact_raw(longitude_, _R_7)
             out += _S_2I.pack(latitude_raw_, longitude_raw_)
@@ -950,6 +952,7 @@ _S_B = rt.Packer("<B")
 _E_SetGlobalOperatingZone_ZoneID = rt.members(SetGlobalOperatingZone.ZoneID)
 _S_H = rt.Packer("<H")
 _E_ZoneIDRec_ZoneID = rt.members(mobility_v1_0_types.ZoneIDRec.ZoneID)
+_L_H = rt.Rows("H")
 _E_QueryGlobalOperatingZone_QueryZoneID = rt.members(QueryGlobalOperatingZone.QueryZoneID)
 _S_2H = rt.Packer("<2H")
 _E_QueryExcursion_QueryZoneID = rt.members(QueryExcursion.QueryZoneID)

@@ -302,28 +302,28 @@ class ReportGlobalPathSegmentExt(rt.Message):
             if choice == 0:
                 value_ = self.value
                 if not -50000.0 <= value_ <= 50000.0: raise rt.Reject
-                near = (value_ + 50000.0) * 42949.67295 + 0.5
+                near = value_ * 42949.67295 + 2147483648.0
                 value_raw_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_ < 0.9999847412109375: value_raw_ = rt.exact_raw(value_, _R_8)
                 out += _S_BI.pack(choice, value_raw_)
             elif choice == 1:
                 value_2_ = self.value
                 if not -50000.0 <= value_2_ <= 50000.0: raise rt.Reject
-                near = (value_2_ + 50000.0) * 42949.67295 + 0.5
+                near = value_2_ * 42949.67295 + 2147483648.0
                 value_raw_2_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_2_ < 0.9999847412109375: value_raw_2_ = rt.exact_raw(value_2_, _R_8)
                 out += _S_BI.pack(choice, value_raw_2_)
             elif choice == 2:
                 value_3_ = self.value
                 if not -50000.0 <= value_3_ <= 50000.0: raise rt.Reject
-                near = (value_3_ + 50000.0) * 42949.67295 + 0.5
+                near = value_3_ * 42949.67295 + 2147483648.0
                 value_raw_3_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_3_ < 0.9999847412109375: value_raw_3_ = rt.exact_raw(value_3_, _R_8)
                 out += _S_BI.pack(choice, value_raw_3_)
             elif choice == 3:
                 value_4_ = self.value
                 if not -50000.0 <= value_4_ <= 50000.0: raise rt.Reject
-                near = (value_4_ + 50000.0) * 42949.67295 + 0.5
+                near = value_4_ * 42949.67295 + 2147483648.0
                 value_raw_4_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_4_ < 0.9999847412109375: value_raw_4_ = rt.exact_raw(value_4_, _R_8)
                 out += _S_BI.pack(choice, value_raw_4_)
@@ -392,28 +392,28 @@ class ReportGlobalPathSegmentExt(rt.Message):
             if choice == 0:
                 value_ = self.value
                 if not -50000.0 <= value_ <= 50000.0: raise rt.Reject
-                near = (value_ + 50000.0) * 42949.67295 + 0.5
+                near = value_ * 42949.67295 + 2147483648.0
                 value_raw_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_ < 0.9999847412109375: value_raw_ = rt.exact_raw(value_, _R_8)
                 out += _S_BI.pack(choice, value_raw_)
             elif choice == 1:
                 value_2_ = self.value
                 if not -50000.0 <= value_2_ <= 50000.0: raise rt.Reject
-                near = (value_2_ + 50000.0) * 42949.67295 + 0.5
+                near = value_2_ * 42949.67295 + 2147483648.0
                 value_raw_2_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_2_ < 0.9999847412109375: value_raw_2_ = rt.exact_raw(value_2_, _R_8)
                 out += _S_BI.pack(choice, value_raw_2_)
             elif choice == 2:
                 value_3_ = self.value
                 if not -50000.0 <= value_3_ <= 50000.0: raise rt.Reject
-                near = (value_3_ + 50000.0) * 42949.67295 + 0.5
+                near = value_3_ * 42949.67295 + 2147483648.0
                 value_raw_3_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_3_ < 0.9999847412109375: value_raw_3_ = rt.exact_raw(value_3_, _R_8)
                 out += _S_BI.pack(choice, value_raw_3_)
             elif choice == 3:
                 value_4_ = self.value
                 if not -50000.0 <= value_4_ <= 50000.0: raise rt.Reject
-                near = (value_4_ + 50000.0) * 42949.67295 + 0.5
+                near = value_4_ * 42949.67295 + 2147483648.0
                 value_raw_4_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_4_ < 0.9999847412109375: value_raw_4_ = rt.exact_raw(value_4_, _R_8)
                 out += _S_BI.pack(choice, value_raw_4_)
@@ -481,12 +481,12 @@ class ReportGlobalPathSegmentExt(rt.Message):
         if mask & 0x7: raise rt.Reject
         p1_latitude_ = self.p1_latitude
         if not -90.0 <= p1_latitude_ <= 90.0: raise rt.Reject
-        near = (p1_latitude_ + 90.0) * 23860929.416666668 + 0.5
+        near = p1_latitude_ * 23860929.416666668 + 2147483648.0
         p1_latitude_raw_ = int(near)
         if not 1.52587890625e-05 < near - p1_latitude_raw_ < 0.9999847412109375: p1_latitude_raw_ = rt.exact_raw(p1_latitude_, _R_13)
         p1_longitude_ = self.p1_longitude
         if not -180.0 <= p1_longitude_ <= 180.0: raise rt.Reject
-        near = (p1_longitude_ + 180.0) * 11930464.708333334 + 0.5
+        near = p1_longitude_ * 11930464.708333334 + 2147483648.0
         p1_longitude_raw_ = int(near)
         if not 1.52587890625e-05 < near - p1_longitude_raw_ < 0.9999847412109375: p1_longitude_raw_ = rt.exact_raw(p1_longitude_, _R_14)
         out += _S_2I.pack(p1_latitude_raw_, p1_longitude_raw_)
@@ -497,12 +497,12 @@ class ReportGlobalPathSegmentExt(rt.Message):
             p1_z_position_._write(out)
         p2_latitude_ = self.p2_latitude
         if not -90.0 <= p2_latitude_ <= 90.0: raise rt.Reject
-        near = (p2_latitude_ + 90.0) * 23860929.416666668 + 0.5
+        near = p2_latitude_ * 23860929.416666668 + 2147483648.0
         p2_latitude_raw_ = int(near)
         if not 1.52587890625e-05 < near - p2_latitude_raw_ < 0.9999847412109375: p2_latitude_raw_ = rt.exact_raw(p2_latitude_, _R_13)
         p2_longitude_ = self.p2_longitude
         if not -180.0 <= p2_longitude_ <= 180.0: raise rt.Reject
-        near = (p2_longitude_ + 180.0) * 11930464.708333334 + 0.5
+        near = p2_longitude_ * 11930464.708333334 + 2147483648.0
         p2_longitude_raw_ = int(near)
         if not 1.52587890625e-05 < near - p2_longitude_raw_ < 0.9999847412109375: p2_longitude_raw_ = rt.exact_raw(p2_longitude_, _R_14)
         out += _S_2I.pack(p2_latitude_raw_, p2_longitude_raw_)

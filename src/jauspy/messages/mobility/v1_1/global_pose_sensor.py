@@ -113,7 +113,7 @@ class SetGlobalPoseExt(rt.Message):
         if latitude_ is not None:
             mask |= 1
             if not -90.0 <= latitude_ <= 90.0: raise rt.Reject
-            near = (latitude_ + 90.0) * 23860929.416666668 + 0.5
+            near = latitude_ * 23860929.416666668 + 2147483648.0
             latitude_raw_ = int(near)
             if not 1.52587890625e-05 < near - latitude_raw_ < 0.9999847412109375: latitude_raw_ = rt.exact_raw(latitude_, _R_3)
             raw.append(latitude_raw_)
@@ -121,7 +121,7 @@ class SetGlobalPoseExt(rt.Message):
         if longitude_ is not None:
             mask |= 2
             if not -180.0 <= longitude_ <= 180.0: raise rt.Reject
-            near = (longitude_ + 180.0) * 11930464.708333334 + 0.5
+            near = longitude_ * 11930464.708333334 + 2147483648.0
             longitude_raw_ = int(near)
             if not 1.52587890625e-05 < near - longitude_raw_ < 0.9999847412109375: longitude_raw_ = rt.exact_raw(longitude_, _R_4)
             raw.append(longitude_raw_)
@@ -152,7 +152,7 @@ class SetGlobalPoseExt(rt.Message):
         if roll_ is not None:
             mask |= 32
             if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = (roll_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = roll_ * 10430.219195527361 + 32768.0
             roll_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_6)
             raw.append(roll_raw_)
@@ -160,7 +160,7 @@ class SetGlobalPoseExt(rt.Message):
         if pitch_ is not None:
             mask |= 64
             if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = (pitch_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = pitch_ * 10430.219195527361 + 32768.0
             pitch_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_6)
             raw.append(pitch_raw_)
@@ -168,7 +168,7 @@ class SetGlobalPoseExt(rt.Message):
         if heading_ is not None:
             mask |= 128
             if not -3.141592653589793 <= heading_ <= 3.141592653589793: raise rt.Reject
-            near = (heading_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = heading_ * 10430.219195527361 + 32768.0
             heading_raw_ = int(near)
             if not 1.52587890625e-05 < near - heading_raw_ < 0.9999847412109375: heading_raw_ = rt.exact_raw(heading_, _R_6)
             raw.append(heading_raw_)
@@ -355,7 +355,7 @@ class ReportGlobalPoseExt(rt.Message):
         if latitude_ is not None:
             mask |= 1
             if not -90.0 <= latitude_ <= 90.0: raise rt.Reject
-            near = (latitude_ + 90.0) * 23860929.416666668 + 0.5
+            near = latitude_ * 23860929.416666668 + 2147483648.0
             latitude_raw_ = int(near)
             if not 1.52587890625e-05 < near - latitude_raw_ < 0.9999847412109375: latitude_raw_ = rt.exact_raw(latitude_, _R_3)
             raw.append(latitude_raw_)
@@ -363,7 +363,7 @@ class ReportGlobalPoseExt(rt.Message):
         if longitude_ is not None:
             mask |= 2
             if not -180.0 <= longitude_ <= 180.0: raise rt.Reject
-            near = (longitude_ + 180.0) * 11930464.708333334 + 0.5
+            near = longitude_ * 11930464.708333334 + 2147483648.0
             longitude_raw_ = int(near)
             if not 1.52587890625e-05 < near - longitude_raw_ < 0.9999847412109375: longitude_raw_ = rt.exact_raw(longitude_, _R_4)
             raw.append(longitude_raw_)
@@ -371,7 +371,7 @@ class ReportGlobalPoseExt(rt.Message):
         if altitude_agl_ is not None:
             mask |= 4
             if not -50000.0 <= altitude_agl_ <= 50000.0: raise rt.Reject
-            near = (altitude_agl_ + 50000.0) * 42949.67295 + 0.5
+            near = altitude_agl_ * 42949.67295 + 2147483648.0
             altitude_agl_raw_ = int(near)
             if not 1.52587890625e-05 < near - altitude_agl_raw_ < 0.9999847412109375: altitude_agl_raw_ = rt.exact_raw(altitude_agl_, _R_10)
             raw.append(altitude_agl_raw_)
@@ -379,7 +379,7 @@ class ReportGlobalPoseExt(rt.Message):
         if altitude_msl_ is not None:
             mask |= 8
             if not -50000.0 <= altitude_msl_ <= 50000.0: raise rt.Reject
-            near = (altitude_msl_ + 50000.0) * 42949.67295 + 0.5
+            near = altitude_msl_ * 42949.67295 + 2147483648.0
             altitude_msl_raw_ = int(near)
             if not 1.52587890625e-05 < near - altitude_msl_raw_ < 0.9999847412109375: altitude_msl_raw_ = rt.exact_raw(altitude_msl_, _R_10)
             raw.append(altitude_msl_raw_)
@@ -387,7 +387,7 @@ class ReportGlobalPoseExt(rt.Message):
         if altitude_asf_ is not None:
             mask |= 16
             if not -50000.0 <= altitude_asf_ <= 50000.0: raise rt.Reject
-            near = (altitude_asf_ + 50000.0) * 42949.67295 + 0.5
+            near = altitude_asf_ * 42949.67295 + 2147483648.0
             altitude_asf_raw_ = int(near)
             if not 1.52587890625e-05 < near - altitude_asf_raw_ < 0.9999847412109375: altitude_asf_raw_ = rt.exact_raw(altitude_asf_, _R_10)
             raw.append(altitude_asf_raw_)
@@ -395,7 +395,7 @@ class ReportGlobalPoseExt(rt.Message):
         if depth_ is not None:
             mask |= 32
             if not -50000.0 <= depth_ <= 50000.0: raise rt.Reject
-            near = (depth_ + 50000.0) * 42949.67295 + 0.5
+            near = depth_ * 42949.67295 + 2147483648.0
             depth_raw_ = int(near)
             if not 1.52587890625e-05 < near - depth_raw_ < 0.9999847412109375: depth_raw_ = rt.exact_raw(depth_, _R_10)
             raw.append(depth_raw_)
@@ -419,7 +419,7 @@ class ReportGlobalPoseExt(rt.Message):
         if roll_ is not None:
             mask |= 256
             if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = (roll_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = roll_ * 10430.219195527361 + 32768.0
             roll_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_6)
             raw.append(roll_raw_)
@@ -427,7 +427,7 @@ class ReportGlobalPoseExt(rt.Message):
         if pitch_ is not None:
             mask |= 512
             if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = (pitch_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = pitch_ * 10430.219195527361 + 32768.0
             pitch_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_6)
             raw.append(pitch_raw_)
@@ -435,7 +435,7 @@ class ReportGlobalPoseExt(rt.Message):
         if heading_ is not None:
             mask |= 1024
             if not -3.141592653589793 <= heading_ <= 3.141592653589793: raise rt.Reject
-            near = (heading_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = heading_ * 10430.219195527361 + 32768.0
             heading_raw_ = int(near)
             if not 1.52587890625e-05 < near - heading_raw_ < 0.9999847412109375: heading_raw_ = rt.exact_raw(heading_, _R_6)
             raw.append(heading_raw_)
@@ -451,7 +451,7 @@ class ReportGlobalPoseExt(rt.Message):
         if course_ is not None:
             mask |= 4096
             if not -3.141592653589793 <= course_ <= 3.141592653589793: raise rt.Reject
-            near = (course_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = course_ * 10430.219195527361 + 32768.0
             course_raw_ = int(near)
             if not 1.52587890625e-05 < near - course_raw_ < 0.9999847412109375: course_raw_ = rt.exact_raw(course_, _R_6)
             raw.append(course_raw_)

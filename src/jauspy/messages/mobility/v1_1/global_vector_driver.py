@@ -100,7 +100,7 @@ class SetGlobalVectorExt(rt.Message):
         if roll_ is not None:
             mask |= 2
             if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = (roll_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = roll_ * 10430.219195527361 + 32768.0
             roll_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_1)
             raw.append(roll_raw_)
@@ -108,7 +108,7 @@ class SetGlobalVectorExt(rt.Message):
         if pitch_ is not None:
             mask |= 4
             if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = (pitch_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = pitch_ * 10430.219195527361 + 32768.0
             pitch_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_1)
             raw.append(pitch_raw_)
@@ -116,7 +116,7 @@ class SetGlobalVectorExt(rt.Message):
         if heading_ is not None:
             mask |= 8
             if not -3.141592653589793 <= heading_ <= 3.141592653589793: raise rt.Reject
-            near = (heading_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = heading_ * 10430.219195527361 + 32768.0
             heading_raw_ = int(near)
             if not 1.52587890625e-05 < near - heading_raw_ < 0.9999847412109375: heading_raw_ = rt.exact_raw(heading_, _R_1)
             raw.append(heading_raw_)
@@ -124,7 +124,7 @@ class SetGlobalVectorExt(rt.Message):
         if course_ is not None:
             mask |= 16
             if not -3.141592653589793 <= course_ <= 3.141592653589793: raise rt.Reject
-            near = (course_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = course_ * 10430.219195527361 + 32768.0
             course_raw_ = int(near)
             if not 1.52587890625e-05 < near - course_raw_ < 0.9999847412109375: course_raw_ = rt.exact_raw(course_, _R_1)
             raw.append(course_raw_)
@@ -264,7 +264,7 @@ class ReportGlobalVectorExt(rt.Message):
         if roll_ is not None:
             mask |= 2
             if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = (roll_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = roll_ * 10430.219195527361 + 32768.0
             roll_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_1)
             raw.append(roll_raw_)
@@ -272,7 +272,7 @@ class ReportGlobalVectorExt(rt.Message):
         if pitch_ is not None:
             mask |= 4
             if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = (pitch_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = pitch_ * 10430.219195527361 + 32768.0
             pitch_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_1)
             raw.append(pitch_raw_)
@@ -280,7 +280,7 @@ class ReportGlobalVectorExt(rt.Message):
         if heading_ is not None:
             mask |= 8
             if not -3.141592653589793 <= heading_ <= 3.141592653589793: raise rt.Reject
-            near = (heading_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = heading_ * 10430.219195527361 + 32768.0
             heading_raw_ = int(near)
             if not 1.52587890625e-05 < near - heading_raw_ < 0.9999847412109375: heading_raw_ = rt.exact_raw(heading_, _R_1)
             raw.append(heading_raw_)
@@ -288,7 +288,7 @@ class ReportGlobalVectorExt(rt.Message):
         if course_ is not None:
             mask |= 16
             if not -3.141592653589793 <= course_ <= 3.141592653589793: raise rt.Reject
-            near = (course_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = course_ * 10430.219195527361 + 32768.0
             course_raw_ = int(near)
             if not 1.52587890625e-05 < near - course_raw_ < 0.9999847412109375: course_raw_ = rt.exact_raw(course_, _R_1)
             raw.append(course_raw_)

@@ -116,12 +116,12 @@ class SetGlobalWaypointExt(rt.Message):
         if mask & 0x3F: raise rt.Reject
         latitude_ = self.latitude
         if not -90.0 <= latitude_ <= 90.0: raise rt.Reject
-        near = (latitude_ + 90.0) * 23860929.416666668 + 0.5
+        near = latitude_ * 23860929.416666668 + 2147483648.0
         latitude_raw_ = int(near)
         if not 1.52587890625e-05 < near - latitude_raw_ < 0.9999847412109375: latitude_raw_ = rt.exact_raw(latitude_, _R_2)
         longitude_ = self.longitude
         if not -180.0 <= longitude_ <= 180.0: raise rt.Reject
-        near = (longitude_ + 180.0) * 11930464.708333334 + 0.5
+        near = longitude_ * 11930464.708333334 + 2147483648.0
         longitude_raw_ = int(near)
         if not 1.52587890625e-05 < near - longitude_raw_ < 0.9999847412109375: longitude_raw_ = rt.exact_raw(longitude_, _R_3)
         out += _S_2I.pack(latitude_raw_, longitude_raw_)
@@ -135,7 +135,7 @@ class SetGlobalWaypointExt(rt.Message):
         if roll_ is not None:
             mask |= 2
             if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = (roll_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = roll_ * 10430.219195527361 + 32768.0
             roll_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_4)
             raw.append(roll_raw_)
@@ -143,7 +143,7 @@ class SetGlobalWaypointExt(rt.Message):
         if pitch_ is not None:
             mask |= 4
             if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = (pitch_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = pitch_ * 10430.219195527361 + 32768.0
             pitch_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_4)
             raw.append(pitch_raw_)
@@ -151,7 +151,7 @@ class SetGlobalWaypointExt(rt.Message):
         if heading_ is not None:
             mask |= 8
             if not -3.141592653589793 <= heading_ <= 3.141592653589793: raise rt.Reject
-            near = (heading_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = heading_ * 10430.219195527361 + 32768.0
             heading_raw_ = int(near)
             if not 1.52587890625e-05 < near - heading_raw_ < 0.9999847412109375: heading_raw_ = rt.exact_raw(heading_, _R_4)
             raw.append(heading_raw_)
@@ -336,12 +336,12 @@ class ReportGlobalWaypointExt(rt.Message):
         if mask & 0x3F: raise rt.Reject
         latitude_ = self.latitude
         if not -90.0 <= latitude_ <= 90.0: raise rt.Reject
-        near = (latitude_ + 90.0) * 23860929.416666668 + 0.5
+        near = latitude_ * 23860929.416666668 + 2147483648.0
         latitude_raw_ = int(near)
         if not 1.52587890625e-05 < near - latitude_raw_ < 0.9999847412109375: latitude_raw_ = rt.exact_raw(latitude_, _R_2)
         longitude_ = self.longitude
         if not -180.0 <= longitude_ <= 180.0: raise rt.Reject
-        near = (longitude_ + 180.0) * 11930464.708333334 + 0.5
+        near = longitude_ * 11930464.708333334 + 2147483648.0
         longitude_raw_ = int(near)
         if not 1.52587890625e-05 < near - longitude_raw_ < 0.9999847412109375: longitude_raw_ = rt.exact_raw(longitude_, _R_3)
         out += _S_2I.pack(latitude_raw_, longitude_raw_)
@@ -355,7 +355,7 @@ class ReportGlobalWaypointExt(rt.Message):
         if roll_ is not None:
             mask |= 2
             if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = (roll_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = roll_ * 10430.219195527361 + 32768.0
             roll_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_4)
             raw.append(roll_raw_)
@@ -363,7 +363,7 @@ class ReportGlobalWaypointExt(rt.Message):
         if pitch_ is not None:
             mask |= 4
             if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = (pitch_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = pitch_ * 10430.219195527361 + 32768.0
             pitch_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_4)
             raw.append(pitch_raw_)
@@ -371,7 +371,7 @@ class ReportGlobalWaypointExt(rt.Message):
         if heading_ is not None:
             mask |= 8
             if not -3.141592653589793 <= heading_ <= 3.141592653589793: raise rt.Reject
-            near = (heading_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = heading_ * 10430.219195527361 + 32768.0
             heading_raw_ = int(near)
             if not 1.52587890625e-05 < near - heading_raw_ < 0.9999847412109375: heading_raw_ = rt.exact_raw(heading_, _R_4)
             raw.append(heading_raw_)

@@ -132,7 +132,7 @@ class ReportGPSFix(rt.Message):
             if gps_latitude_ is not None:
                 mask |= 1
                 if not -90.0 <= gps_latitude_ <= 90.0: raise rt.Reject
-                near = (gps_latitude_ + 90.0) * 23860929.416666668 + 0.5
+                near = gps_latitude_ * 23860929.416666668 + 2147483648.0
                 gps_latitude_raw_ = int(near)
                 if not 1.52587890625e-05 < near - gps_latitude_raw_ < 0.9999847412109375: gps_latitude_raw_ = rt.exact_raw(gps_latitude_, _R_2)
                 raw.append(gps_latitude_raw_)
@@ -140,7 +140,7 @@ class ReportGPSFix(rt.Message):
             if gps_longitude_ is not None:
                 mask |= 2
                 if not -180.0 <= gps_longitude_ <= 180.0: raise rt.Reject
-                near = (gps_longitude_ + 180.0) * 11930464.708333334 + 0.5
+                near = gps_longitude_ * 11930464.708333334 + 2147483648.0
                 gps_longitude_raw_ = int(near)
                 if not 1.52587890625e-05 < near - gps_longitude_raw_ < 0.9999847412109375: gps_longitude_raw_ = rt.exact_raw(gps_longitude_, _R_3)
                 raw.append(gps_longitude_raw_)
@@ -148,7 +148,7 @@ class ReportGPSFix(rt.Message):
             if gps_true_course_ is not None:
                 mask |= 4
                 if not -180.0 <= gps_true_course_ <= 180.0: raise rt.Reject
-                near = (gps_true_course_ + 180.0) * 11930464.708333334 + 0.5
+                near = gps_true_course_ * 11930464.708333334 + 2147483648.0
                 gps_true_course_raw_ = int(near)
                 if not 1.52587890625e-05 < near - gps_true_course_raw_ < 0.9999847412109375: gps_true_course_raw_ = rt.exact_raw(gps_true_course_, _R_3)
                 raw.append(gps_true_course_raw_)
@@ -201,7 +201,7 @@ class ReportGPSFix(rt.Message):
             if gps_validity_ not in _E_ReportGPSFix_GPSValidity: raise rt.Reject
             gps_magnetic_variation_ = self.gps_magnetic_variation
             if not -90.0 <= gps_magnetic_variation_ <= 90.0: raise rt.Reject
-            near = (gps_magnetic_variation_ + 90.0) * 23860929.416666668 + 0.5
+            near = gps_magnetic_variation_ * 23860929.416666668 + 2147483648.0
             gps_magnetic_variation_raw_ = int(near)
             if not 1.52587890625e-05 < near - gps_magnetic_variation_raw_ < 0.9999847412109375: gps_magnetic_variation_raw_ = rt.exact_raw(gps_magnetic_variation_, _R_2)
             out += _S_BI.pack(gps_validity_, gps_magnetic_variation_raw_)
@@ -309,7 +309,7 @@ class ReportGPSFix(rt.Message):
             if gps_velocity_east_ is not None:
                 mask |= 1
                 if not -327.68 <= gps_velocity_east_ <= 327.67: raise rt.Reject
-                near = (gps_velocity_east_ + 327.68) * 6553700.0 + 0.5
+                near = gps_velocity_east_ * 6553700.0 + 2147516416.5
                 gps_velocity_east_raw_ = int(near)
                 if not 1.52587890625e-05 < near - gps_velocity_east_raw_ < 0.9999847412109375: gps_velocity_east_raw_ = rt.exact_raw(gps_velocity_east_, _R_12)
                 raw.append(gps_velocity_east_raw_)
@@ -317,7 +317,7 @@ class ReportGPSFix(rt.Message):
             if gps_velocity_north_ is not None:
                 mask |= 2
                 if not -327.68 <= gps_velocity_north_ <= 327.67: raise rt.Reject
-                near = (gps_velocity_north_ + 327.68) * 6553700.0 + 0.5
+                near = gps_velocity_north_ * 6553700.0 + 2147516416.5
                 gps_velocity_north_raw_ = int(near)
                 if not 1.52587890625e-05 < near - gps_velocity_north_raw_ < 0.9999847412109375: gps_velocity_north_raw_ = rt.exact_raw(gps_velocity_north_, _R_12)
                 raw.append(gps_velocity_north_raw_)
@@ -325,7 +325,7 @@ class ReportGPSFix(rt.Message):
             if gps_velocity_down_ is not None:
                 mask |= 4
                 if not -327.68 <= gps_velocity_down_ <= 327.67: raise rt.Reject
-                near = (gps_velocity_down_ + 327.68) * 6553700.0 + 0.5
+                near = gps_velocity_down_ * 6553700.0 + 2147516416.5
                 gps_velocity_down_raw_ = int(near)
                 if not 1.52587890625e-05 < near - gps_velocity_down_raw_ < 0.9999847412109375: gps_velocity_down_raw_ = rt.exact_raw(gps_velocity_down_, _R_12)
                 raw.append(gps_velocity_down_raw_)
@@ -333,7 +333,7 @@ class ReportGPSFix(rt.Message):
             if gps_altitude_ is not None:
                 mask |= 8
                 if not -10000.0 <= gps_altitude_ <= 35000.0: raise rt.Reject
-                near = (gps_altitude_ + 10000.0) * 95443.71766666666 + 0.5
+                near = gps_altitude_ * 95443.71766666666 + 954437177.1666666
                 gps_altitude_raw_ = int(near)
                 if not 1.52587890625e-05 < near - gps_altitude_raw_ < 0.9999847412109375: gps_altitude_raw_ = rt.exact_raw(gps_altitude_, _R_13)
                 raw.append(gps_altitude_raw_)

@@ -73,12 +73,12 @@ class SetLocalLoiter(rt.Message):
             if mask & 0x1: raise rt.Reject
             x_ = self.x
             if not -20000000.0 <= x_ <= 20000000.0: raise rt.Reject
-            near = (x_ + 20000000.0) * 107.374182375 + 0.5
+            near = x_ * 107.374182375 + 2147483648.0
             x_raw_ = int(near)
             if not 1.52587890625e-05 < near - x_raw_ < 0.9999847412109375: x_raw_ = rt.exact_raw(x_, _R_1)
             y_ = self.y
             if not -20000000.0 <= y_ <= 20000000.0: raise rt.Reject
-            near = (y_ + 20000000.0) * 107.374182375 + 0.5
+            near = y_ * 107.374182375 + 2147483648.0
             y_raw_ = int(near)
             if not 1.52587890625e-05 < near - y_raw_ < 0.9999847412109375: y_raw_ = rt.exact_raw(y_, _R_1)
             out += _S_2I.pack(x_raw_, y_raw_)
@@ -287,12 +287,12 @@ class ReportLocalLoiter(rt.Message):
             if mask & 0x1: raise rt.Reject
             x_ = self.x
             if not -20000000.0 <= x_ <= 20000000.0: raise rt.Reject
-            near = (x_ + 20000000.0) * 107.374182375 + 0.5
+            near = x_ * 107.374182375 + 2147483648.0
             x_raw_ = int(near)
             if not 1.52587890625e-05 < near - x_raw_ < 0.9999847412109375: x_raw_ = rt.exact_raw(x_, _R_1)
             y_ = self.y
             if not -20000000.0 <= y_ <= 20000000.0: raise rt.Reject
-            near = (y_ + 20000000.0) * 107.374182375 + 0.5
+            near = y_ * 107.374182375 + 2147483648.0
             y_raw_ = int(near)
             if not 1.52587890625e-05 < near - y_raw_ < 0.9999847412109375: y_raw_ = rt.exact_raw(y_, _R_1)
             out += _S_2I.pack(x_raw_, y_raw_)

@@ -94,35 +94,35 @@ class SetLocalOperatingZone(rt.Message):
             if choice == 0:
                 value_ = self.value
                 if not -50000.0 <= value_ <= 50000.0: raise rt.Reject
-                near = (value_ + 50000.0) * 42949.67295 + 0.5
+                near = value_ * 42949.67295 + 2147483648.0
                 value_raw_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_ < 0.9999847412109375: value_raw_ = rt.exact_raw(value_, _R_2)
                 out += _S_BI.pack(choice, value_raw_)
             elif choice == 1:
                 value_2_ = self.value
                 if not -50000.0 <= value_2_ <= 50000.0: raise rt.Reject
-                near = (value_2_ + 50000.0) * 42949.67295 + 0.5
+                near = value_2_ * 42949.67295 + 2147483648.0
                 value_raw_2_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_2_ < 0.9999847412109375: value_raw_2_ = rt.exact_raw(value_2_, _R_2)
                 out += _S_BI.pack(choice, value_raw_2_)
             elif choice == 2:
                 value_3_ = self.value
                 if not -50000.0 <= value_3_ <= 50000.0: raise rt.Reject
-                near = (value_3_ + 50000.0) * 42949.67295 + 0.5
+                near = value_3_ * 42949.67295 + 2147483648.0
                 value_raw_3_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_3_ < 0.9999847412109375: value_raw_3_ = rt.exact_raw(value_3_, _R_2)
                 out += _S_BI.pack(choice, value_raw_3_)
             elif choice == 3:
                 value_4_ = self.value
                 if not -50000.0 <= value_4_ <= 50000.0: raise rt.Reject
-                near = (value_4_ + 50000.0) * 42949.67295 + 0.5
+                near = value_4_ * 42949.67295 + 2147483648.0
                 value_raw_4_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_4_ < 0.9999847412109375: value_raw_4_ = rt.exact_raw(value_4_, _R_2)
                 out += _S_BI.pack(choice, value_raw_4_)
             elif choice == 4:
                 value_5_ = self.value
                 if not -50000.0 <= value_5_ <= 50000.0: raise rt.Reject
-                near = (value_5_ + 50000.0) * 42949.67295 + 0.5
+                near = value_5_ * 42949.67295 + 2147483648.0
                 value_raw_5_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_5_ < 0.9999847412109375: value_raw_5_ = rt.exact_raw(value_5_, _R_2)
                 out += _S_BI.pack(choice, value_raw_5_)
@@ -198,35 +198,35 @@ class SetLocalOperatingZone(rt.Message):
             if choice == 0:
                 value_ = self.value
                 if not -50000.0 <= value_ <= 50000.0: raise rt.Reject
-                near = (value_ + 50000.0) * 42949.67295 + 0.5
+                near = value_ * 42949.67295 + 2147483648.0
                 value_raw_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_ < 0.9999847412109375: value_raw_ = rt.exact_raw(value_, _R_2)
                 out += _S_BI.pack(choice, value_raw_)
             elif choice == 1:
                 value_2_ = self.value
                 if not -50000.0 <= value_2_ <= 50000.0: raise rt.Reject
-                near = (value_2_ + 50000.0) * 42949.67295 + 0.5
+                near = value_2_ * 42949.67295 + 2147483648.0
                 value_raw_2_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_2_ < 0.9999847412109375: value_raw_2_ = rt.exact_raw(value_2_, _R_2)
                 out += _S_BI.pack(choice, value_raw_2_)
             elif choice == 2:
                 value_3_ = self.value
                 if not -50000.0 <= value_3_ <= 50000.0: raise rt.Reject
-                near = (value_3_ + 50000.0) * 42949.67295 + 0.5
+                near = value_3_ * 42949.67295 + 2147483648.0
                 value_raw_3_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_3_ < 0.9999847412109375: value_raw_3_ = rt.exact_raw(value_3_, _R_2)
                 out += _S_BI.pack(choice, value_raw_3_)
             elif choice == 3:
                 value_4_ = self.value
                 if not -50000.0 <= value_4_ <= 50000.0: raise rt.Reject
-                near = (value_4_ + 50000.0) * 42949.67295 + 0.5
+                near = value_4_ * 42949.67295 + 2147483648.0
                 value_raw_4_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_4_ < 0.9999847412109375: value_raw_4_ = rt.exact_raw(value_4_, _R_2)
                 out += _S_BI.pack(choice, value_raw_4_)
             elif choice == 4:
                 value_5_ = self.value
                 if not -50000.0 <= value_5_ <= 50000.0: raise rt.Reject
-                near = (value_5_ + 50000.0) * 42949.67295 + 0.5
+                near = value_5_ * 42949.67295 + 2147483648.0
                 value_raw_5_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_5_ < 0.9999847412109375: value_raw_5_ = rt.exact_raw(value_5_, _R_2)
                 out += _S_BI.pack(choice, value_raw_5_)
@@ -282,12 +282,12 @@ class SetLocalOperatingZone(rt.Message):
             if mask & 0x3: raise rt.Reject
             x_ = self.x
             if not -20000000.0 <= x_ <= 20000000.0: raise rt.Reject
-            near = (x_ + 20000000.0) * 107.374182375 + 0.5
+            near = x_ * 107.374182375 + 2147483648.0
             x_raw_ = int(near)
             if not 1.52587890625e-05 < near - x_raw_ < 0.9999847412109375: x_raw_ = rt.exact_raw(x_, _R_6)
             y_ = self.y
             if not -20000000.0 <= y_ <= 20000000.0: raise rt.Reject
-            near = (y_ + 20000000.0) * 107.374182375 + 0.5
+            near = y_ * 107.374182375 + 2147483648.0
             y_raw_ = int(near)
             if not 1.52587890625e-05 < near - y_raw_ < 0.9999847412109375: y_raw_ = rt.exact_raw(y_, _R_6)
             out += _S_2I.pack(x_raw_, y_raw_)
@@ -555,35 +555,35 @@ class ReportLocalOperatingZone(rt.Message):
             if choice == 0:
                 value_ = self.value
                 if not -50000.0 <= value_ <= 50000.0: raise rt.Reject
-                near = (value_ + 50000.0) * 42949.67295 + 0.5
+                near = value_ * 42949.67295 + 2147483648.0
                 value_raw_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_ < 0.9999847412109375: value_raw_ = rt.exact_raw(value_, _R_2)
                 out += _S_BI.pack(choice, value_raw_)
             elif choice == 1:
                 value_2_ = self.value
                 if not -50000.0 <= value_2_ <= 50000.0: raise rt.Reject
-                near = (value_2_ + 50000.0) * 42949.67295 + 0.5
+                near = value_2_ * 42949.67295 + 2147483648.0
                 value_raw_2_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_2_ < 0.9999847412109375: value_raw_2_ = rt.exact_raw(value_2_, _R_2)
                 out += _S_BI.pack(choice, value_raw_2_)
             elif choice == 2:
                 value_3_ = self.value
                 if not -50000.0 <= value_3_ <= 50000.0: raise rt.Reject
-                near = (value_3_ + 50000.0) * 42949.67295 + 0.5
+                near = value_3_ * 42949.67295 + 2147483648.0
                 value_raw_3_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_3_ < 0.9999847412109375: value_raw_3_ = rt.exact_raw(value_3_, _R_2)
                 out += _S_BI.pack(choice, value_raw_3_)
             elif choice == 3:
                 value_4_ = self.value
                 if not -50000.0 <= value_4_ <= 50000.0: raise rt.Reject
-                near = (value_4_ + 50000.0) * 42949.67295 + 0.5
+                near = value_4_ * 42949.67295 + 2147483648.0
                 value_raw_4_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_4_ < 0.9999847412109375: value_raw_4_ = rt.exact_raw(value_4_, _R_2)
                 out += _S_BI.pack(choice, value_raw_4_)
             elif choice == 4:
                 value_5_ = self.value
                 if not -50000.0 <= value_5_ <= 50000.0: raise rt.Reject
-                near = (value_5_ + 50000.0) * 42949.67295 + 0.5
+                near = value_5_ * 42949.67295 + 2147483648.0
                 value_raw_5_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_5_ < 0.9999847412109375: value_raw_5_ = rt.exact_raw(value_5_, _R_2)
                 out += _S_BI.pack(choice, value_raw_5_)
@@ -659,35 +659,35 @@ class ReportLocalOperatingZone(rt.Message):
             if choice == 0:
                 value_ = self.value
                 if not -50000.0 <= value_ <= 50000.0: raise rt.Reject
-                near = (value_ + 50000.0) * 42949.67295 + 0.5
+                near = value_ * 42949.67295 + 2147483648.0
                 value_raw_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_ < 0.9999847412109375: value_raw_ = rt.exact_raw(value_, _R_2)
                 out += _S_BI.pack(choice, value_raw_)
             elif choice == 1:
                 value_2_ = self.value
                 if not -50000.0 <= value_2_ <= 50000.0: raise rt.Reject
-                near = (value_2_ + 50000.0) * 42949.67295 + 0.5
+                near = value_2_ * 42949.67295 + 2147483648.0
                 value_raw_2_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_2_ < 0.9999847412109375: value_raw_2_ = rt.exact_raw(value_2_, _R_2)
                 out += _S_BI.pack(choice, value_raw_2_)
             elif choice == 2:
                 value_3_ = self.value
                 if not -50000.0 <= value_3_ <= 50000.0: raise rt.Reject
-                near = (value_3_ + 50000.0) * 42949.67295 + 0.5
+                near = value_3_ * 42949.67295 + 2147483648.0
                 value_raw_3_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_3_ < 0.9999847412109375: value_raw_3_ = rt.exact_raw(value_3_, _R_2)
                 out += _S_BI.pack(choice, value_raw_3_)
             elif choice == 3:
                 value_4_ = self.value
                 if not -50000.0 <= value_4_ <= 50000.0: raise rt.Reject
-                near = (value_4_ + 50000.0) * 42949.67295 + 0.5
+                near = value_4_ * 42949.67295 + 2147483648.0
                 value_raw_4_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_4_ < 0.9999847412109375: value_raw_4_ = rt.exact_raw(value_4_, _R_2)
                 out += _S_BI.pack(choice, value_raw_4_)
             elif choice == 4:
                 value_5_ = self.value
                 if not -50000.0 <= value_5_ <= 50000.0: raise rt.Reject
-                near = (value_5_ + 50000.0) * 42949.67295 + 0.5
+                near = value_5_ * 42949.67295 + 2147483648.0
                 value_raw_5_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_5_ < 0.9999847412109375: value_raw_5_ = rt.exact_raw(value_5_, _R_2)
                 out += _S_BI.pack(choice, value_raw_5_)
@@ -743,12 +743,12 @@ class ReportLocalOperatingZone(rt.Message):
             if mask & 0x3: raise rt.Reject
             x_ = self.x
             if not -20000000.0 <= x_ <= 20000000.0: raise rt.Reject
-            near = (x_ + 20000000.0) * 107.374182375 + 0.5
+            near = x_ * 107.374182375 + 2147483648.0
             x_raw_ = int(near)
             if not 1.52587890625e-05 < near - x_raw_ < 0.9999847412109375: x_raw_ = rt.exact_raw(x_, _R_6)
             y_ = self.y
             if not -20000000.0 <= y_ <= 20000000.0: raise rt.Reject
-            near = (y_ + 20000000.0) * 107.374182375 + 0.5
+            near = y_ * 107.374182375 + 2147483648.0
             y_raw_ = int(near)
             if not 1.52587890625e-05 < near - y_raw_ < 0.9999847412109375: y_raw_ = rt.exact_raw(y_, _R_6)
             out += _S_2I.pack(x_raw_, y_raw_)

@@ -208,35 +208,35 @@ class ReportLocalPathSegmentExt(rt.Message):
             if choice == 0:
                 value_ = self.value
                 if not -50000.0 <= value_ <= 50000.0: raise rt.Reject
-                near = (value_ + 50000.0) * 42949.67295 + 0.5
+                near = value_ * 42949.67295 + 2147483648.0
                 value_raw_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_ < 0.9999847412109375: value_raw_ = rt.exact_raw(value_, _R_3)
                 out += _S_BI.pack(choice, value_raw_)
             elif choice == 1:
                 value_2_ = self.value
                 if not -50000.0 <= value_2_ <= 50000.0: raise rt.Reject
-                near = (value_2_ + 50000.0) * 42949.67295 + 0.5
+                near = value_2_ * 42949.67295 + 2147483648.0
                 value_raw_2_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_2_ < 0.9999847412109375: value_raw_2_ = rt.exact_raw(value_2_, _R_3)
                 out += _S_BI.pack(choice, value_raw_2_)
             elif choice == 2:
                 value_3_ = self.value
                 if not -50000.0 <= value_3_ <= 50000.0: raise rt.Reject
-                near = (value_3_ + 50000.0) * 42949.67295 + 0.5
+                near = value_3_ * 42949.67295 + 2147483648.0
                 value_raw_3_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_3_ < 0.9999847412109375: value_raw_3_ = rt.exact_raw(value_3_, _R_3)
                 out += _S_BI.pack(choice, value_raw_3_)
             elif choice == 3:
                 value_4_ = self.value
                 if not -50000.0 <= value_4_ <= 50000.0: raise rt.Reject
-                near = (value_4_ + 50000.0) * 42949.67295 + 0.5
+                near = value_4_ * 42949.67295 + 2147483648.0
                 value_raw_4_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_4_ < 0.9999847412109375: value_raw_4_ = rt.exact_raw(value_4_, _R_3)
                 out += _S_BI.pack(choice, value_raw_4_)
             elif choice == 4:
                 value_5_ = self.value
                 if not -50000.0 <= value_5_ <= 50000.0: raise rt.Reject
-                near = (value_5_ + 50000.0) * 42949.67295 + 0.5
+                near = value_5_ * 42949.67295 + 2147483648.0
                 value_raw_5_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_5_ < 0.9999847412109375: value_raw_5_ = rt.exact_raw(value_5_, _R_3)
                 out += _S_BI.pack(choice, value_raw_5_)
@@ -312,35 +312,35 @@ class ReportLocalPathSegmentExt(rt.Message):
             if choice == 0:
                 value_ = self.value
                 if not -50000.0 <= value_ <= 50000.0: raise rt.Reject
-                near = (value_ + 50000.0) * 42949.67295 + 0.5
+                near = value_ * 42949.67295 + 2147483648.0
                 value_raw_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_ < 0.9999847412109375: value_raw_ = rt.exact_raw(value_, _R_3)
                 out += _S_BI.pack(choice, value_raw_)
             elif choice == 1:
                 value_2_ = self.value
                 if not -50000.0 <= value_2_ <= 50000.0: raise rt.Reject
-                near = (value_2_ + 50000.0) * 42949.67295 + 0.5
+                near = value_2_ * 42949.67295 + 2147483648.0
                 value_raw_2_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_2_ < 0.9999847412109375: value_raw_2_ = rt.exact_raw(value_2_, _R_3)
                 out += _S_BI.pack(choice, value_raw_2_)
             elif choice == 2:
                 value_3_ = self.value
                 if not -50000.0 <= value_3_ <= 50000.0: raise rt.Reject
-                near = (value_3_ + 50000.0) * 42949.67295 + 0.5
+                near = value_3_ * 42949.67295 + 2147483648.0
                 value_raw_3_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_3_ < 0.9999847412109375: value_raw_3_ = rt.exact_raw(value_3_, _R_3)
                 out += _S_BI.pack(choice, value_raw_3_)
             elif choice == 3:
                 value_4_ = self.value
                 if not -50000.0 <= value_4_ <= 50000.0: raise rt.Reject
-                near = (value_4_ + 50000.0) * 42949.67295 + 0.5
+                near = value_4_ * 42949.67295 + 2147483648.0
                 value_raw_4_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_4_ < 0.9999847412109375: value_raw_4_ = rt.exact_raw(value_4_, _R_3)
                 out += _S_BI.pack(choice, value_raw_4_)
             elif choice == 4:
                 value_5_ = self.value
                 if not -50000.0 <= value_5_ <= 50000.0: raise rt.Reject
-                near = (value_5_ + 50000.0) * 42949.67295 + 0.5
+                near = value_5_ * 42949.67295 + 2147483648.0
                 value_raw_5_ = int(near)
                 if not 1.52587890625e-05 < near - value_raw_5_ < 0.9999847412109375: value_raw_5_ = rt.exact_raw(value_5_, _R_3)
                 out += _S_BI.pack(choice, value_raw_5_)
@@ -408,12 +408,12 @@ class ReportLocalPathSegmentExt(rt.Message):
         if mask & 0x7: raise rt.Reject
         p1_x_ = self.p1_x
         if not -20000000.0 <= p1_x_ <= 20000000.0: raise rt.Reject
-        near = (p1_x_ + 20000000.0) * 107.374182375 + 0.5
+        near = p1_x_ * 107.374182375 + 2147483648.0
         p1_x_raw_ = int(near)
         if not 1.52587890625e-05 < near - p1_x_raw_ < 0.9999847412109375: p1_x_raw_ = rt.exact_raw(p1_x_, _R_8)
         p1_y_ = self.p1_y
         if not -20000000.0 <= p1_y_ <= 20000000.0: raise rt.Reject
-        near = (p1_y_ + 20000000.0) * 107.374182375 + 0.5
+        near = p1_y_ * 107.374182375 + 2147483648.0
         p1_y_raw_ = int(near)
         if not 1.52587890625e-05 < near - p1_y_raw_ < 0.9999847412109375: p1_y_raw_ = rt.exact_raw(p1_y_, _R_8)
         out += _S_2I.pack(p1_x_raw_, p1_y_raw_)
@@ -424,12 +424,12 @@ class ReportLocalPathSegmentExt(rt.Message):
             p1_z_position_._write(out)
         p2_x_ = self.p2_x
         if not -20000000.0 <= p2_x_ <= 20000000.0: raise rt.Reject
-        near = (p2_x_ + 20000000.0) * 107.374182375 + 0.5
+        near = p2_x_ * 107.374182375 + 2147483648.0
         p2_x_raw_ = int(near)
         if not 1.52587890625e-05 < near - p2_x_raw_ < 0.9999847412109375: p2_x_raw_ = rt.exact_raw(p2_x_, _R_8)
         p2_y_ = self.p2_y
         if not -20000000.0 <= p2_y_ <= 20000000.0: raise rt.Reject
-        near = (p2_y_ + 20000000.0) * 107.374182375 + 0.5
+        near = p2_y_ * 107.374182375 + 2147483648.0
         p2_y_raw_ = int(near)
         if not 1.52587890625e-05 < near - p2_y_raw_ < 0.9999847412109375: p2_y_raw_ = rt.exact_raw(p2_y_, _R_8)
         out += _S_2I.pack(p2_x_raw_, p2_y_raw_)

@@ -113,7 +113,7 @@ class SetLocalPoseExt(rt.Message):
         if x_ is not None:
             mask |= 1
             if not -20000000.0 <= x_ <= 20000000.0: raise rt.Reject
-            near = (x_ + 20000000.0) * 107.374182375 + 0.5
+            near = x_ * 107.374182375 + 2147483648.0
             x_raw_ = int(near)
             if not 1.52587890625e-05 < near - x_raw_ < 0.9999847412109375: x_raw_ = rt.exact_raw(x_, _R_3)
             raw.append(x_raw_)
@@ -121,7 +121,7 @@ class SetLocalPoseExt(rt.Message):
         if y_ is not None:
             mask |= 2
             if not -20000000.0 <= y_ <= 20000000.0: raise rt.Reject
-            near = (y_ + 20000000.0) * 107.374182375 + 0.5
+            near = y_ * 107.374182375 + 2147483648.0
             y_raw_ = int(near)
             if not 1.52587890625e-05 < near - y_raw_ < 0.9999847412109375: y_raw_ = rt.exact_raw(y_, _R_3)
             raw.append(y_raw_)
@@ -152,7 +152,7 @@ class SetLocalPoseExt(rt.Message):
         if roll_ is not None:
             mask |= 32
             if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = (roll_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = roll_ * 10430.219195527361 + 32768.0
             roll_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_5)
             raw.append(roll_raw_)
@@ -160,7 +160,7 @@ class SetLocalPoseExt(rt.Message):
         if pitch_ is not None:
             mask |= 64
             if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = (pitch_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = pitch_ * 10430.219195527361 + 32768.0
             pitch_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_5)
             raw.append(pitch_raw_)
@@ -168,7 +168,7 @@ class SetLocalPoseExt(rt.Message):
         if heading_ is not None:
             mask |= 128
             if not -3.141592653589793 <= heading_ <= 3.141592653589793: raise rt.Reject
-            near = (heading_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = heading_ * 10430.219195527361 + 32768.0
             heading_raw_ = int(near)
             if not 1.52587890625e-05 < near - heading_raw_ < 0.9999847412109375: heading_raw_ = rt.exact_raw(heading_, _R_5)
             raw.append(heading_raw_)
@@ -340,7 +340,7 @@ class ReportLocalPoseExt(rt.Message):
         if x_ is not None:
             mask |= 1
             if not -20000000.0 <= x_ <= 20000000.0: raise rt.Reject
-            near = (x_ + 20000000.0) * 107.374182375 + 0.5
+            near = x_ * 107.374182375 + 2147483648.0
             x_raw_ = int(near)
             if not 1.52587890625e-05 < near - x_raw_ < 0.9999847412109375: x_raw_ = rt.exact_raw(x_, _R_3)
             raw.append(x_raw_)
@@ -348,7 +348,7 @@ class ReportLocalPoseExt(rt.Message):
         if y_ is not None:
             mask |= 2
             if not -20000000.0 <= y_ <= 20000000.0: raise rt.Reject
-            near = (y_ + 20000000.0) * 107.374182375 + 0.5
+            near = y_ * 107.374182375 + 2147483648.0
             y_raw_ = int(near)
             if not 1.52587890625e-05 < near - y_raw_ < 0.9999847412109375: y_raw_ = rt.exact_raw(y_, _R_3)
             raw.append(y_raw_)
@@ -356,7 +356,7 @@ class ReportLocalPoseExt(rt.Message):
         if altitude_agl_ is not None:
             mask |= 4
             if not -50000.0 <= altitude_agl_ <= 50000.0: raise rt.Reject
-            near = (altitude_agl_ + 50000.0) * 42949.67295 + 0.5
+            near = altitude_agl_ * 42949.67295 + 2147483648.0
             altitude_agl_raw_ = int(near)
             if not 1.52587890625e-05 < near - altitude_agl_raw_ < 0.9999847412109375: altitude_agl_raw_ = rt.exact_raw(altitude_agl_, _R_9)
             raw.append(altitude_agl_raw_)
@@ -364,7 +364,7 @@ class ReportLocalPoseExt(rt.Message):
         if altitude_msl_ is not None:
             mask |= 8
             if not -50000.0 <= altitude_msl_ <= 50000.0: raise rt.Reject
-            near = (altitude_msl_ + 50000.0) * 42949.67295 + 0.5
+            near = altitude_msl_ * 42949.67295 + 2147483648.0
             altitude_msl_raw_ = int(near)
             if not 1.52587890625e-05 < near - altitude_msl_raw_ < 0.9999847412109375: altitude_msl_raw_ = rt.exact_raw(altitude_msl_, _R_9)
             raw.append(altitude_msl_raw_)
@@ -372,7 +372,7 @@ class ReportLocalPoseExt(rt.Message):
         if altitude_asf_ is not None:
             mask |= 16
             if not -50000.0 <= altitude_asf_ <= 50000.0: raise rt.Reject
-            near = (altitude_asf_ + 50000.0) * 42949.67295 + 0.5
+            near = altitude_asf_ * 42949.67295 + 2147483648.0
             altitude_asf_raw_ = int(near)
             if not 1.52587890625e-05 < near - altitude_asf_raw_ < 0.9999847412109375: altitude_asf_raw_ = rt.exact_raw(altitude_asf_, _R_9)
             raw.append(altitude_asf_raw_)
@@ -380,7 +380,7 @@ class ReportLocalPoseExt(rt.Message):
         if depth_ is not None:
             mask |= 32
             if not -50000.0 <= depth_ <= 50000.0: raise rt.Reject
-            near = (depth_ + 50000.0) * 42949.67295 + 0.5
+            near = depth_ * 42949.67295 + 2147483648.0
             depth_raw_ = int(near)
             if not 1.52587890625e-05 < near - depth_raw_ < 0.9999847412109375: depth_raw_ = rt.exact_raw(depth_, _R_9)
             raw.append(depth_raw_)
@@ -388,7 +388,7 @@ class ReportLocalPoseExt(rt.Message):
         if z_local_ is not None:
             mask |= 64
             if not -50000.0 <= z_local_ <= 50000.0: raise rt.Reject
-            near = (z_local_ + 50000.0) * 42949.67295 + 0.5
+            near = z_local_ * 42949.67295 + 2147483648.0
             z_local_raw_ = int(near)
             if not 1.52587890625e-05 < near - z_local_raw_ < 0.9999847412109375: z_local_raw_ = rt.exact_raw(z_local_, _R_9)
             raw.append(z_local_raw_)
@@ -412,7 +412,7 @@ class ReportLocalPoseExt(rt.Message):
         if roll_ is not None:
             mask |= 512
             if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = (roll_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = roll_ * 10430.219195527361 + 32768.0
             roll_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_5)
             raw.append(roll_raw_)
@@ -420,7 +420,7 @@ class ReportLocalPoseExt(rt.Message):
         if pitch_ is not None:
             mask |= 1024
             if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = (pitch_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = pitch_ * 10430.219195527361 + 32768.0
             pitch_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_5)
             raw.append(pitch_raw_)
@@ -428,7 +428,7 @@ class ReportLocalPoseExt(rt.Message):
         if heading_ is not None:
             mask |= 2048
             if not -3.141592653589793 <= heading_ <= 3.141592653589793: raise rt.Reject
-            near = (heading_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = heading_ * 10430.219195527361 + 32768.0
             heading_raw_ = int(near)
             if not 1.52587890625e-05 < near - heading_raw_ < 0.9999847412109375: heading_raw_ = rt.exact_raw(heading_, _R_5)
             raw.append(heading_raw_)
@@ -444,7 +444,7 @@ class ReportLocalPoseExt(rt.Message):
         if course_ is not None:
             mask |= 8192
             if not -3.141592653589793 <= course_ <= 3.141592653589793: raise rt.Reject
-            near = (course_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = course_ * 10430.219195527361 + 32768.0
             course_raw_ = int(near)
             if not 1.52587890625e-05 < near - course_raw_ < 0.9999847412109375: course_raw_ = rt.exact_raw(course_, _R_5)
             raw.append(course_raw_)

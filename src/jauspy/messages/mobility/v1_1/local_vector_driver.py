@@ -74,7 +74,7 @@ class SetLocalVector(rt.Message):
         if z_ is not None:
             mask |= 1
             if not -10000.0 <= z_ <= 35000.0: raise rt.Reject
-            near = (z_ + 10000.0) * 95443.71766666666 + 0.5
+            near = z_ * 95443.71766666666 + 954437177.1666666
             z_raw_ = int(near)
             if not 1.52587890625e-05 < near - z_raw_ < 0.9999847412109375: z_raw_ = rt.exact_raw(z_, _R_3)
             raw.append(z_raw_)
@@ -82,7 +82,7 @@ class SetLocalVector(rt.Message):
         if heading_ is not None:
             mask |= 2
             if not -3.141592653589793 <= heading_ <= 3.141592653589793: raise rt.Reject
-            near = (heading_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = heading_ * 10430.219195527361 + 32768.0
             heading_raw_ = int(near)
             if not 1.52587890625e-05 < near - heading_raw_ < 0.9999847412109375: heading_raw_ = rt.exact_raw(heading_, _R_4)
             raw.append(heading_raw_)
@@ -90,7 +90,7 @@ class SetLocalVector(rt.Message):
         if roll_ is not None:
             mask |= 4
             if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = (roll_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = roll_ * 10430.219195527361 + 32768.0
             roll_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_4)
             raw.append(roll_raw_)
@@ -98,7 +98,7 @@ class SetLocalVector(rt.Message):
         if pitch_ is not None:
             mask |= 8
             if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = (pitch_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = pitch_ * 10430.219195527361 + 32768.0
             pitch_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_4)
             raw.append(pitch_raw_)
@@ -187,7 +187,7 @@ class SetLocalVectorExt(rt.Message):
         if roll_ is not None:
             mask |= 2
             if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = (roll_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = roll_ * 10430.219195527361 + 32768.0
             roll_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_4)
             raw.append(roll_raw_)
@@ -195,7 +195,7 @@ class SetLocalVectorExt(rt.Message):
         if pitch_ is not None:
             mask |= 4
             if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = (pitch_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = pitch_ * 10430.219195527361 + 32768.0
             pitch_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_4)
             raw.append(pitch_raw_)
@@ -203,7 +203,7 @@ class SetLocalVectorExt(rt.Message):
         if heading_ is not None:
             mask |= 8
             if not -3.141592653589793 <= heading_ <= 3.141592653589793: raise rt.Reject
-            near = (heading_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = heading_ * 10430.219195527361 + 32768.0
             heading_raw_ = int(near)
             if not 1.52587890625e-05 < near - heading_raw_ < 0.9999847412109375: heading_raw_ = rt.exact_raw(heading_, _R_4)
             raw.append(heading_raw_)
@@ -211,7 +211,7 @@ class SetLocalVectorExt(rt.Message):
         if course_ is not None:
             mask |= 16
             if not -3.141592653589793 <= course_ <= 3.141592653589793: raise rt.Reject
-            near = (course_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = course_ * 10430.219195527361 + 32768.0
             course_raw_ = int(near)
             if not 1.52587890625e-05 < near - course_raw_ < 0.9999847412109375: course_raw_ = rt.exact_raw(course_, _R_4)
             raw.append(course_raw_)
@@ -325,7 +325,7 @@ class ReportLocalVector(rt.Message):
         if z_ is not None:
             mask |= 1
             if not -10000.0 <= z_ <= 35000.0: raise rt.Reject
-            near = (z_ + 10000.0) * 95443.71766666666 + 0.5
+            near = z_ * 95443.71766666666 + 954437177.1666666
             z_raw_ = int(near)
             if not 1.52587890625e-05 < near - z_raw_ < 0.9999847412109375: z_raw_ = rt.exact_raw(z_, _R_3)
             raw.append(z_raw_)
@@ -333,7 +333,7 @@ class ReportLocalVector(rt.Message):
         if heading_ is not None:
             mask |= 2
             if not -3.141592653589793 <= heading_ <= 3.141592653589793: raise rt.Reject
-            near = (heading_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = heading_ * 10430.219195527361 + 32768.0
             heading_raw_ = int(near)
             if not 1.52587890625e-05 < near - heading_raw_ < 0.9999847412109375: heading_raw_ = rt.exact_raw(heading_, _R_4)
             raw.append(heading_raw_)
@@ -341,7 +341,7 @@ class ReportLocalVector(rt.Message):
         if roll_ is not None:
             mask |= 4
             if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = (roll_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = roll_ * 10430.219195527361 + 32768.0
             roll_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_4)
             raw.append(roll_raw_)
@@ -349,7 +349,7 @@ class ReportLocalVector(rt.Message):
         if pitch_ is not None:
             mask |= 8
             if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = (pitch_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = pitch_ * 10430.219195527361 + 32768.0
             pitch_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_4)
             raw.append(pitch_raw_)
@@ -438,7 +438,7 @@ class ReportLocalVectorExt(rt.Message):
         if roll_ is not None:
             mask |= 2
             if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = (roll_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = roll_ * 10430.219195527361 + 32768.0
             roll_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_4)
             raw.append(roll_raw_)
@@ -446,7 +446,7 @@ class ReportLocalVectorExt(rt.Message):
         if pitch_ is not None:
             mask |= 4
             if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = (pitch_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = pitch_ * 10430.219195527361 + 32768.0
             pitch_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_4)
             raw.append(pitch_raw_)
@@ -454,7 +454,7 @@ class ReportLocalVectorExt(rt.Message):
         if heading_ is not None:
             mask |= 8
             if not -3.141592653589793 <= heading_ <= 3.141592653589793: raise rt.Reject
-            near = (heading_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = heading_ * 10430.219195527361 + 32768.0
             heading_raw_ = int(near)
             if not 1.52587890625e-05 < near - heading_raw_ < 0.9999847412109375: heading_raw_ = rt.exact_raw(heading_, _R_4)
             raw.append(heading_raw_)
@@ -462,7 +462,7 @@ class ReportLocalVectorExt(rt.Message):
         if course_ is not None:
             mask |= 16
             if not -3.141592653589793 <= course_ <= 3.141592653589793: raise rt.Reject
-            near = (course_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = course_ * 10430.219195527361 + 32768.0
             course_raw_ = int(near)
             if not 1.52587890625e-05 < near - course_raw_ < 0.9999847412109375: course_raw_ = rt.exact_raw(course_, _R_4)
             raw.append(course_raw_)

@@ -117,12 +117,12 @@ class SetLocalWaypointExt(rt.Message):
         if mask & 0x3F: raise rt.Reject
         x_ = self.x
         if not -20000000.0 <= x_ <= 20000000.0: raise rt.Reject
-        near = (x_ + 20000000.0) * 107.374182375 + 0.5
+        near = x_ * 107.374182375 + 2147483648.0
         x_raw_ = int(near)
         if not 1.52587890625e-05 < near - x_raw_ < 0.9999847412109375: x_raw_ = rt.exact_raw(x_, _R_2)
         y_ = self.y
         if not -20000000.0 <= y_ <= 20000000.0: raise rt.Reject
-        near = (y_ + 20000000.0) * 107.374182375 + 0.5
+        near = y_ * 107.374182375 + 2147483648.0
         y_raw_ = int(near)
         if not 1.52587890625e-05 < near - y_raw_ < 0.9999847412109375: y_raw_ = rt.exact_raw(y_, _R_2)
         out += _S_2I.pack(x_raw_, y_raw_)
@@ -136,7 +136,7 @@ class SetLocalWaypointExt(rt.Message):
         if roll_ is not None:
             mask |= 2
             if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = (roll_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = roll_ * 10430.219195527361 + 32768.0
             roll_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_3)
             raw.append(roll_raw_)
@@ -144,7 +144,7 @@ class SetLocalWaypointExt(rt.Message):
         if pitch_ is not None:
             mask |= 4
             if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = (pitch_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = pitch_ * 10430.219195527361 + 32768.0
             pitch_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_3)
             raw.append(pitch_raw_)
@@ -152,7 +152,7 @@ class SetLocalWaypointExt(rt.Message):
         if heading_ is not None:
             mask |= 8
             if not -3.141592653589793 <= heading_ <= 3.141592653589793: raise rt.Reject
-            near = (heading_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = heading_ * 10430.219195527361 + 32768.0
             heading_raw_ = int(near)
             if not 1.52587890625e-05 < near - heading_raw_ < 0.9999847412109375: heading_raw_ = rt.exact_raw(heading_, _R_3)
             raw.append(heading_raw_)
@@ -337,12 +337,12 @@ class ReportLocalWaypointExt(rt.Message):
         if mask & 0x3F: raise rt.Reject
         x_ = self.x
         if not -20000000.0 <= x_ <= 20000000.0: raise rt.Reject
-        near = (x_ + 20000000.0) * 107.374182375 + 0.5
+        near = x_ * 107.374182375 + 2147483648.0
         x_raw_ = int(near)
         if not 1.52587890625e-05 < near - x_raw_ < 0.9999847412109375: x_raw_ = rt.exact_raw(x_, _R_2)
         y_ = self.y
         if not -20000000.0 <= y_ <= 20000000.0: raise rt.Reject
-        near = (y_ + 20000000.0) * 107.374182375 + 0.5
+        near = y_ * 107.374182375 + 2147483648.0
         y_raw_ = int(near)
         if not 1.52587890625e-05 < near - y_raw_ < 0.9999847412109375: y_raw_ = rt.exact_raw(y_, _R_2)
         out += _S_2I.pack(x_raw_, y_raw_)
@@ -356,7 +356,7 @@ class ReportLocalWaypointExt(rt.Message):
         if roll_ is not None:
             mask |= 2
             if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = (roll_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = roll_ * 10430.219195527361 + 32768.0
             roll_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_3)
             raw.append(roll_raw_)
@@ -364,7 +364,7 @@ class ReportLocalWaypointExt(rt.Message):
         if pitch_ is not None:
             mask |= 4
             if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = (pitch_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = pitch_ * 10430.219195527361 + 32768.0
             pitch_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_3)
             raw.append(pitch_raw_)
@@ -372,7 +372,7 @@ class ReportLocalWaypointExt(rt.Message):
         if heading_ is not None:
             mask |= 8
             if not -3.141592653589793 <= heading_ <= 3.141592653589793: raise rt.Reject
-            near = (heading_ + 3.141592653589793) * 10430.219195527361 + 0.5
+            near = heading_ * 10430.219195527361 + 32768.0
             heading_raw_ = int(near)
             if not 1.52587890625e-05 < near - heading_raw_ < 0.9999847412109375: heading_raw_ = rt.exact_raw(heading_, _R_3)
             raw.append(heading_raw_)

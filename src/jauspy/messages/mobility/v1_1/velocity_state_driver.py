@@ -109,7 +109,7 @@ class SetVelocityCommandExt(rt.Message):
         if velocity_x_ is not None:
             mask |= 1
             if not -327.68 <= velocity_x_ <= 327.67: raise rt.Reject
-            near = (velocity_x_ + 327.68) * 6553700.0 + 0.5
+            near = velocity_x_ * 6553700.0 + 2147516416.5
             velocity_x_raw_ = int(near)
             if not 1.52587890625e-05 < near - velocity_x_raw_ < 0.9999847412109375: velocity_x_raw_ = rt.exact_raw(velocity_x_, _R_3)
             raw.append(velocity_x_raw_)
@@ -117,7 +117,7 @@ class SetVelocityCommandExt(rt.Message):
         if velocity_y_ is not None:
             mask |= 2
             if not -327.68 <= velocity_y_ <= 327.67: raise rt.Reject
-            near = (velocity_y_ + 327.68) * 6553700.0 + 0.5
+            near = velocity_y_ * 6553700.0 + 2147516416.5
             velocity_y_raw_ = int(near)
             if not 1.52587890625e-05 < near - velocity_y_raw_ < 0.9999847412109375: velocity_y_raw_ = rt.exact_raw(velocity_y_, _R_3)
             raw.append(velocity_y_raw_)
@@ -125,7 +125,7 @@ class SetVelocityCommandExt(rt.Message):
         if velocity_z_ is not None:
             mask |= 4
             if not -327.68 <= velocity_z_ <= 327.67: raise rt.Reject
-            near = (velocity_z_ + 327.68) * 6553700.0 + 0.5
+            near = velocity_z_ * 6553700.0 + 2147516416.5
             velocity_z_raw_ = int(near)
             if not 1.52587890625e-05 < near - velocity_z_raw_ < 0.9999847412109375: velocity_z_raw_ = rt.exact_raw(velocity_z_, _R_3)
             raw.append(velocity_z_raw_)
@@ -133,7 +133,7 @@ class SetVelocityCommandExt(rt.Message):
         if roll_rate_ is not None:
             mask |= 8
             if not -32.768 <= roll_rate_ <= 32.767: raise rt.Reject
-            near = (roll_rate_ + 32.768) * 65537000.0 + 0.5
+            near = roll_rate_ * 65537000.0 + 2147516416.5
             roll_rate_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_rate_raw_ < 0.9999847412109375: roll_rate_raw_ = rt.exact_raw(roll_rate_, _R_4)
             raw.append(roll_rate_raw_)
@@ -141,7 +141,7 @@ class SetVelocityCommandExt(rt.Message):
         if pitch_rate_ is not None:
             mask |= 16
             if not -32.768 <= pitch_rate_ <= 32.767: raise rt.Reject
-            near = (pitch_rate_ + 32.768) * 65537000.0 + 0.5
+            near = pitch_rate_ * 65537000.0 + 2147516416.5
             pitch_rate_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_rate_raw_ < 0.9999847412109375: pitch_rate_raw_ = rt.exact_raw(pitch_rate_, _R_4)
             raw.append(pitch_rate_raw_)
@@ -149,7 +149,7 @@ class SetVelocityCommandExt(rt.Message):
         if yaw_rate_ is not None:
             mask |= 32
             if not -32.768 <= yaw_rate_ <= 32.767: raise rt.Reject
-            near = (yaw_rate_ + 32.768) * 65537000.0 + 0.5
+            near = yaw_rate_ * 65537000.0 + 2147516416.5
             yaw_rate_raw_ = int(near)
             if not 1.52587890625e-05 < near - yaw_rate_raw_ < 0.9999847412109375: yaw_rate_raw_ = rt.exact_raw(yaw_rate_, _R_4)
             raw.append(yaw_rate_raw_)
@@ -231,7 +231,7 @@ class SetAccelerationLimit(rt.Message):
         if acceleration_x_ is not None:
             mask |= 1
             if not -1310.68 <= acceleration_x_ <= 1310.68: raise rt.Reject
-            near = (acceleration_x_ + 1310.68) * 1638450.001144444 + 0.5
+            near = acceleration_x_ * 1638450.001144444 + 2147483648.0
             acceleration_x_raw_ = int(near)
             if not 1.52587890625e-05 < near - acceleration_x_raw_ < 0.9999847412109375: acceleration_x_raw_ = rt.exact_raw(acceleration_x_, _R_7)
             raw.append(acceleration_x_raw_)
@@ -239,7 +239,7 @@ class SetAccelerationLimit(rt.Message):
         if acceleration_y_ is not None:
             mask |= 2
             if not -1310.68 <= acceleration_y_ <= 1310.68: raise rt.Reject
-            near = (acceleration_y_ + 1310.68) * 1638450.001144444 + 0.5
+            near = acceleration_y_ * 1638450.001144444 + 2147483648.0
             acceleration_y_raw_ = int(near)
             if not 1.52587890625e-05 < near - acceleration_y_raw_ < 0.9999847412109375: acceleration_y_raw_ = rt.exact_raw(acceleration_y_, _R_7)
             raw.append(acceleration_y_raw_)
@@ -247,7 +247,7 @@ class SetAccelerationLimit(rt.Message):
         if acceleration_z_ is not None:
             mask |= 4
             if not -1310.68 <= acceleration_z_ <= 1310.68: raise rt.Reject
-            near = (acceleration_z_ + 1310.68) * 1638450.001144444 + 0.5
+            near = acceleration_z_ * 1638450.001144444 + 2147483648.0
             acceleration_z_raw_ = int(near)
             if not 1.52587890625e-05 < near - acceleration_z_raw_ < 0.9999847412109375: acceleration_z_raw_ = rt.exact_raw(acceleration_z_, _R_7)
             raw.append(acceleration_z_raw_)
@@ -255,7 +255,7 @@ class SetAccelerationLimit(rt.Message):
         if roll_acceleration_ is not None:
             mask |= 8
             if not -13106.8 <= roll_acceleration_ <= 13106.8: raise rt.Reject
-            near = (roll_acceleration_ + 13106.8) * 163845.0001144444 + 0.5
+            near = roll_acceleration_ * 163845.0001144444 + 2147483647.9999998
             roll_acceleration_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_acceleration_raw_ < 0.9999847412109375: roll_acceleration_raw_ = rt.exact_raw(roll_acceleration_, _R_8)
             raw.append(roll_acceleration_raw_)
@@ -263,7 +263,7 @@ class SetAccelerationLimit(rt.Message):
         if pitch_acceleration_ is not None:
             mask |= 16
             if not -13106.8 <= pitch_acceleration_ <= 13106.8: raise rt.Reject
-            near = (pitch_acceleration_ + 13106.8) * 163845.0001144444 + 0.5
+            near = pitch_acceleration_ * 163845.0001144444 + 2147483647.9999998
             pitch_acceleration_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_acceleration_raw_ < 0.9999847412109375: pitch_acceleration_raw_ = rt.exact_raw(pitch_acceleration_, _R_8)
             raw.append(pitch_acceleration_raw_)
@@ -271,7 +271,7 @@ class SetAccelerationLimit(rt.Message):
         if yaw_acceleration_ is not None:
             mask |= 32
             if not -13106.8 <= yaw_acceleration_ <= 13106.8: raise rt.Reject
-            near = (yaw_acceleration_ + 13106.8) * 163845.0001144444 + 0.5
+            near = yaw_acceleration_ * 163845.0001144444 + 2147483647.9999998
             yaw_acceleration_raw_ = int(near)
             if not 1.52587890625e-05 < near - yaw_acceleration_raw_ < 0.9999847412109375: yaw_acceleration_raw_ = rt.exact_raw(yaw_acceleration_, _R_8)
             raw.append(yaw_acceleration_raw_)
@@ -428,7 +428,7 @@ class ReportVelocityCommandExt(rt.Message):
         if velocity_x_ is not None:
             mask |= 1
             if not -327.68 <= velocity_x_ <= 327.67: raise rt.Reject
-            near = (velocity_x_ + 327.68) * 6553700.0 + 0.5
+            near = velocity_x_ * 6553700.0 + 2147516416.5
             velocity_x_raw_ = int(near)
             if not 1.52587890625e-05 < near - velocity_x_raw_ < 0.9999847412109375: velocity_x_raw_ = rt.exact_raw(velocity_x_, _R_3)
             raw.append(velocity_x_raw_)
@@ -436,7 +436,7 @@ class ReportVelocityCommandExt(rt.Message):
         if velocity_y_ is not None:
             mask |= 2
             if not -327.68 <= velocity_y_ <= 327.67: raise rt.Reject
-            near = (velocity_y_ + 327.68) * 6553700.0 + 0.5
+            near = velocity_y_ * 6553700.0 + 2147516416.5
             velocity_y_raw_ = int(near)
             if not 1.52587890625e-05 < near - velocity_y_raw_ < 0.9999847412109375: velocity_y_raw_ = rt.exact_raw(velocity_y_, _R_3)
             raw.append(velocity_y_raw_)
@@ -444,7 +444,7 @@ class ReportVelocityCommandExt(rt.Message):
         if velocity_z_ is not None:
             mask |= 4
             if not -327.68 <= velocity_z_ <= 327.67: raise rt.Reject
-            near = (velocity_z_ + 327.68) * 6553700.0 + 0.5
+            near = velocity_z_ * 6553700.0 + 2147516416.5
             velocity_z_raw_ = int(near)
             if not 1.52587890625e-05 < near - velocity_z_raw_ < 0.9999847412109375: velocity_z_raw_ = rt.exact_raw(velocity_z_, _R_3)
             raw.append(velocity_z_raw_)
@@ -452,7 +452,7 @@ class ReportVelocityCommandExt(rt.Message):
         if roll_rate_ is not None:
             mask |= 8
             if not -32.768 <= roll_rate_ <= 32.767: raise rt.Reject
-            near = (roll_rate_ + 32.768) * 65537000.0 + 0.5
+            near = roll_rate_ * 65537000.0 + 2147516416.5
             roll_rate_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_rate_raw_ < 0.9999847412109375: roll_rate_raw_ = rt.exact_raw(roll_rate_, _R_4)
             raw.append(roll_rate_raw_)
@@ -460,7 +460,7 @@ class ReportVelocityCommandExt(rt.Message):
         if pitch_rate_ is not None:
             mask |= 16
             if not -32.768 <= pitch_rate_ <= 32.767: raise rt.Reject
-            near = (pitch_rate_ + 32.768) * 65537000.0 + 0.5
+            near = pitch_rate_ * 65537000.0 + 2147516416.5
             pitch_rate_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_rate_raw_ < 0.9999847412109375: pitch_rate_raw_ = rt.exact_raw(pitch_rate_, _R_4)
             raw.append(pitch_rate_raw_)
@@ -468,7 +468,7 @@ class ReportVelocityCommandExt(rt.Message):
         if yaw_rate_ is not None:
             mask |= 32
             if not -32.768 <= yaw_rate_ <= 32.767: raise rt.Reject
-            near = (yaw_rate_ + 32.768) * 65537000.0 + 0.5
+            near = yaw_rate_ * 65537000.0 + 2147516416.5
             yaw_rate_raw_ = int(near)
             if not 1.52587890625e-05 < near - yaw_rate_raw_ < 0.9999847412109375: yaw_rate_raw_ = rt.exact_raw(yaw_rate_, _R_4)
             raw.append(yaw_rate_raw_)
@@ -550,7 +550,7 @@ class ReportAccelerationLimit(rt.Message):
         if acceleration_x_ is not None:
             mask |= 1
             if not -1310.68 <= acceleration_x_ <= 1310.68: raise rt.Reject
-            near = (acceleration_x_ + 1310.68) * 1638450.001144444 + 0.5
+            near = acceleration_x_ * 1638450.001144444 + 2147483648.0
             acceleration_x_raw_ = int(near)
             if not 1.52587890625e-05 < near - acceleration_x_raw_ < 0.9999847412109375: acceleration_x_raw_ = rt.exact_raw(acceleration_x_, _R_7)
             raw.append(acceleration_x_raw_)
@@ -558,7 +558,7 @@ class ReportAccelerationLimit(rt.Message):
         if acceleration_y_ is not None:
             mask |= 2
             if not -1310.68 <= acceleration_y_ <= 1310.68: raise rt.Reject
-            near = (acceleration_y_ + 1310.68) * 1638450.001144444 + 0.5
+            near = acceleration_y_ * 1638450.001144444 + 2147483648.0
             acceleration_y_raw_ = int(near)
             if not 1.52587890625e-05 < near - acceleration_y_raw_ < 0.9999847412109375: acceleration_y_raw_ = rt.exact_raw(acceleration_y_, _R_7)
             raw.append(acceleration_y_raw_)
@@ -566,7 +566,7 @@ class ReportAccelerationLimit(rt.Message):
         if acceleration_z_ is not None:
             mask |= 4
             if not -1310.68 <= acceleration_z_ <= 1310.68: raise rt.Reject
-            near = (acceleration_z_ + 1310.68) * 1638450.001144444 + 0.5
+            near = acceleration_z_ * 1638450.001144444 + 2147483648.0
             acceleration_z_raw_ = int(near)
             if not 1.52587890625e-05 < near - acceleration_z_raw_ < 0.9999847412109375: acceleration_z_raw_ = rt.exact_raw(acceleration_z_, _R_7)
             raw.append(acceleration_z_raw_)
@@ -574,7 +574,7 @@ class ReportAccelerationLimit(rt.Message):
         if roll_acceleration_ is not None:
             mask |= 8
             if not -13106.8 <= roll_acceleration_ <= 13106.8: raise rt.Reject
-            near = (roll_acceleration_ + 13106.8) * 163845.0001144444 + 0.5
+            near = roll_acceleration_ * 163845.0001144444 + 2147483647.9999998
             roll_acceleration_raw_ = int(near)
             if not 1.52587890625e-05 < near - roll_acceleration_raw_ < 0.9999847412109375: roll_acceleration_raw_ = rt.exact_raw(roll_acceleration_, _R_8)
             raw.append(roll_acceleration_raw_)
@@ -582,7 +582,7 @@ class ReportAccelerationLimit(rt.Message):
         if pitch_acceleration_ is not None:
             mask |= 16
             if not -13106.8 <= pitch_acceleration_ <= 13106.8: raise rt.Reject
-            near = (pitch_acceleration_ + 13106.8) * 163845.0001144444 + 0.5
+            near = pitch_acceleration_ * 163845.0001144444 + 2147483647.9999998
             pitch_acceleration_raw_ = int(near)
             if not 1.52587890625e-05 < near - pitch_acceleration_raw_ < 0.9999847412109375: pitch_acceleration_raw_ = rt.exact_raw(pitch_acceleration_, _R_8)
             raw.append(pitch_acceleration_raw_)
@@ -590,7 +590,7 @@ class ReportAccelerationLimit(rt.Message):
         if yaw_acceleration_ is not None:
             mask |= 32
             if not -13106.8 <= yaw_acceleration_ <= 13106.8: raise rt.Reject
-            near = (yaw_acceleration_ + 13106.8) * 163845.0001144444 + 0.5
+            near = yaw_acceleration_ * 163845.0001144444 + 2147483647.9999998
             yaw_acceleration_raw_ = int(near)
             if not 1.52587890625e-05 < near - yaw_acceleration_raw_ < 0.9999847412109375: yaw_acceleration_raw_ = rt.exact_raw(yaw_acceleration_, _R_8)
             raw.append(yaw_acceleration_raw_)

@@ -66,7 +66,7 @@ class SetAckermannConfiguration(rt.Message):
         raw: list[int | float | bytes] = []
         steering_angle_ = self.steering_angle
         if not -1.5707963267948966 <= steering_angle_ <= 1.5707963267948966: raise rt.Reject
-        near = (steering_angle_ + 1.5707963267948966) * 20860.438391054722 + 0.5
+        near = steering_angle_ * 20860.438391054722 + 32768.0
         steering_angle_raw_ = int(near)
         if not 1.52587890625e-05 < near - steering_angle_raw_ < 0.9999847412109375: steering_angle_raw_ = rt.exact_raw(steering_angle_, _R_2)
         raw.append(steering_angle_raw_)
@@ -187,7 +187,7 @@ class ReportAckermannConfiguration(rt.Message):
         raw: list[int | float | bytes] = []
         steering_angle_ = self.steering_angle
         if not -1.5707963267948966 <= steering_angle_ <= 1.5707963267948966: raise rt.Reject
-        near = (steering_angle_ + 1.5707963267948966) * 20860.438391054722 + 0.5
+        near = steering_angle_ * 20860.438391054722 + 32768.0
         steering_angle_raw_ = int(near)
         if not 1.52587890625e-05 < near - steering_angle_raw_ < 0.9999847412109375: steering_angle_raw_ = rt.exact_raw(steering_angle_, _R_2)
         raw.append(steering_angle_raw_)
@@ -207,7 +207,7 @@ class ReportAckermannConfiguration(rt.Message):
         if steering_rate_ is not None:
             mask |= 1
             if not -32.767 <= steering_rate_ <= 32.768: raise rt.Reject
-            near = (steering_rate_ + 32.767) * 1000.0 + 0.5
+            near = steering_rate_ * 1000.0 + 32767.500000000004
             steering_rate_raw_ = int(near)
             if not 1.52587890625e-05 < near - steering_rate_raw_ < 0.9999847412109375: steering_rate_raw_ = rt.exact_raw(steering_rate_, _R_8)
             raw.append(steering_rate_raw_)
@@ -215,7 +215,7 @@ class ReportAckermannConfiguration(rt.Message):
         if steering_torque_ is not None:
             mask |= 2
             if not -500.0 <= steering_torque_ <= 500.0: raise rt.Reject
-            near = (steering_torque_ + 500.0) * 65.535 + 0.5
+            near = steering_torque_ * 65.535 + 32768.0
             steering_torque_raw_ = int(near)
             if not 1.52587890625e-05 < near - steering_torque_raw_ < 0.9999847412109375: steering_torque_raw_ = rt.exact_raw(steering_torque_, _R_9)
             raw.append(steering_torque_raw_)

@@ -153,7 +153,7 @@ class ReportPlatformSpecifications(rt.Message):
             if steering_angle_range_ is not None:
                 mask |= 1
                 if not -1.5707963267948966 <= steering_angle_range_ <= 1.5707963267948966: raise rt.Reject
-                near = (steering_angle_range_ + 1.5707963267948966) * 20860.438391054722 + 0.5
+                near = steering_angle_range_ * 20860.438391054722 + 32768.0
                 steering_angle_range_raw_ = int(near)
                 if not 1.52587890625e-05 < near - steering_angle_range_raw_ < 0.9999847412109375: steering_angle_range_raw_ = rt.exact_raw(steering_angle_range_, _R_6)
                 raw.append(steering_angle_range_raw_)
@@ -452,7 +452,7 @@ class ReportPlatformSpecifications(rt.Message):
             if xcg_ is not None:
                 mask |= 64
                 if not -30.0 <= xcg_ <= 30.0: raise rt.Reject
-                near = (xcg_ + 30.0) * 1092.25 + 0.5
+                near = xcg_ * 1092.25 + 32768.0
                 xcg_raw_ = int(near)
                 if not 1.52587890625e-05 < near - xcg_raw_ < 0.9999847412109375: xcg_raw_ = rt.exact_raw(xcg_, _R_13)
                 raw.append(xcg_raw_)
@@ -460,7 +460,7 @@ class ReportPlatformSpecifications(rt.Message):
             if ycg_ is not None:
                 mask |= 128
                 if not -30.0 <= ycg_ <= 30.0: raise rt.Reject
-                near = (ycg_ + 30.0) * 1092.25 + 0.5
+                near = ycg_ * 1092.25 + 32768.0
                 ycg_raw_ = int(near)
                 if not 1.52587890625e-05 < near - ycg_raw_ < 0.9999847412109375: ycg_raw_ = rt.exact_raw(ycg_, _R_13)
                 raw.append(ycg_raw_)
@@ -468,7 +468,7 @@ class ReportPlatformSpecifications(rt.Message):
             if zcg_ is not None:
                 mask |= 256
                 if not -30.0 <= zcg_ <= 30.0: raise rt.Reject
-                near = (zcg_ + 30.0) * 1092.25 + 0.5
+                near = zcg_ * 1092.25 + 32768.0
                 zcg_raw_ = int(near)
                 if not 1.52587890625e-05 < near - zcg_raw_ < 0.9999847412109375: zcg_raw_ = rt.exact_raw(zcg_, _R_13)
                 raw.append(zcg_raw_)
@@ -484,7 +484,7 @@ class ReportPlatformSpecifications(rt.Message):
             if static_pitch_over_ is not None:
                 mask |= 1024
                 if not -3.141592653589793 <= static_pitch_over_ <= 3.141592653589793: raise rt.Reject
-                near = (static_pitch_over_ + 3.141592653589793) * 10430.219195527361 + 0.5
+                near = static_pitch_over_ * 10430.219195527361 + 32768.0
                 static_pitch_over_raw_ = int(near)
                 if not 1.52587890625e-05 < near - static_pitch_over_raw_ < 0.9999847412109375: static_pitch_over_raw_ = rt.exact_raw(static_pitch_over_, _R_15)
                 raw.append(static_pitch_over_raw_)
@@ -492,7 +492,7 @@ class ReportPlatformSpecifications(rt.Message):
             if static_roll_over_ is not None:
                 mask |= 2048
                 if not -3.141592653589793 <= static_roll_over_ <= 3.141592653589793: raise rt.Reject
-                near = (static_roll_over_ + 3.141592653589793) * 10430.219195527361 + 0.5
+                near = static_roll_over_ * 10430.219195527361 + 32768.0
                 static_roll_over_raw_ = int(near)
                 if not 1.52587890625e-05 < near - static_roll_over_raw_ < 0.9999847412109375: static_roll_over_raw_ = rt.exact_raw(static_roll_over_, _R_15)
                 raw.append(static_roll_over_raw_)

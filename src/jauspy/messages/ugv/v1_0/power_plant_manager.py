@@ -379,7 +379,7 @@ class QueryPowerPlantConfiguration(rt.Message):
         self = rt.new(cls)
         id_list_count_ = data[2]
         id_list_end_ = 3 + id_list_count_ * 1
-        self.id_list = [QueryPowerPlantConfiguration.PowerPlantID(power_plant_id_) for (power_plant_id_,) in _S_B.iter_unpack(data[3:id_list_end_])]
+        self.id_list = [QueryPowerPlantConfiguration.PowerPlantID(power_plant_id_) for power_plant_id_ in _L_B[id_list_count_].unpack_from(data, 3)]
         if id_list_end_ != size: raise rt.Reject
         return self
 
@@ -388,9 +388,11 @@ class QueryPowerPlantConfiguration(rt.Message):
         id_list_ = self.id_list
         if type(id_list_) is not list: raise rt.Reject
         out.append(len(id_list_))
+        raw_: list[int | float] = []
         for item_ in id_list_:
             if type(item_) is not QueryPowerPlantConfiguration.PowerPlantID: raise rt.Reject
-            out.append(item_.power_plant_id)
+            raw_.append(item_.power_plant_id)
+        out += _L_B[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -439,7 +441,7 @@ class QueryPowerPlantCapabilities(rt.Message):
         self = rt.new(cls)
         id_list_count_ = data[2]
         id_list_end_ = 3 + id_list_count_ * 1
-        self.id_list = [QueryPowerPlantCapabilities.PowerPlantID(power_plant_id_) for (power_plant_id_,) in _S_B.iter_unpack(data[3:id_list_end_])]
+        self.id_list = [QueryPowerPlantCapabilities.PowerPlantID(power_plant_id_) for power_plant_id_ in _L_B[id_list_count_].unpack_from(data, 3)]
         if id_list_end_ != size: raise rt.Reject
         return self
 
@@ -448,9 +450,11 @@ class QueryPowerPlantCapabilities(rt.Message):
         id_list_ = self.id_list
         if type(id_list_) is not list: raise rt.Reject
         out.append(len(id_list_))
+        raw_: list[int | float] = []
         for item_ in id_list_:
             if type(item_) is not QueryPowerPlantCapabilities.PowerPlantID: raise rt.Reject
-            out.append(item_.power_plant_id)
+            raw_.append(item_.power_plant_id)
+        out += _L_B[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -499,7 +503,7 @@ class QueryPowerPlantStatus(rt.Message):
         self = rt.new(cls)
         id_list_count_ = data[2]
         id_list_end_ = 3 + id_list_count_ * 1
-        self.id_list = [QueryPowerPlantStatus.PowerPlantID(power_plant_id_) for (power_plant_id_,) in _S_B.iter_unpack(data[3:id_list_end_])]
+        self.id_list = [QueryPowerPlantStatus.PowerPlantID(power_plant_id_) for power_plant_id_ in _L_B[id_list_count_].unpack_from(data, 3)]
         if id_list_end_ != size: raise rt.Reject
         return self
 
@@ -508,9 +512,11 @@ class QueryPowerPlantStatus(rt.Message):
         id_list_ = self.id_list
         if type(id_list_) is not list: raise rt.Reject
         out.append(len(id_list_))
+        raw_: list[int | float] = []
         for item_ in id_list_:
             if type(item_) is not QueryPowerPlantStatus.PowerPlantID: raise rt.Reject
-            out.append(item_.power_plant_id)
+            raw_.append(item_.power_plant_id)
+        out += _L_B[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -817,7 +823,7 @@ class ReportPowerPlantConfiguration(rt.Message):
             item_.power_plant_id = ReportPowerPlantConfiguration.PowerPlantID(power_plant_id_)
             tag = data[at + 1]
             at += 2
-            item_.power_plant_configuration_var, at = _U_10[tag]._read(data, at, depth)
+            item_.power_plant_configuration_var, at = _U_11[tag]._read(data, at, depth)
             power_plant_configuration_list_.append(item_)
         self.power_plant_configuration_list = power_plant_configuration_list_
         if at != size: raise rt.Reject
@@ -834,7 +840,7 @@ class ReportPowerPlantConfiguration(rt.Message):
             if type(power_plant_id_) is not ReportPowerPlantConfiguration.PowerPlantID: raise rt.Reject
             out.append(power_plant_id_.power_plant_id)
             power_plant_configuration_var_ = item_.power_plant_configuration_var
-            out.append(_T_11[type(power_plant_configuration_var_)])
+            out.append(_T_12[type(power_plant_configuration_var_)])
             power_plant_configuration_var_._write(out)
         return bytes(out)
 
@@ -935,7 +941,7 @@ class ReportPowerPlantCapabilities(rt.Message):
                 if not 0.0 <= fuel_capacity_ <= 256.0: raise rt.Reject
                 near = fuel_capacity_ * 255.99609375 + 0.5
                 fuel_capacity_raw_ = int(near)
-                if not 1.52587890625e-05 < near - fuel_capacity_raw_ < 0.9999847412109375: fuel_capacity_raw_ = rt.exact_raw(fuel_capacity_, _R_13)
+                if not 1.52587890625e-05 < near - fuel_capacity_raw_ < 0.9999847412109375: fuel_capacity_raw_ = rt.exact_raw(fuel_capacity_, _R_14)
                 raw.append(fuel_capacity_raw_)
             oil_capacity_ = self.oil_capacity
             if oil_capacity_ is not None:
@@ -943,7 +949,7 @@ class ReportPowerPlantCapabilities(rt.Message):
                 if not 0.0 <= oil_capacity_ <= 256.0: raise rt.Reject
                 near = oil_capacity_ * 255.99609375 + 0.5
                 oil_capacity_raw_ = int(near)
-                if not 1.52587890625e-05 < near - oil_capacity_raw_ < 0.9999847412109375: oil_capacity_raw_ = rt.exact_raw(oil_capacity_, _R_13)
+                if not 1.52587890625e-05 < near - oil_capacity_raw_ < 0.9999847412109375: oil_capacity_raw_ = rt.exact_raw(oil_capacity_, _R_14)
                 raw.append(oil_capacity_raw_)
             max_oil_pressure_ = self.max_oil_pressure
             if max_oil_pressure_ is not None:
@@ -951,15 +957,15 @@ class ReportPowerPlantCapabilities(rt.Message):
                 if not 0.0 <= max_oil_pressure_ <= 512.0: raise rt.Reject
                 near = max_oil_pressure_ * 127.998046875 + 0.5
                 max_oil_pressure_raw_ = int(near)
-                if not 1.52587890625e-05 < near - max_oil_pressure_raw_ < 0.9999847412109375: max_oil_pressure_raw_ = rt.exact_raw(max_oil_pressure_, _R_14)
+                if not 1.52587890625e-05 < near - max_oil_pressure_raw_ < 0.9999847412109375: max_oil_pressure_raw_ = rt.exact_raw(max_oil_pressure_, _R_15)
                 raw.append(max_oil_pressure_raw_)
             max_oil_temp_ = self.max_oil_temp
             if max_oil_temp_ is not None:
                 mask |= 8
                 if not -75.0 <= max_oil_temp_ <= 180.0: raise rt.Reject
-                near = (max_oil_temp_ + 75.0) * 257.0 + 0.5
+                near = max_oil_temp_ * 257.0 + 19275.5
                 max_oil_temp_raw_ = int(near)
-                if not 1.52587890625e-05 < near - max_oil_temp_raw_ < 0.9999847412109375: max_oil_temp_raw_ = rt.exact_raw(max_oil_temp_, _R_15)
+                if not 1.52587890625e-05 < near - max_oil_temp_raw_ < 0.9999847412109375: max_oil_temp_raw_ = rt.exact_raw(max_oil_temp_, _R_16)
                 raw.append(max_oil_temp_raw_)
             max_engine_temp_ = self.max_engine_temp
             if max_engine_temp_ is not None:
@@ -967,7 +973,7 @@ class ReportPowerPlantCapabilities(rt.Message):
                 if not 0.0 <= max_engine_temp_ <= 256.0: raise rt.Reject
                 near = max_engine_temp_ * 255.99609375 + 0.5
                 max_engine_temp_raw_ = int(near)
-                if not 1.52587890625e-05 < near - max_engine_temp_raw_ < 0.9999847412109375: max_engine_temp_raw_ = rt.exact_raw(max_engine_temp_, _R_13)
+                if not 1.52587890625e-05 < near - max_engine_temp_raw_ < 0.9999847412109375: max_engine_temp_raw_ = rt.exact_raw(max_engine_temp_, _R_14)
                 raw.append(max_engine_temp_raw_)
             max_coolant_level_ = self.max_coolant_level
             if max_coolant_level_ is not None:
@@ -975,15 +981,15 @@ class ReportPowerPlantCapabilities(rt.Message):
                 if not 0.0 <= max_coolant_level_ <= 256.0: raise rt.Reject
                 near = max_coolant_level_ * 255.99609375 + 0.5
                 max_coolant_level_raw_ = int(near)
-                if not 1.52587890625e-05 < near - max_coolant_level_raw_ < 0.9999847412109375: max_coolant_level_raw_ = rt.exact_raw(max_coolant_level_, _R_13)
+                if not 1.52587890625e-05 < near - max_coolant_level_raw_ < 0.9999847412109375: max_coolant_level_raw_ = rt.exact_raw(max_coolant_level_, _R_14)
                 raw.append(max_coolant_level_raw_)
             max_coolant_temp_ = self.max_coolant_temp
             if max_coolant_temp_ is not None:
                 mask |= 64
                 if not -75.0 <= max_coolant_temp_ <= 180.0: raise rt.Reject
-                near = (max_coolant_temp_ + 75.0) * 257.0 + 0.5
+                near = max_coolant_temp_ * 257.0 + 19275.5
                 max_coolant_temp_raw_ = int(near)
-                if not 1.52587890625e-05 < near - max_coolant_temp_raw_ < 0.9999847412109375: max_coolant_temp_raw_ = rt.exact_raw(max_coolant_temp_, _R_15)
+                if not 1.52587890625e-05 < near - max_coolant_temp_raw_ < 0.9999847412109375: max_coolant_temp_raw_ = rt.exact_raw(max_coolant_temp_, _R_16)
                 raw.append(max_coolant_temp_raw_)
             out += _M_ReportPowerPlantCapabilities_GasEngineCapabilitiesRec_0[mask & 0x7F].pack(*raw)
             _S_B.pack_into(out, start, mask)
@@ -1060,7 +1066,7 @@ class ReportPowerPlantCapabilities(rt.Message):
                 if not 0.0 <= fuel_capacity_ <= 256.0: raise rt.Reject
                 near = fuel_capacity_ * 255.99609375 + 0.5
                 fuel_capacity_raw_ = int(near)
-                if not 1.52587890625e-05 < near - fuel_capacity_raw_ < 0.9999847412109375: fuel_capacity_raw_ = rt.exact_raw(fuel_capacity_, _R_13)
+                if not 1.52587890625e-05 < near - fuel_capacity_raw_ < 0.9999847412109375: fuel_capacity_raw_ = rt.exact_raw(fuel_capacity_, _R_14)
                 raw.append(fuel_capacity_raw_)
             oil_capacity_ = self.oil_capacity
             if oil_capacity_ is not None:
@@ -1068,7 +1074,7 @@ class ReportPowerPlantCapabilities(rt.Message):
                 if not 0.0 <= oil_capacity_ <= 256.0: raise rt.Reject
                 near = oil_capacity_ * 255.99609375 + 0.5
                 oil_capacity_raw_ = int(near)
-                if not 1.52587890625e-05 < near - oil_capacity_raw_ < 0.9999847412109375: oil_capacity_raw_ = rt.exact_raw(oil_capacity_, _R_13)
+                if not 1.52587890625e-05 < near - oil_capacity_raw_ < 0.9999847412109375: oil_capacity_raw_ = rt.exact_raw(oil_capacity_, _R_14)
                 raw.append(oil_capacity_raw_)
             max_oil_pressure_ = self.max_oil_pressure
             if max_oil_pressure_ is not None:
@@ -1076,15 +1082,15 @@ class ReportPowerPlantCapabilities(rt.Message):
                 if not 0.0 <= max_oil_pressure_ <= 512.0: raise rt.Reject
                 near = max_oil_pressure_ * 127.998046875 + 0.5
                 max_oil_pressure_raw_ = int(near)
-                if not 1.52587890625e-05 < near - max_oil_pressure_raw_ < 0.9999847412109375: max_oil_pressure_raw_ = rt.exact_raw(max_oil_pressure_, _R_14)
+                if not 1.52587890625e-05 < near - max_oil_pressure_raw_ < 0.9999847412109375: max_oil_pressure_raw_ = rt.exact_raw(max_oil_pressure_, _R_15)
                 raw.append(max_oil_pressure_raw_)
             max_oil_temp_ = self.max_oil_temp
             if max_oil_temp_ is not None:
                 mask |= 8
                 if not -75.0 <= max_oil_temp_ <= 180.0: raise rt.Reject
-                near = (max_oil_temp_ + 75.0) * 257.0 + 0.5
+                near = max_oil_temp_ * 257.0 + 19275.5
                 max_oil_temp_raw_ = int(near)
-                if not 1.52587890625e-05 < near - max_oil_temp_raw_ < 0.9999847412109375: max_oil_temp_raw_ = rt.exact_raw(max_oil_temp_, _R_15)
+                if not 1.52587890625e-05 < near - max_oil_temp_raw_ < 0.9999847412109375: max_oil_temp_raw_ = rt.exact_raw(max_oil_temp_, _R_16)
                 raw.append(max_oil_temp_raw_)
             max_engine_temp_ = self.max_engine_temp
             if max_engine_temp_ is not None:
@@ -1092,7 +1098,7 @@ class ReportPowerPlantCapabilities(rt.Message):
                 if not 0.0 <= max_engine_temp_ <= 256.0: raise rt.Reject
                 near = max_engine_temp_ * 255.99609375 + 0.5
                 max_engine_temp_raw_ = int(near)
-                if not 1.52587890625e-05 < near - max_engine_temp_raw_ < 0.9999847412109375: max_engine_temp_raw_ = rt.exact_raw(max_engine_temp_, _R_13)
+                if not 1.52587890625e-05 < near - max_engine_temp_raw_ < 0.9999847412109375: max_engine_temp_raw_ = rt.exact_raw(max_engine_temp_, _R_14)
                 raw.append(max_engine_temp_raw_)
             max_coolant_level_ = self.max_coolant_level
             if max_coolant_level_ is not None:
@@ -1100,15 +1106,15 @@ class ReportPowerPlantCapabilities(rt.Message):
                 if not 0.0 <= max_coolant_level_ <= 256.0: raise rt.Reject
                 near = max_coolant_level_ * 255.99609375 + 0.5
                 max_coolant_level_raw_ = int(near)
-                if not 1.52587890625e-05 < near - max_coolant_level_raw_ < 0.9999847412109375: max_coolant_level_raw_ = rt.exact_raw(max_coolant_level_, _R_13)
+                if not 1.52587890625e-05 < near - max_coolant_level_raw_ < 0.9999847412109375: max_coolant_level_raw_ = rt.exact_raw(max_coolant_level_, _R_14)
                 raw.append(max_coolant_level_raw_)
             max_coolant_temp_ = self.max_coolant_temp
             if max_coolant_temp_ is not None:
                 mask |= 64
                 if not -75.0 <= max_coolant_temp_ <= 180.0: raise rt.Reject
-                near = (max_coolant_temp_ + 75.0) * 257.0 + 0.5
+                near = max_coolant_temp_ * 257.0 + 19275.5
                 max_coolant_temp_raw_ = int(near)
-                if not 1.52587890625e-05 < near - max_coolant_temp_raw_ < 0.9999847412109375: max_coolant_temp_raw_ = rt.exact_raw(max_coolant_temp_, _R_15)
+                if not 1.52587890625e-05 < near - max_coolant_temp_raw_ < 0.9999847412109375: max_coolant_temp_raw_ = rt.exact_raw(max_coolant_temp_, _R_16)
                 raw.append(max_coolant_temp_raw_)
             max_glow_plug_temp_ = self.max_glow_plug_temp
             if max_glow_plug_temp_ is not None:
@@ -1116,7 +1122,7 @@ class ReportPowerPlantCapabilities(rt.Message):
                 if not 0.0 <= max_glow_plug_temp_ <= 256.0: raise rt.Reject
                 near = max_glow_plug_temp_ * 255.99609375 + 0.5
                 max_glow_plug_temp_raw_ = int(near)
-                if not 1.52587890625e-05 < near - max_glow_plug_temp_raw_ < 0.9999847412109375: max_glow_plug_temp_raw_ = rt.exact_raw(max_glow_plug_temp_, _R_13)
+                if not 1.52587890625e-05 < near - max_glow_plug_temp_raw_ < 0.9999847412109375: max_glow_plug_temp_raw_ = rt.exact_raw(max_glow_plug_temp_, _R_14)
                 raw.append(max_glow_plug_temp_raw_)
             glow_plug_time_ = self.glow_plug_time
             if glow_plug_time_ is not None:
@@ -1124,7 +1130,7 @@ class ReportPowerPlantCapabilities(rt.Message):
                 if not 0.0 <= glow_plug_time_ <= 256.0: raise rt.Reject
                 near = glow_plug_time_ * 255.99609375 + 0.5
                 glow_plug_time_raw_ = int(near)
-                if not 1.52587890625e-05 < near - glow_plug_time_raw_ < 0.9999847412109375: glow_plug_time_raw_ = rt.exact_raw(glow_plug_time_, _R_13)
+                if not 1.52587890625e-05 < near - glow_plug_time_raw_ < 0.9999847412109375: glow_plug_time_raw_ = rt.exact_raw(glow_plug_time_, _R_14)
                 raw.append(glow_plug_time_raw_)
             out += _M_ReportPowerPlantCapabilities_DieselEngineCapabilitiesRec_0[mask & 0x1FF].pack(*raw)
             _S_H.pack_into(out, start, mask)
@@ -1177,7 +1183,7 @@ class ReportPowerPlantCapabilities(rt.Message):
                 if not 0.0 <= nominal_voltage_ <= 1000.0: raise rt.Reject
                 near = nominal_voltage_ * 65.535 + 0.5
                 nominal_voltage_raw_ = int(near)
-                if not 1.52587890625e-05 < near - nominal_voltage_raw_ < 0.9999847412109375: nominal_voltage_raw_ = rt.exact_raw(nominal_voltage_, _R_19)
+                if not 1.52587890625e-05 < near - nominal_voltage_raw_ < 0.9999847412109375: nominal_voltage_raw_ = rt.exact_raw(nominal_voltage_, _R_20)
                 raw.append(nominal_voltage_raw_)
             max_charge_ = self.max_charge
             if max_charge_ is not None:
@@ -1185,7 +1191,7 @@ class ReportPowerPlantCapabilities(rt.Message):
                 if not 0.0 <= max_charge_ <= 3600000.0: raise rt.Reject
                 near = max_charge_ * 1193.0464708333334 + 0.5
                 max_charge_raw_ = int(near)
-                if not 1.52587890625e-05 < near - max_charge_raw_ < 0.9999847412109375: max_charge_raw_ = rt.exact_raw(max_charge_, _R_20)
+                if not 1.52587890625e-05 < near - max_charge_raw_ < 0.9999847412109375: max_charge_raw_ = rt.exact_raw(max_charge_, _R_21)
                 raw.append(max_charge_raw_)
             max_cranking_amps_ = self.max_cranking_amps
             if max_cranking_amps_ is not None:
@@ -1193,7 +1199,7 @@ class ReportPowerPlantCapabilities(rt.Message):
                 if not 0.0 <= max_cranking_amps_ <= 5000.0: raise rt.Reject
                 near = max_cranking_amps_ * 13.107 + 0.5
                 max_cranking_amps_raw_ = int(near)
-                if not 1.52587890625e-05 < near - max_cranking_amps_raw_ < 0.9999847412109375: max_cranking_amps_raw_ = rt.exact_raw(max_cranking_amps_, _R_21)
+                if not 1.52587890625e-05 < near - max_cranking_amps_raw_ < 0.9999847412109375: max_cranking_amps_raw_ = rt.exact_raw(max_cranking_amps_, _R_22)
                 raw.append(max_cranking_amps_raw_)
             out += _M_ReportPowerPlantCapabilities_BatteryCapabilitiesRec_0[mask & 0x7].pack(*raw)
             _S_B.pack_into(out, start, mask)
@@ -1284,7 +1290,7 @@ class ReportPowerPlantCapabilities(rt.Message):
                 if not 0.0 <= fluid_capacity_ <= 256.0: raise rt.Reject
                 near = fluid_capacity_ * 255.99609375 + 0.5
                 fluid_capacity_raw_ = int(near)
-                if not 1.52587890625e-05 < near - fluid_capacity_raw_ < 0.9999847412109375: fluid_capacity_raw_ = rt.exact_raw(fluid_capacity_, _R_13)
+                if not 1.52587890625e-05 < near - fluid_capacity_raw_ < 0.9999847412109375: fluid_capacity_raw_ = rt.exact_raw(fluid_capacity_, _R_14)
                 raw.append(fluid_capacity_raw_)
             max_pressure_ = self.max_pressure
             if max_pressure_ is not None:
@@ -1292,15 +1298,15 @@ class ReportPowerPlantCapabilities(rt.Message):
                 if not 0.0 <= max_pressure_ <= 512.0: raise rt.Reject
                 near = max_pressure_ * 127.998046875 + 0.5
                 max_pressure_raw_ = int(near)
-                if not 1.52587890625e-05 < near - max_pressure_raw_ < 0.9999847412109375: max_pressure_raw_ = rt.exact_raw(max_pressure_, _R_14)
+                if not 1.52587890625e-05 < near - max_pressure_raw_ < 0.9999847412109375: max_pressure_raw_ = rt.exact_raw(max_pressure_, _R_15)
                 raw.append(max_pressure_raw_)
             max_temp_ = self.max_temp
             if max_temp_ is not None:
                 mask |= 4
                 if not -75.0 <= max_temp_ <= 180.0: raise rt.Reject
-                near = (max_temp_ + 75.0) * 257.0 + 0.5
+                near = max_temp_ * 257.0 + 19275.5
                 max_temp_raw_ = int(near)
-                if not 1.52587890625e-05 < near - max_temp_raw_ < 0.9999847412109375: max_temp_raw_ = rt.exact_raw(max_temp_, _R_15)
+                if not 1.52587890625e-05 < near - max_temp_raw_ < 0.9999847412109375: max_temp_raw_ = rt.exact_raw(max_temp_, _R_16)
                 raw.append(max_temp_raw_)
             out += _M_ReportPowerPlantCapabilities_HydraulicCapabilitiesRec_0[mask & 0x7].pack(*raw)
             _S_B.pack_into(out, start, mask)
@@ -1345,7 +1351,7 @@ class ReportPowerPlantCapabilities(rt.Message):
                 if not 0.0 <= fuel_capacity_ <= 256.0: raise rt.Reject
                 near = fuel_capacity_ * 255.99609375 + 0.5
                 fuel_capacity_raw_ = int(near)
-                if not 1.52587890625e-05 < near - fuel_capacity_raw_ < 0.9999847412109375: fuel_capacity_raw_ = rt.exact_raw(fuel_capacity_, _R_13)
+                if not 1.52587890625e-05 < near - fuel_capacity_raw_ < 0.9999847412109375: fuel_capacity_raw_ = rt.exact_raw(fuel_capacity_, _R_14)
                 raw.append(fuel_capacity_raw_)
             out += _M_ReportPowerPlantCapabilities_FuelCellCapabilitiesRec_0[mask & 0x1].pack(*raw)
             _S_B.pack_into(out, start, mask)
@@ -1395,7 +1401,7 @@ class ReportPowerPlantCapabilities(rt.Message):
             power_plant_desc_rec_.description = data[at + 2:description_end_].decode("latin-1")
             tag = data[description_end_]
             at = description_end_ + 1
-            item_.power_plant_capabilities_var, at = _U_24[tag]._read(data, at, depth)
+            item_.power_plant_capabilities_var, at = _U_25[tag]._read(data, at, depth)
             power_plant_capabilities_list_.append(item_)
         self.power_plant_capabilities_list = power_plant_capabilities_list_
         if at != size: raise rt.Reject
@@ -1415,7 +1421,7 @@ class ReportPowerPlantCapabilities(rt.Message):
             out.append(len(description_raw_))
             out += description_raw_
             power_plant_capabilities_var_ = item_.power_plant_capabilities_var
-            out.append(_T_25[type(power_plant_capabilities_var_)])
+            out.append(_T_26[type(power_plant_capabilities_var_)])
             power_plant_capabilities_var_._write(out)
         return bytes(out)
 
@@ -1544,7 +1550,7 @@ class ReportPowerPlantStatus(rt.Message):
                 if not 0.0 <= percent_oil_pressure_ <= 200.0: raise rt.Reject
                 near = percent_oil_pressure_ * 327.675 + 0.5
                 percent_oil_pressure_raw_ = int(near)
-                if not 1.52587890625e-05 < near - percent_oil_pressure_raw_ < 0.9999847412109375: percent_oil_pressure_raw_ = rt.exact_raw(percent_oil_pressure_, _R_27)
+                if not 1.52587890625e-05 < near - percent_oil_pressure_raw_ < 0.9999847412109375: percent_oil_pressure_raw_ = rt.exact_raw(percent_oil_pressure_, _R_28)
                 raw.append(percent_oil_pressure_raw_)
             percent_oil_level_ = self.percent_oil_level
             if percent_oil_level_ is not None:
@@ -1558,17 +1564,17 @@ class ReportPowerPlantStatus(rt.Message):
             if oil_temp_ is not None:
                 mask |= 8
                 if not -75.0 <= oil_temp_ <= 180.0: raise rt.Reject
-                near = (oil_temp_ + 75.0) * 257.0 + 0.5
+                near = oil_temp_ * 257.0 + 19275.5
                 oil_temp_raw_ = int(near)
-                if not 1.52587890625e-05 < near - oil_temp_raw_ < 0.9999847412109375: oil_temp_raw_ = rt.exact_raw(oil_temp_, _R_15)
+                if not 1.52587890625e-05 < near - oil_temp_raw_ < 0.9999847412109375: oil_temp_raw_ = rt.exact_raw(oil_temp_, _R_16)
                 raw.append(oil_temp_raw_)
             engine_temp_ = self.engine_temp
             if engine_temp_ is not None:
                 mask |= 16
                 if not -75.0 <= engine_temp_ <= 180.0: raise rt.Reject
-                near = (engine_temp_ + 75.0) * 257.0 + 0.5
+                near = engine_temp_ * 257.0 + 19275.5
                 engine_temp_raw_ = int(near)
-                if not 1.52587890625e-05 < near - engine_temp_raw_ < 0.9999847412109375: engine_temp_raw_ = rt.exact_raw(engine_temp_, _R_15)
+                if not 1.52587890625e-05 < near - engine_temp_raw_ < 0.9999847412109375: engine_temp_raw_ = rt.exact_raw(engine_temp_, _R_16)
                 raw.append(engine_temp_raw_)
             engine_hours_ = self.engine_hours
             if engine_hours_ is not None:
@@ -1584,15 +1590,15 @@ class ReportPowerPlantStatus(rt.Message):
                 if not 0.0 <= coolant_level_ <= 256.0: raise rt.Reject
                 near = coolant_level_ * 255.99609375 + 0.5
                 coolant_level_raw_ = int(near)
-                if not 1.52587890625e-05 < near - coolant_level_raw_ < 0.9999847412109375: coolant_level_raw_ = rt.exact_raw(coolant_level_, _R_13)
+                if not 1.52587890625e-05 < near - coolant_level_raw_ < 0.9999847412109375: coolant_level_raw_ = rt.exact_raw(coolant_level_, _R_14)
                 raw.append(coolant_level_raw_)
             coolant_temp_ = self.coolant_temp
             if coolant_temp_ is not None:
                 mask |= 256
                 if not -75.0 <= coolant_temp_ <= 180.0: raise rt.Reject
-                near = (coolant_temp_ + 75.0) * 257.0 + 0.5
+                near = coolant_temp_ * 257.0 + 19275.5
                 coolant_temp_raw_ = int(near)
-                if not 1.52587890625e-05 < near - coolant_temp_raw_ < 0.9999847412109375: coolant_temp_raw_ = rt.exact_raw(coolant_temp_, _R_15)
+                if not 1.52587890625e-05 < near - coolant_temp_raw_ < 0.9999847412109375: coolant_temp_raw_ = rt.exact_raw(coolant_temp_, _R_16)
                 raw.append(coolant_temp_raw_)
             air_intake_pressure_ = self.air_intake_pressure
             if air_intake_pressure_ is not None:
@@ -1600,23 +1606,23 @@ class ReportPowerPlantStatus(rt.Message):
                 if not 0.0 <= air_intake_pressure_ <= 512.0: raise rt.Reject
                 near = air_intake_pressure_ * 127.998046875 + 0.5
                 air_intake_pressure_raw_ = int(near)
-                if not 1.52587890625e-05 < near - air_intake_pressure_raw_ < 0.9999847412109375: air_intake_pressure_raw_ = rt.exact_raw(air_intake_pressure_, _R_14)
+                if not 1.52587890625e-05 < near - air_intake_pressure_raw_ < 0.9999847412109375: air_intake_pressure_raw_ = rt.exact_raw(air_intake_pressure_, _R_15)
                 raw.append(air_intake_pressure_raw_)
             air_intake_temp_ = self.air_intake_temp
             if air_intake_temp_ is not None:
                 mask |= 1024
                 if not -75.0 <= air_intake_temp_ <= 180.0: raise rt.Reject
-                near = (air_intake_temp_ + 75.0) * 257.0 + 0.5
+                near = air_intake_temp_ * 257.0 + 19275.5
                 air_intake_temp_raw_ = int(near)
-                if not 1.52587890625e-05 < near - air_intake_temp_raw_ < 0.9999847412109375: air_intake_temp_raw_ = rt.exact_raw(air_intake_temp_, _R_15)
+                if not 1.52587890625e-05 < near - air_intake_temp_raw_ < 0.9999847412109375: air_intake_temp_raw_ = rt.exact_raw(air_intake_temp_, _R_16)
                 raw.append(air_intake_temp_raw_)
             exhaust_temp_ = self.exhaust_temp
             if exhaust_temp_ is not None:
                 mask |= 2048
                 if not -75.0 <= exhaust_temp_ <= 180.0: raise rt.Reject
-                near = (exhaust_temp_ + 75.0) * 257.0 + 0.5
+                near = exhaust_temp_ * 257.0 + 19275.5
                 exhaust_temp_raw_ = int(near)
-                if not 1.52587890625e-05 < near - exhaust_temp_raw_ < 0.9999847412109375: exhaust_temp_raw_ = rt.exact_raw(exhaust_temp_, _R_15)
+                if not 1.52587890625e-05 < near - exhaust_temp_raw_ < 0.9999847412109375: exhaust_temp_raw_ = rt.exact_raw(exhaust_temp_, _R_16)
                 raw.append(exhaust_temp_raw_)
             out += _M_ReportPowerPlantStatus_GasEngineStatus_0[mask & 0xFFF].pack(*raw)
             _S_H.pack_into(out, start, mask)
@@ -1709,7 +1715,7 @@ class ReportPowerPlantStatus(rt.Message):
                 if not 0.0 <= percent_remaining_fuel_ <= 100.0: raise rt.Reject
                 near = percent_remaining_fuel_ * 2.55 + 0.5
                 percent_remaining_fuel_raw_ = int(near)
-                if not 1.52587890625e-05 < near - percent_remaining_fuel_raw_ < 0.9999847412109375: percent_remaining_fuel_raw_ = rt.exact_raw(percent_remaining_fuel_, _R_29)
+                if not 1.52587890625e-05 < near - percent_remaining_fuel_raw_ < 0.9999847412109375: percent_remaining_fuel_raw_ = rt.exact_raw(percent_remaining_fuel_, _R_30)
                 raw.append(percent_remaining_fuel_raw_)
             percent_oil_pressure_ = self.percent_oil_pressure
             if percent_oil_pressure_ is not None:
@@ -1717,7 +1723,7 @@ class ReportPowerPlantStatus(rt.Message):
                 if not 0.0 <= percent_oil_pressure_ <= 200.0: raise rt.Reject
                 near = percent_oil_pressure_ * 1.275 + 0.5
                 percent_oil_pressure_raw_ = int(near)
-                if not 1.52587890625e-05 < near - percent_oil_pressure_raw_ < 0.9999847412109375: percent_oil_pressure_raw_ = rt.exact_raw(percent_oil_pressure_, _R_30)
+                if not 1.52587890625e-05 < near - percent_oil_pressure_raw_ < 0.9999847412109375: percent_oil_pressure_raw_ = rt.exact_raw(percent_oil_pressure_, _R_31)
                 raw.append(percent_oil_pressure_raw_)
             percent_oil_level_ = self.percent_oil_level
             if percent_oil_level_ is not None:
@@ -1731,17 +1737,17 @@ class ReportPowerPlantStatus(rt.Message):
             if oil_temp_ is not None:
                 mask |= 8
                 if not -75.0 <= oil_temp_ <= 180.0: raise rt.Reject
-                near = (oil_temp_ + 75.0) * 257.0 + 0.5
+                near = oil_temp_ * 257.0 + 19275.5
                 oil_temp_raw_ = int(near)
-                if not 1.52587890625e-05 < near - oil_temp_raw_ < 0.9999847412109375: oil_temp_raw_ = rt.exact_raw(oil_temp_, _R_15)
+                if not 1.52587890625e-05 < near - oil_temp_raw_ < 0.9999847412109375: oil_temp_raw_ = rt.exact_raw(oil_temp_, _R_16)
                 raw.append(oil_temp_raw_)
             engine_temp_ = self.engine_temp
             if engine_temp_ is not None:
                 mask |= 16
                 if not -75.0 <= engine_temp_ <= 180.0: raise rt.Reject
-                near = (engine_temp_ + 75.0) * 257.0 + 0.5
+                near = engine_temp_ * 257.0 + 19275.5
                 engine_temp_raw_ = int(near)
-                if not 1.52587890625e-05 < near - engine_temp_raw_ < 0.9999847412109375: engine_temp_raw_ = rt.exact_raw(engine_temp_, _R_15)
+                if not 1.52587890625e-05 < near - engine_temp_raw_ < 0.9999847412109375: engine_temp_raw_ = rt.exact_raw(engine_temp_, _R_16)
                 raw.append(engine_temp_raw_)
             engine_hours_ = self.engine_hours
             if engine_hours_ is not None:
@@ -1757,15 +1763,15 @@ class ReportPowerPlantStatus(rt.Message):
                 if not 0.0 <= coolant_level_ <= 256.0: raise rt.Reject
                 near = coolant_level_ * 255.99609375 + 0.5
                 coolant_level_raw_ = int(near)
-                if not 1.52587890625e-05 < near - coolant_level_raw_ < 0.9999847412109375: coolant_level_raw_ = rt.exact_raw(coolant_level_, _R_13)
+                if not 1.52587890625e-05 < near - coolant_level_raw_ < 0.9999847412109375: coolant_level_raw_ = rt.exact_raw(coolant_level_, _R_14)
                 raw.append(coolant_level_raw_)
             coolant_temp_ = self.coolant_temp
             if coolant_temp_ is not None:
                 mask |= 256
                 if not -75.0 <= coolant_temp_ <= 180.0: raise rt.Reject
-                near = (coolant_temp_ + 75.0) * 257.0 + 0.5
+                near = coolant_temp_ * 257.0 + 19275.5
                 coolant_temp_raw_ = int(near)
-                if not 1.52587890625e-05 < near - coolant_temp_raw_ < 0.9999847412109375: coolant_temp_raw_ = rt.exact_raw(coolant_temp_, _R_15)
+                if not 1.52587890625e-05 < near - coolant_temp_raw_ < 0.9999847412109375: coolant_temp_raw_ = rt.exact_raw(coolant_temp_, _R_16)
                 raw.append(coolant_temp_raw_)
             air_intake_pressure_ = self.air_intake_pressure
             if air_intake_pressure_ is not None:
@@ -1773,31 +1779,31 @@ class ReportPowerPlantStatus(rt.Message):
                 if not 0.0 <= air_intake_pressure_ <= 512.0: raise rt.Reject
                 near = air_intake_pressure_ * 127.998046875 + 0.5
                 air_intake_pressure_raw_ = int(near)
-                if not 1.52587890625e-05 < near - air_intake_pressure_raw_ < 0.9999847412109375: air_intake_pressure_raw_ = rt.exact_raw(air_intake_pressure_, _R_14)
+                if not 1.52587890625e-05 < near - air_intake_pressure_raw_ < 0.9999847412109375: air_intake_pressure_raw_ = rt.exact_raw(air_intake_pressure_, _R_15)
                 raw.append(air_intake_pressure_raw_)
             air_intake_temp_ = self.air_intake_temp
             if air_intake_temp_ is not None:
                 mask |= 1024
                 if not -75.0 <= air_intake_temp_ <= 180.0: raise rt.Reject
-                near = (air_intake_temp_ + 75.0) * 257.0 + 0.5
+                near = air_intake_temp_ * 257.0 + 19275.5
                 air_intake_temp_raw_ = int(near)
-                if not 1.52587890625e-05 < near - air_intake_temp_raw_ < 0.9999847412109375: air_intake_temp_raw_ = rt.exact_raw(air_intake_temp_, _R_15)
+                if not 1.52587890625e-05 < near - air_intake_temp_raw_ < 0.9999847412109375: air_intake_temp_raw_ = rt.exact_raw(air_intake_temp_, _R_16)
                 raw.append(air_intake_temp_raw_)
             exhaust_temp_ = self.exhaust_temp
             if exhaust_temp_ is not None:
                 mask |= 2048
                 if not -75.0 <= exhaust_temp_ <= 180.0: raise rt.Reject
-                near = (exhaust_temp_ + 75.0) * 257.0 + 0.5
+                near = exhaust_temp_ * 257.0 + 19275.5
                 exhaust_temp_raw_ = int(near)
-                if not 1.52587890625e-05 < near - exhaust_temp_raw_ < 0.9999847412109375: exhaust_temp_raw_ = rt.exact_raw(exhaust_temp_, _R_15)
+                if not 1.52587890625e-05 < near - exhaust_temp_raw_ < 0.9999847412109375: exhaust_temp_raw_ = rt.exact_raw(exhaust_temp_, _R_16)
                 raw.append(exhaust_temp_raw_)
             glow_plug_temp_ = self.glow_plug_temp
             if glow_plug_temp_ is not None:
                 mask |= 4096
                 if not -75.0 <= glow_plug_temp_ <= 180.0: raise rt.Reject
-                near = (glow_plug_temp_ + 75.0) * 257.0 + 0.5
+                near = glow_plug_temp_ * 257.0 + 19275.5
                 glow_plug_temp_raw_ = int(near)
-                if not 1.52587890625e-05 < near - glow_plug_temp_raw_ < 0.9999847412109375: glow_plug_temp_raw_ = rt.exact_raw(glow_plug_temp_, _R_15)
+                if not 1.52587890625e-05 < near - glow_plug_temp_raw_ < 0.9999847412109375: glow_plug_temp_raw_ = rt.exact_raw(glow_plug_temp_, _R_16)
                 raw.append(glow_plug_temp_raw_)
             out += _M_ReportPowerPlantStatus_DieselEngineStatus_0[mask & 0x1FFF].pack(*raw)
             _S_H.pack_into(out, start, mask)
@@ -1866,7 +1872,7 @@ class ReportPowerPlantStatus(rt.Message):
                 if not 0.0 <= voltage_ <= 1000.0: raise rt.Reject
                 near = voltage_ * 65.535 + 0.5
                 voltage_raw_ = int(near)
-                if not 1.52587890625e-05 < near - voltage_raw_ < 0.9999847412109375: voltage_raw_ = rt.exact_raw(voltage_, _R_19)
+                if not 1.52587890625e-05 < near - voltage_raw_ < 0.9999847412109375: voltage_raw_ = rt.exact_raw(voltage_, _R_20)
                 raw.append(voltage_raw_)
             current_draw_ = self.current_draw
             if current_draw_ is not None:
@@ -1874,15 +1880,15 @@ class ReportPowerPlantStatus(rt.Message):
                 if not 0.0 <= current_draw_ <= 1000.0: raise rt.Reject
                 near = current_draw_ * 65.535 + 0.5
                 current_draw_raw_ = int(near)
-                if not 1.52587890625e-05 < near - current_draw_raw_ < 0.9999847412109375: current_draw_raw_ = rt.exact_raw(current_draw_, _R_19)
+                if not 1.52587890625e-05 < near - current_draw_raw_ < 0.9999847412109375: current_draw_raw_ = rt.exact_raw(current_draw_, _R_20)
                 raw.append(current_draw_raw_)
             battery_temp_ = self.battery_temp
             if battery_temp_ is not None:
                 mask |= 8
                 if not -75.0 <= battery_temp_ <= 180.0: raise rt.Reject
-                near = (battery_temp_ + 75.0) * 257.0 + 0.5
+                near = battery_temp_ * 257.0 + 19275.5
                 battery_temp_raw_ = int(near)
-                if not 1.52587890625e-05 < near - battery_temp_raw_ < 0.9999847412109375: battery_temp_raw_ = rt.exact_raw(battery_temp_, _R_15)
+                if not 1.52587890625e-05 < near - battery_temp_raw_ < 0.9999847412109375: battery_temp_raw_ = rt.exact_raw(battery_temp_, _R_16)
                 raw.append(battery_temp_raw_)
             battery_hours_ = self.battery_hours
             if battery_hours_ is not None:
@@ -1981,7 +1987,7 @@ class ReportPowerPlantStatus(rt.Message):
                 if not 0.0 <= fluid_level_ <= 256.0: raise rt.Reject
                 near = fluid_level_ * 255.99609375 + 0.5
                 fluid_level_raw_ = int(near)
-                if not 1.52587890625e-05 < near - fluid_level_raw_ < 0.9999847412109375: fluid_level_raw_ = rt.exact_raw(fluid_level_, _R_13)
+                if not 1.52587890625e-05 < near - fluid_level_raw_ < 0.9999847412109375: fluid_level_raw_ = rt.exact_raw(fluid_level_, _R_14)
                 raw.append(fluid_level_raw_)
             percent_fluid_pressure_ = self.percent_fluid_pressure
             if percent_fluid_pressure_ is not None:
@@ -1989,15 +1995,15 @@ class ReportPowerPlantStatus(rt.Message):
                 if not 0.0 <= percent_fluid_pressure_ <= 200.0: raise rt.Reject
                 near = percent_fluid_pressure_ * 327.675 + 0.5
                 percent_fluid_pressure_raw_ = int(near)
-                if not 1.52587890625e-05 < near - percent_fluid_pressure_raw_ < 0.9999847412109375: percent_fluid_pressure_raw_ = rt.exact_raw(percent_fluid_pressure_, _R_27)
+                if not 1.52587890625e-05 < near - percent_fluid_pressure_raw_ < 0.9999847412109375: percent_fluid_pressure_raw_ = rt.exact_raw(percent_fluid_pressure_, _R_28)
                 raw.append(percent_fluid_pressure_raw_)
             fluid_temp_ = self.fluid_temp
             if fluid_temp_ is not None:
                 mask |= 4
                 if not -75.0 <= fluid_temp_ <= 180.0: raise rt.Reject
-                near = (fluid_temp_ + 75.0) * 257.0 + 0.5
+                near = fluid_temp_ * 257.0 + 19275.5
                 fluid_temp_raw_ = int(near)
-                if not 1.52587890625e-05 < near - fluid_temp_raw_ < 0.9999847412109375: fluid_temp_raw_ = rt.exact_raw(fluid_temp_, _R_15)
+                if not 1.52587890625e-05 < near - fluid_temp_raw_ < 0.9999847412109375: fluid_temp_raw_ = rt.exact_raw(fluid_temp_, _R_16)
                 raw.append(fluid_temp_raw_)
             total_hours_ = self.total_hours
             if total_hours_ is not None:
@@ -2104,7 +2110,7 @@ class ReportPowerPlantStatus(rt.Message):
             power_plant_desc_rec_.description = data[at + 2:description_end_].decode("latin-1")
             tag = data[description_end_]
             at = description_end_ + 1
-            item_.power_plant_status_var, at = _U_34[tag]._read(data, at, depth)
+            item_.power_plant_status_var, at = _U_35[tag]._read(data, at, depth)
             power_plant_status_list_.append(item_)
         self.power_plant_status_list = power_plant_status_list_
         if at != size: raise rt.Reject
@@ -2124,7 +2130,7 @@ class ReportPowerPlantStatus(rt.Message):
             out.append(len(description_raw_))
             out += description_raw_
             power_plant_status_var_ = item_.power_plant_status_var
-            out.append(_T_35[type(power_plant_status_var_)])
+            out.append(_T_36[type(power_plant_status_var_)])
             power_plant_status_var_._write(out)
         return bytes(out)
 
@@ -2137,31 +2143,32 @@ _M_SetPowerPlantConfiguration_DieselEngineConfigurationRec_0 = rt.Masks("", ((0,
 _E_SetPowerPlantConfiguration_PlugState = rt.members(SetPowerPlantConfiguration.PlugState)
 _U_6: tuple[type[SetPowerPlantConfiguration.GasEngineConfigurationRec] | type[SetPowerPlantConfiguration.DieselEngineConfigurationRec] | type[SetPowerPlantConfiguration.BatteryConfigurationRec] | type[SetPowerPlantConfiguration.HydraulicConfigurationRec] | type[SetPowerPlantConfiguration.FuelCellConfigurationRecs], ...] = (SetPowerPlantConfiguration.GasEngineConfigurationRec, SetPowerPlantConfiguration.DieselEngineConfigurationRec, SetPowerPlantConfiguration.BatteryConfigurationRec, SetPowerPlantConfiguration.HydraulicConfigurationRec, SetPowerPlantConfiguration.FuelCellConfigurationRecs)
 _T_7: dict[type[rt.Struct], int] = {SetPowerPlantConfiguration.GasEngineConfigurationRec: 0, SetPowerPlantConfiguration.DieselEngineConfigurationRec: 1, SetPowerPlantConfiguration.BatteryConfigurationRec: 2, SetPowerPlantConfiguration.HydraulicConfigurationRec: 3, SetPowerPlantConfiguration.FuelCellConfigurationRecs: 4}
+_L_B = rt.Rows("B")
 _E_ReportPowerPlantConfiguration_PowerState = rt.members(ReportPowerPlantConfiguration.PowerState)
 _E_ReportPowerPlantConfiguration_PlugState = rt.members(ReportPowerPlantConfiguration.PlugState)
-_U_10: tuple[type[ReportPowerPlantConfiguration.GasEngineConfigurationRec] | type[ReportPowerPlantConfiguration.DieselEngineConfigurationRec] | type[ReportPowerPlantConfiguration.BatteryConfigurationRec] | type[ReportPowerPlantConfiguration.HydraulicConfigurationRec] | type[ReportPowerPlantConfiguration.FuelCellConfigurationRecs], ...] = (ReportPowerPlantConfiguration.GasEngineConfigurationRec, ReportPowerPlantConfiguration.DieselEngineConfigurationRec, ReportPowerPlantConfiguration.BatteryConfigurationRec, ReportPowerPlantConfiguration.HydraulicConfigurationRec, ReportPowerPlantConfiguration.FuelCellConfigurationRecs)
-_T_11: dict[type[rt.Struct], int] = {ReportPowerPlantConfiguration.GasEngineConfigurationRec: 0, ReportPowerPlantConfiguration.DieselEngineConfigurationRec: 1, ReportPowerPlantConfiguration.BatteryConfigurationRec: 2, ReportPowerPlantConfiguration.HydraulicConfigurationRec: 3, ReportPowerPlantConfiguration.FuelCellConfigurationRecs: 4}
+_U_11: tuple[type[ReportPowerPlantConfiguration.GasEngineConfigurationRec] | type[ReportPowerPlantConfiguration.DieselEngineConfigurationRec] | type[ReportPowerPlantConfiguration.BatteryConfigurationRec] | type[ReportPowerPlantConfiguration.HydraulicConfigurationRec] | type[ReportPowerPlantConfiguration.FuelCellConfigurationRecs], ...] = (ReportPowerPlantConfiguration.GasEngineConfigurationRec, ReportPowerPlantConfiguration.DieselEngineConfigurationRec, ReportPowerPlantConfiguration.BatteryConfigurationRec, ReportPowerPlantConfiguration.HydraulicConfigurationRec, ReportPowerPlantConfiguration.FuelCellConfigurationRecs)
+_T_12: dict[type[rt.Struct], int] = {ReportPowerPlantConfiguration.GasEngineConfigurationRec: 0, ReportPowerPlantConfiguration.DieselEngineConfigurationRec: 1, ReportPowerPlantConfiguration.BatteryConfigurationRec: 2, ReportPowerPlantConfiguration.HydraulicConfigurationRec: 3, ReportPowerPlantConfiguration.FuelCellConfigurationRecs: 4}
 _M_ReportPowerPlantCapabilities_GasEngineCapabilitiesRec_0 = rt.Masks("", ((1, "H"), (2, "H"), (4, "H"), (8, "H"), (16, "H"), (32, "H"), (64, "H")))
-_R_13 = rt.Scaling(0.0, 256.0, 65535)
-_R_14 = rt.Scaling(0.0, 512.0, 65535)
-_R_15 = rt.Scaling(-75.0, 180.0, 65535)
+_R_14 = rt.Scaling(0.0, 256.0, 65535)
+_R_15 = rt.Scaling(0.0, 512.0, 65535)
+_R_16 = rt.Scaling(-75.0, 180.0, 65535)
 _S_H = rt.Packer("<H")
 _M_ReportPowerPlantCapabilities_DieselEngineCapabilitiesRec_0 = rt.Masks("", ((1, "H"), (2, "H"), (4, "H"), (8, "H"), (16, "H"), (32, "H"), (64, "H"), (128, "H"), (256, "H")))
 _M_ReportPowerPlantCapabilities_BatteryCapabilitiesRec_0 = rt.Masks("", ((1, "H"), (2, "I"), (4, "H")))
-_R_19 = rt.Scaling(0.0, 1000.0, 65535)
-_R_20 = rt.Scaling(0.0, 3600000.0, 4294967295)
-_R_21 = rt.Scaling(0.0, 5000.0, 65535)
+_R_20 = rt.Scaling(0.0, 1000.0, 65535)
+_R_21 = rt.Scaling(0.0, 3600000.0, 4294967295)
+_R_22 = rt.Scaling(0.0, 5000.0, 65535)
 _M_ReportPowerPlantCapabilities_HydraulicCapabilitiesRec_0 = rt.Masks("", ((1, "H"), (2, "H"), (4, "H")))
 _M_ReportPowerPlantCapabilities_FuelCellCapabilitiesRec_0 = rt.Masks("", ((1, "H"),))
-_U_24: tuple[type[ReportPowerPlantCapabilities.GasEngineCapabilitiesRec] | type[ReportPowerPlantCapabilities.DieselEngineCapabilitiesRec] | type[ReportPowerPlantCapabilities.BatteryCapabilitiesList] | type[ReportPowerPlantCapabilities.HydraulicCapabilitiesRec] | type[ReportPowerPlantCapabilities.FuelCellCapabilitiesRec], ...] = (ReportPowerPlantCapabilities.GasEngineCapabilitiesRec, ReportPowerPlantCapabilities.DieselEngineCapabilitiesRec, ReportPowerPlantCapabilities.BatteryCapabilitiesList, ReportPowerPlantCapabilities.HydraulicCapabilitiesRec, ReportPowerPlantCapabilities.FuelCellCapabilitiesRec)
-_T_25: dict[type[rt.Struct], int] = {ReportPowerPlantCapabilities.GasEngineCapabilitiesRec: 0, ReportPowerPlantCapabilities.DieselEngineCapabilitiesRec: 1, ReportPowerPlantCapabilities.BatteryCapabilitiesList: 2, ReportPowerPlantCapabilities.HydraulicCapabilitiesRec: 3, ReportPowerPlantCapabilities.FuelCellCapabilitiesRec: 4}
+_U_25: tuple[type[ReportPowerPlantCapabilities.GasEngineCapabilitiesRec] | type[ReportPowerPlantCapabilities.DieselEngineCapabilitiesRec] | type[ReportPowerPlantCapabilities.BatteryCapabilitiesList] | type[ReportPowerPlantCapabilities.HydraulicCapabilitiesRec] | type[ReportPowerPlantCapabilities.FuelCellCapabilitiesRec], ...] = (ReportPowerPlantCapabilities.GasEngineCapabilitiesRec, ReportPowerPlantCapabilities.DieselEngineCapabilitiesRec, ReportPowerPlantCapabilities.BatteryCapabilitiesList, ReportPowerPlantCapabilities.HydraulicCapabilitiesRec, ReportPowerPlantCapabilities.FuelCellCapabilitiesRec)
+_T_26: dict[type[rt.Struct], int] = {ReportPowerPlantCapabilities.GasEngineCapabilitiesRec: 0, ReportPowerPlantCapabilities.DieselEngineCapabilitiesRec: 1, ReportPowerPlantCapabilities.BatteryCapabilitiesList: 2, ReportPowerPlantCapabilities.HydraulicCapabilitiesRec: 3, ReportPowerPlantCapabilities.FuelCellCapabilitiesRec: 4}
 _M_ReportPowerPlantStatus_GasEngineStatus_0 = rt.Masks("", ((1, "H"), (2, "H"), (4, "H"), (8, "H"), (16, "H"), (32, "I"), (64, "H"), (128, "H"), (256, "H"), (512, "H"), (1024, "H"), (2048, "H")))
-_R_27 = rt.Scaling(0.0, 200.0, 65535)
+_R_28 = rt.Scaling(0.0, 200.0, 65535)
 _M_ReportPowerPlantStatus_DieselEngineStatus_0 = rt.Masks("", ((1, "B"), (2, "B"), (4, "H"), (8, "H"), (16, "H"), (32, "I"), (64, "H"), (128, "H"), (256, "H"), (512, "H"), (1024, "H"), (2048, "H"), (4096, "H")))
-_R_29 = rt.Scaling(0.0, 100.0, 255)
-_R_30 = rt.Scaling(0.0, 200.0, 255)
+_R_30 = rt.Scaling(0.0, 100.0, 255)
+_R_31 = rt.Scaling(0.0, 200.0, 255)
 _M_ReportPowerPlantStatus_BatteryStatusRec_0 = rt.Masks("", ((1, "H"), (2, "H"), (4, "H"), (8, "H"), (16, "I")))
 _M_ReportPowerPlantStatus_HydraulicStatus_0 = rt.Masks("", ((1, "H"), (2, "H"), (4, "H"), (8, "I")))
 _M_ReportPowerPlantStatus_FuelCellStatus_0 = rt.Masks("", ((1, "H"), (2, "I")))
-_U_34: tuple[type[ReportPowerPlantStatus.GasEngineStatus] | type[ReportPowerPlantStatus.DieselEngineStatus] | type[ReportPowerPlantStatus.BatteryStatus] | type[ReportPowerPlantStatus.HydraulicStatus] | type[ReportPowerPlantStatus.FuelCellStatus], ...] = (ReportPowerPlantStatus.GasEngineStatus, ReportPowerPlantStatus.DieselEngineStatus, ReportPowerPlantStatus.BatteryStatus, ReportPowerPlantStatus.HydraulicStatus, ReportPowerPlantStatus.FuelCellStatus)
-_T_35: dict[type[rt.Struct], int] = {ReportPowerPlantStatus.GasEngineStatus: 0, ReportPowerPlantStatus.DieselEngineStatus: 1, ReportPowerPlantStatus.BatteryStatus: 2, ReportPowerPlantStatus.HydraulicStatus: 3, ReportPowerPlantStatus.FuelCellStatus: 4}
+_U_35: tuple[type[ReportPowerPlantStatus.GasEngineStatus] | type[ReportPowerPlantStatus.DieselEngineStatus] | type[ReportPowerPlantStatus.BatteryStatus] | type[ReportPowerPlantStatus.HydraulicStatus] | type[ReportPowerPlantStatus.FuelCellStatus], ...] = (ReportPowerPlantStatus.GasEngineStatus, ReportPowerPlantStatus.DieselEngineStatus, ReportPowerPlantStatus.BatteryStatus, ReportPowerPlantStatus.HydraulicStatus, ReportPowerPlantStatus.FuelCellStatus)
+_T_36: dict[type[rt.Struct], int] = {ReportPowerPlantStatus.GasEngineStatus: 0, ReportPowerPlantStatus.DieselEngineStatus: 1, ReportPowerPlantStatus.BatteryStatus: 2, ReportPowerPlantStatus.HydraulicStatus: 3, ReportPowerPlantStatus.FuelCellStatus: 4}

@@ -45,12 +45,12 @@ class SetSkidSteerEffort(rt.Message):
     def _pack(self) -> bytes:
         left_side_propulsive_effort_ = self.left_side_propulsive_effort
         if not -100.0 <= left_side_propulsive_effort_ <= 100.0: raise rt.Reject
-        near = (left_side_propulsive_effort_ + 100.0) * 327.675 + 0.5
+        near = left_side_propulsive_effort_ * 327.675 + 32768.0
         left_side_propulsive_effort_raw_ = int(near)
         if not 1.52587890625e-05 < near - left_side_propulsive_effort_raw_ < 0.9999847412109375: left_side_propulsive_effort_raw_ = rt.exact_raw(left_side_propulsive_effort_, _R_1)
         right_side_propulsive_effort_ = self.right_side_propulsive_effort
         if not -100.0 <= right_side_propulsive_effort_ <= 100.0: raise rt.Reject
-        near = (right_side_propulsive_effort_ + 100.0) * 327.675 + 0.5
+        near = right_side_propulsive_effort_ * 327.675 + 32768.0
         right_side_propulsive_effort_raw_ = int(near)
         if not 1.52587890625e-05 < near - right_side_propulsive_effort_raw_ < 0.9999847412109375: right_side_propulsive_effort_raw_ = rt.exact_raw(right_side_propulsive_effort_, _R_1)
         return _S_3H.pack(0x0501, left_side_propulsive_effort_raw_, right_side_propulsive_effort_raw_)
@@ -118,12 +118,12 @@ class ReportSkidSteerEffort(rt.Message):
     def _pack(self) -> bytes:
         left_side_propulsive_effort_ = self.left_side_propulsive_effort
         if not -100.0 <= left_side_propulsive_effort_ <= 100.0: raise rt.Reject
-        near = (left_side_propulsive_effort_ + 100.0) * 327.675 + 0.5
+        near = left_side_propulsive_effort_ * 327.675 + 32768.0
         left_side_propulsive_effort_raw_ = int(near)
         if not 1.52587890625e-05 < near - left_side_propulsive_effort_raw_ < 0.9999847412109375: left_side_propulsive_effort_raw_ = rt.exact_raw(left_side_propulsive_effort_, _R_1)
         right_side_propulsive_effort_ = self.right_side_propulsive_effort
         if not -100.0 <= right_side_propulsive_effort_ <= 100.0: raise rt.Reject
-        near = (right_side_propulsive_effort_ + 100.0) * 327.675 + 0.5
+        near = right_side_propulsive_effort_ * 327.675 + 32768.0
         right_side_propulsive_effort_raw_ = int(near)
         if not 1.52587890625e-05 < near - right_side_propulsive_effort_raw_ < 0.9999847412109375: right_side_propulsive_effort_raw_ = rt.exact_raw(right_side_propulsive_effort_, _R_1)
         return _S_3H.pack(0x4501, left_side_propulsive_effort_raw_, right_side_propulsive_effort_raw_)

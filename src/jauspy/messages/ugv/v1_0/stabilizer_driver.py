@@ -53,7 +53,7 @@ class QueryStabilizerEffort(rt.Message):
         self = rt.new(cls)
         stabilizer_id_count_ = data[2]
         stabilizer_id_end_ = 3 + stabilizer_id_count_ * 1
-        self.stabilizer_id = [QueryStabilizerEffort.QueryStabilizerRec(stabilizer_id_) for (stabilizer_id_,) in _S_B.iter_unpack(data[3:stabilizer_id_end_])]
+        self.stabilizer_id = [QueryStabilizerEffort.QueryStabilizerRec(stabilizer_id_) for stabilizer_id_ in _L_B[stabilizer_id_count_].unpack_from(data, 3)]
         if stabilizer_id_end_ != size: raise rt.Reject
         return self
 
@@ -62,9 +62,11 @@ class QueryStabilizerEffort(rt.Message):
         stabilizer_id_ = self.stabilizer_id
         if type(stabilizer_id_) is not list: raise rt.Reject
         out.append(len(stabilizer_id_))
+        raw_: list[int | float] = []
         for item_ in stabilizer_id_:
             if type(item_) is not QueryStabilizerEffort.QueryStabilizerRec: raise rt.Reject
-            out.append(item_.stabilizer_id)
+            raw_.append(item_.stabilizer_id)
+        out += _L_B[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -154,7 +156,7 @@ class SetStabilizerEffort(rt.Message):
             if type(item_) is not SetStabilizerEffort.StabilizerEffortRec: raise rt.Reject
             effort_ = item_.effort
             if not -100.0 <= effort_ <= 100.0: raise rt.Reject
-            near = (effort_ + 100.0) * 327.675 + 0.5
+            near = effort_ * 327.675 + 32768.0
             effort_raw_ = int(near)
             if not 1.52587890625e-05 < near - effort_raw_ < 0.9999847412109375: effort_raw_ = rt.exact_raw(effort_, _R_3)
             out += _S_BH.pack(item_.stabilizer_id, effort_raw_)
@@ -222,7 +224,7 @@ class SetStabilizerPosition(rt.Message):
             if type(item_) is not SetStabilizerPosition.StabilizerPositionRec: raise rt.Reject
             position_ = item_.position
             if not -3.14159 <= position_ <= 3.14159: raise rt.Reject
-            near = (position_ + 3.14159) * 10430.228005564062 + 0.5
+            near = position_ * 10430.228005564062 + 32768.0
             position_raw_ = int(near)
             if not 1.52587890625e-05 < near - position_raw_ < 0.9999847412109375: position_raw_ = rt.exact_raw(position_, _R_4)
             out += _S_BH.pack(item_.stabilizer_id, position_raw_)
@@ -274,7 +276,7 @@ class QueryStabilizerPosition(rt.Message):
         self = rt.new(cls)
         stabilizer_id_count_ = data[2]
         stabilizer_id_end_ = 3 + stabilizer_id_count_ * 1
-        self.stabilizer_id = [QueryStabilizerPosition.QueryStabilizerRec(stabilizer_id_) for (stabilizer_id_,) in _S_B.iter_unpack(data[3:stabilizer_id_end_])]
+        self.stabilizer_id = [QueryStabilizerPosition.QueryStabilizerRec(stabilizer_id_) for stabilizer_id_ in _L_B[stabilizer_id_count_].unpack_from(data, 3)]
         if stabilizer_id_end_ != size: raise rt.Reject
         return self
 
@@ -283,9 +285,11 @@ class QueryStabilizerPosition(rt.Message):
         stabilizer_id_ = self.stabilizer_id
         if type(stabilizer_id_) is not list: raise rt.Reject
         out.append(len(stabilizer_id_))
+        raw_: list[int | float] = []
         for item_ in stabilizer_id_:
             if type(item_) is not QueryStabilizerPosition.QueryStabilizerRec: raise rt.Reject
-            out.append(item_.stabilizer_id)
+            raw_.append(item_.stabilizer_id)
+        out += _L_B[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -353,12 +357,12 @@ class ReportStabilizerPosition(rt.Message):
             if type(item_) is not ReportStabilizerPosition.StabilizerPositionRec: raise rt.Reject
             commanded_position_ = item_.commanded_position
             if not -3.14159 <= commanded_position_ <= 3.14159: raise rt.Reject
-            near = (commanded_position_ + 3.14159) * 10430.228005564062 + 0.5
+            near = commanded_position_ * 10430.228005564062 + 32768.0
             commanded_position_raw_ = int(near)
             if not 1.52587890625e-05 < near - commanded_position_raw_ < 0.9999847412109375: commanded_position_raw_ = rt.exact_raw(commanded_position_, _R_4)
             actual_position_ = item_.actual_position
             if not -3.14159 <= actual_position_ <= 3.14159: raise rt.Reject
-            near = (actual_position_ + 3.14159) * 10430.228005564062 + 0.5
+            near = actual_position_ * 10430.228005564062 + 32768.0
             actual_position_raw_ = int(near)
             if not 1.52587890625e-05 < near - actual_position_raw_ < 0.9999847412109375: actual_position_raw_ = rt.exact_raw(actual_position_, _R_4)
             out += _S_B2H.pack(item_.stabilizer_id, commanded_position_raw_, actual_position_raw_)
@@ -487,31 +491,33 @@ class ReportStabilizerCapabilities(rt.Message):
             if not 1.52587890625e-05 < near - maximum_up_angle_raw_ < 0.9999847412109375: maximum_up_angle_raw_ = rt.exact_raw(maximum_up_angle_, _R_7)
             maximum_down_angle_ = stabilizer_capabilities_rec_.maximum_down_angle
             if not -3.14158 <= maximum_down_angle_ <= 0.0: raise rt.Reject
-            near = (maximum_down_angle_ + 3.14158) * 20860.52241228936 + 0.5
+            near = maximum_down_angle_ * 20860.52241228936 + 65535.5
             maximum_down_angle_raw_ = int(near)
             if not 1.52587890625e-05 < near - maximum_down_angle_raw_ < 0.9999847412109375: maximum_down_angle_raw_ = rt.exact_raw(maximum_down_angle_, _R_8)
             out += _S_B2H.pack(stabilizer_capabilities_rec_.stabilizer_id, maximum_up_angle_raw_, maximum_down_angle_raw_)
             stabilizer_dimensions_list_ = item_.stabilizer_dimensions_list
             if type(stabilizer_dimensions_list_) is not list: raise rt.Reject
             out.append(len(stabilizer_dimensions_list_))
+            raw_: list[int | float] = []
             for item_2_ in stabilizer_dimensions_list_:
                 if type(item_2_) is not ReportStabilizerCapabilities.Points: raise rt.Reject
                 point_x_ = item_2_.point_x
                 if not -32.768 <= point_x_ <= 32.767: raise rt.Reject
-                near = (point_x_ + 32.768) * 1000.0 + 0.5
+                near = point_x_ * 1000.0 + 32768.5
                 point_x_raw_ = int(near)
                 if not 1.52587890625e-05 < near - point_x_raw_ < 0.9999847412109375: point_x_raw_ = rt.exact_raw(point_x_, _R_9)
                 point_y_ = item_2_.point_y
                 if not -32.768 <= point_y_ <= 32.767: raise rt.Reject
-                near = (point_y_ + 32.768) * 1000.0 + 0.5
+                near = point_y_ * 1000.0 + 32768.5
                 point_y_raw_ = int(near)
                 if not 1.52587890625e-05 < near - point_y_raw_ < 0.9999847412109375: point_y_raw_ = rt.exact_raw(point_y_, _R_9)
                 point_z_ = item_2_.point_z
                 if not -32.768 <= point_z_ <= 32.767: raise rt.Reject
-                near = (point_z_ + 32.768) * 1000.0 + 0.5
+                near = point_z_ * 1000.0 + 32768.5
                 point_z_raw_ = int(near)
                 if not 1.52587890625e-05 < near - point_z_raw_ < 0.9999847412109375: point_z_raw_ = rt.exact_raw(point_z_, _R_9)
-                out += _S_3H.pack(point_x_raw_, point_y_raw_, point_z_raw_)
+                raw_ += (point_x_raw_, point_y_raw_, point_z_raw_)
+            out += _L_H[len(raw_)].pack(*raw_)
         return bytes(out)
 
 
@@ -576,14 +582,14 @@ class ReportStabilizerEffort(rt.Message):
             if type(item_) is not ReportStabilizerEffort.StabilizerEffortRec: raise rt.Reject
             effort_ = item_.effort
             if not -100.0 <= effort_ <= 100.0: raise rt.Reject
-            near = (effort_ + 100.0) * 327.675 + 0.5
+            near = effort_ * 327.675 + 32768.0
             effort_raw_ = int(near)
             if not 1.52587890625e-05 < near - effort_raw_ < 0.9999847412109375: effort_raw_ = rt.exact_raw(effort_, _R_3)
             out += _S_BH.pack(item_.stabilizer_id, effort_raw_)
         return bytes(out)
 
 
-_S_B = rt.Packer("<B")
+_L_B = rt.Rows("B")
 _S_H = rt.Packer("<H")
 _S_BH = rt.Packer("<BH")
 _R_3 = rt.Scaling(-100.0, 100.0, 65535)
@@ -593,3 +599,4 @@ _S_3H = rt.Packer("<3H")
 _R_7 = rt.Scaling(0.0, 3.14159, 65535)
 _R_8 = rt.Scaling(-3.14158, 0.0, 65535)
 _R_9 = rt.Scaling(-32.768, 32.767, 65535)
+_L_H = rt.Rows("H")
