@@ -58,7 +58,7 @@ async def test_a_robot_outlives_the_other_robot_that_started_the_node_manager(
 ) -> None:
     second_robot = root / "second.toml"
     second_robot.write_text(INC1.read_text().replace("subsystem = 101", "subsystem = 102"))
-    options = ("--backend", "kinematic", "--world", "empty", "--port", str(free_port), "--local-root", str(root))
+    options = ("--backend", "kinematic", "--port", str(free_port), "--local-root", str(root))
     first = await asyncio.to_thread(start, "up", "inc1", *options, ready="stop it")
     await asyncio.to_thread(start, "up", str(second_robot), *options, ready="was running")
 

@@ -70,7 +70,7 @@ async def test_on_two_hosts(cable: tuple[str, str], root: Path, start: Callable[
     for namespace, subsystem in zip(cable, EFFORTS, strict=True):
         robot = root / f"{subsystem}.toml"
         robot.write_text(inc1.read_text().replace("subsystem = 101", f"subsystem = {subsystem}"))
-        options = ("--backend", "kinematic", "--world", "empty", "--local-root", str(root / str(subsystem)))
+        options = ("--backend", "kinematic", "--local-root", str(root / str(subsystem)))
         start("up", str(robot), *options, ready="stop it", within=(str(shutil.which("ip")), "netns", "exec", namespace))
     async with OCU(connect=f"local:{root / '101'}") as ocu:
         await drive_both(ocu)
