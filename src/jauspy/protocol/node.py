@@ -7,18 +7,20 @@ and packets that shared a datagram are sent one by one.
 from __future__ import annotations
 
 import logging
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Final
 
 from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
 from jauspy.protocol import addressing, header, judp, junior
-from jauspy.protocol.address_book import Address, AddressBook
+from jauspy.protocol.address_book import AddressBook
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.directory import Directory
 from jauspy.protocol.echoes import Echoes
+from jauspy.protocol.gateway import Gateway
 from jauspy.protocol.header import Ack, Broadcast, RawPacket
-from jauspy.protocol.ports import GROUP, LocalPort, Port, UdpPort
+from jauspy.protocol.ports import LAN, GroupPort, LocalPort, NetworkPort, Port, UdpPort
+from jauspy.protocol.sources import Sources
 from jauspy.protocol.waiting import WaitingRoom
 
 _LOGGER = logging.getLogger(__name__)
@@ -29,15 +31,27 @@ _ACK_MASK: Final = 3 << 4
 
 
 class NodeCore:
-    """Routing between the components of this machine (`LocalPort`) and the network (`UdpPort`, `GROUP`).
+    """Routing between the components of this machine (`LocalPort`) and the networks (`UdpPort`, `GroupPort`).
 
-    `local_root` is the folder of the components' sockets; `addresses` are entries that are never forgotten.
+    `local_root` is the folder of the components' sockets; `addresses` are entries that are never forgotten. Packets
+    cross from one of the `networks` to another only by a `gateway`; it and `sources` may be replaced at run time.
     """
 
-    def __init__(self, local_root: str, *, addresses: Mapping[JausID, Address] | None = None) -> None:
+    def __init__(
+        self,
+        local_root: str,
+        *,
+        addresses: Mapping[JausID, Sequence[NetworkPort]] | None = None,
+        networks: Sequence[str] = (LAN,),
+        gateway: Gateway | None = None,
+        sources: Sources | None = None,
+    ) -> None:
         self.counters = Counters(_LOGGER)
         self.components = Directory()
-        self.address_book = AddressBook({int(id): address for id, address in (addresses or {}).items()})
+        self.address_book = AddressBook({int(id): ports for id, ports in (addresses or {}).items()})
+        self.gateway = gateway
+        self.sources = sources or Sources()
+        self._networks = tuple(networks)
         self._root = local_root.rstrip("/")
         self._waiting = WaitingRoom(self.counters)
         self._output: list[tuple[Port, bytes]] = []
@@ -52,7 +66,7 @@ class NodeCore:
             if isinstance(source, LocalPort):
                 self._from_component(data, source, now)
             elif isinstance(source, UdpPort):
-                self._from_network(data, source)
+                self._from_network(data, source, now)
         except ProtocolError as error:
             self.counters.drop(f"malformed.{error.reason}", error)
 
@@ -68,7 +82,13 @@ class NodeCore:
     def handle_timeout(self, now: float) -> None:
         """Ask again for unknown destinations, drop what waited too long."""
         for datagram in self._waiting.handle_timeout(now):
-            self._multicast(_asking(datagram))
+            raw = header.parse_header(datagram, 1)
+            self._multicast(_asking(datagram), self._where_to_ask(raw, now), now)
+
+    @property
+    def waiting_messages(self) -> int:
+        """Messages that wait for unknown destinations."""
+        return len(self._waiting)
 
     def unreachable(self, path: str) -> None:
         """Nobody listens on this socket any more: its components are gone until they are heard again."""
@@ -87,6 +107,8 @@ class NodeCore:
             path = port.path or f"{self._root}/{raw.source}"
             if self.components.path(raw.source) not in (None, path):
                 self.counters.drop("duplicate_id", f"{JausID.from_int(raw.source)} also speaks on {path}")
+            elif not self.sources.within_rate(raw.source, raw.priority, now):
+                self.counters.drop("rate", JausID.from_int(raw.source))
             elif self._register(raw.source, path):
                 self._route_from_component(raw, _single(data, raw), now)
 
@@ -117,45 +139,89 @@ class NodeCore:
         if addressing.is_wildcard(destination):
             self._deliver_broadcast(destination, datagram, besides=raw.source)
             if raw.broadcast != Broadcast.LOCAL:
-                self._multicast(datagram)
+                self._multicast(datagram, self._networks, now)
         elif (path := self.components.path(destination)) is not None:
             self._deliver(path, datagram)
-        elif (address := self.address_book.find(destination)) is not None:
-            self._send(UdpPort(*address), datagram)
+        elif (address := self.address_book.find(destination, now)) is not None:
+            self._send(address, datagram)
             self.counters["routed.udp"] += 1
         elif destination == 0:
             self.counters.drop("no_destination", JausID.from_int(raw.source))
         elif (probe := self._waiting.add(destination, datagram, now)) is not None:
-            self._multicast(_asking(probe))
+            self._multicast(_asking(probe), self._where_to_ask(raw, now), now)
 
     # --- from the network ----------------------------------------------------------------------------------------
 
-    def _from_network(self, data: bytes, port: UdpPort) -> None:
-        if data in self._echoes:
+    def _from_network(self, data: bytes, port: UdpPort, now: float) -> None:
+        if self._echoes.heard(data, port.network, now):
             self.counters["echoes"] += 1
             return
         for raw in judp.headers(data):
-            if raw.source in self.components:
-                self.counters.drop("hijack", f"{JausID.from_int(raw.source)} from {port.host}:{port.port}")
+            if (why := self._refusal(raw, data, port, now)) is not None:
+                self.counters.drop(why, f"{JausID.from_int(raw.source)} from {port.host}:{port.port} on {port.network}")
                 continue
-            self._learn(raw.source, port)
-            self._route_from_network(raw.destination, _single(data, raw))
+            self._learn(raw.source, port, now)
+            self._route_from_network(raw, _single(data, raw), port.network, now)
 
-    def _route_from_network(self, destination: int, datagram: bytes) -> None:
+    def _refusal(self, raw: RawPacket, data: bytes, port: UdpPort, now: float) -> str | None:
+        """Why a packet is not taken from this network address."""
+        source = raw.source
+        if source in self.components:
+            return "hijack"
+        if not addressing.is_vague(source) and not self.sources.is_at_home(source, port.host, port.network, now):
+            return "address_mismatch"
+        if not self.sources.within_rate(source, raw.priority, now):
+            return "rate"
+        if self.gateway is not None and (why := self.gateway.refusal(raw, data, port.network, now)) is not None:
+            return f"gateway.{why}"
+        return None
+
+    def _route_from_network(self, raw: RawPacket, datagram: bytes, network: str, now: float) -> None:
+        destination = raw.destination
         if addressing.is_wildcard(destination):
             self._deliver_broadcast(destination, datagram)
+            self._relay_broadcast(raw, datagram, network, now)
         elif (path := self.components.path(destination)) is not None:
             self._deliver(path, datagram)
+        elif self.gateway is None or not (onward := self.gateway.onward(raw, network)):
+            self.counters.drop("not_here", JausID.from_int(destination))
+        elif (address := self.address_book.find(destination, now)) is None:
+            if (probe := self._waiting.add(destination, datagram, now)) is not None:
+                self._multicast(_asking(probe), onward, now)
+        elif address.network in onward:
+            self._relay(address, datagram)
         else:
             self.counters.drop("not_here", JausID.from_int(destination))
 
-    def _learn(self, id: int, port: UdpPort) -> None:
-        if addressing.is_wildcard(id) or addressing.is_unassigned(id):
+    def _relay_broadcast(self, raw: RawPacket, datagram: bytes, network: str, now: float) -> None:
+        if self.gateway is not None and (onward := self.gateway.onward(raw, network)):
+            for each in self._networks:  # in a ring it comes back from any of them
+                self._echoes.add(datagram, each, now)
+            self._multicast(datagram, onward, now)
+            self.counters["relayed"] += 1
+
+    def _relay(self, address: NetworkPort, datagram: bytes) -> None:
+        self._send(address, datagram)
+        self.counters["routed.udp"] += 1
+        self.counters["relayed"] += 1
+
+    def _where_to_ask(self, raw: RawPacket, now: float) -> tuple[str, ...]:
+        """The networks where an unknown destination may be; never the one that the source is on."""
+        if self.gateway is None:
+            return self._networks
+        home = self.address_book.find(raw.source, now)
+        if home is not None:
+            return self.gateway.onward(raw, home.network)
+        return self.gateway.reach(raw.source, raw.destination)
+
+    def _learn(self, id: int, port: NetworkPort, now: float) -> None:
+        if addressing.is_vague(id):
             return
-        if self.address_book.learn(id, (port.host, port.port)):
+        if self.address_book.learn(id, port, now):
             for datagram in self._waiting.found(id):
-                self._send(port, datagram)
-                self.counters["routed.udp"] += 1
+                if port.network in self._where_to_ask(header.parse_header(datagram, 1), now):
+                    self._send(port, datagram)
+                    self.counters["routed.udp"] += 1
 
     # --- out -----------------------------------------------------------------------------------------------------
 
@@ -167,10 +233,11 @@ class NodeCore:
         for path in self.components.reached_by(destination, besides=besides):
             self._deliver(path, datagram)
 
-    def _multicast(self, datagram: bytes) -> None:
-        self._echoes.add(datagram)
-        self._send(GROUP, datagram)
-        self.counters["routed.multicast"] += 1
+    def _multicast(self, datagram: bytes, networks: Sequence[str], now: float) -> None:
+        for network in networks:
+            self._echoes.add(datagram, network, now)
+            self._send(GroupPort(network), datagram)
+            self.counters["routed.multicast"] += 1
 
     def _send(self, port: Port, datagram: bytes) -> None:
         self._output.append((port, datagram))
