@@ -12,8 +12,9 @@ from jauspy.protocol import header
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.ports import UdpPort
 
-READ_BURST: Final = 512
-"""Datagrams read from one socket per wake-up."""
+READ_BURST: Final = 384
+"""Datagrams read from one socket per wake-up: three times what is routed, so that a flood piles up here, where the
+urgent is found in it, and not in the kernel, which drops whatever comes last."""
 ROUTE_BURST: Final = 128
 """Datagrams routed before the event loop gets its turn: a few milliseconds at most."""
 MAX_WAITING: Final = 4096
@@ -64,12 +65,19 @@ class Ingress:
                 port = ports[sender] = UdpPort(sender[0], sender[1], network)
             self._queues[header.peek_priority(data, skip)].append((data, port))
             self._waiting += 1
-        while self._waiting > MAX_WAITING:
-            next(queue for queue in self._queues if queue).popleft()
-            self._waiting -= 1
-            self._counters.drop("overload")
+        if self._waiting > MAX_WAITING:
+            self._drop(self._waiting - MAX_WAITING)
         if not self._scheduled:
             self._route()
+
+    def _drop(self, count: int) -> None:
+        self._waiting -= count
+        self._counters.drop("overload", "more arrives than can be routed")
+        self._counters["dropped.overload"] += count - 1
+        for queue in self._queues:
+            for _ in range(min(count, len(queue))):
+                queue.popleft()
+                count -= 1
 
     def _route(self) -> None:
         self._scheduled = False

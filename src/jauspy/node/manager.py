@@ -26,6 +26,8 @@ from jauspy.transport import draining, local_socket
 if TYPE_CHECKING:
     from jauspy.node.mirror import Mirror
 
+MAX_SENDERS: Final = 4096
+"""Names of local sockets that are remembered."""
 RELOADABLE: Final = ("gateway", "source_check", "rate_limit", "rate_burst")
 """Settings that `NodeManager.reload` takes over."""
 
@@ -50,6 +52,7 @@ class NodeManager:
         self._local: socket.socket | None = None
         self._ingress: Ingress | None = None
         self._mailboxes: dict[str, Mailbox] = {}
+        self._senders: dict[str | bytes | None, LocalPort] = {}
         self._mirror: Mirror | None = None
         self._mirrored: Port = LocalPort("")
         self._timer: asyncio.TimerHandle | None = None
@@ -158,7 +161,12 @@ class NodeManager:
     # --- in ------------------------------------------------------------------------------------------------------
 
     def _from_component(self, datagram: bytes, sender: str | bytes | None) -> None:
-        self._take(datagram, LocalPort(_path(sender)))
+        port = self._senders.get(sender)
+        if port is None:
+            if len(self._senders) > MAX_SENDERS:
+                self._senders.clear()
+            port = self._senders[sender] = LocalPort(_path(sender))
+        self._take(datagram, port)
 
     def _from_network(self, data: bytes, port: UdpPort) -> None:
         network = self._networks.get(port.network)

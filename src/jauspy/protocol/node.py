@@ -107,7 +107,7 @@ class NodeCore:
             path = port.path or f"{self._root}/{raw.source}"
             if self.components.path(raw.source) not in (None, path):
                 self.counters.drop("duplicate_id", f"{JausID.from_int(raw.source)} also speaks on {path}")
-            elif not self.sources.within_rate(raw.source, raw.priority, now):
+            elif self.sources.are_limited and not self.sources.within_rate(raw.source, raw.priority, now):
                 self.counters.drop("rate", JausID.from_int(raw.source))
             elif self._register(raw.source, path):
                 self._route_from_component(raw, _single(data, raw), now)
@@ -157,20 +157,22 @@ class NodeCore:
             self.counters["echoes"] += 1
             return
         for raw in judp.headers(data):
-            if (why := self._refusal(raw, data, port, now)) is not None:
+            settled = self.sources.is_settled(raw.source, port, now)
+            if (why := self._refusal(raw, data, port, now, settled=settled)) is not None:
                 self.counters.drop(why, f"{JausID.from_int(raw.source)} from {port.host}:{port.port} on {port.network}")
                 continue
-            self._learn(raw.source, port, now)
+            if not settled:
+                self._learn(raw.source, port, now)
             self._route_from_network(raw, _single(data, raw), port.network, now)
 
-    def _refusal(self, raw: RawPacket, data: bytes, port: UdpPort, now: float) -> str | None:
+    def _refusal(self, raw: RawPacket, data: bytes, port: NetworkPort, now: float, *, settled: bool) -> str | None:
         """Why a packet is not taken from this network address."""
         source = raw.source
         if source in self.components:
             return "hijack"
-        if not addressing.is_vague(source) and not self.sources.is_at_home(source, port.host, port.network, now):
+        if not settled and not addressing.is_vague(source) and not self.sources.is_at_home(source, port, now):
             return "address_mismatch"
-        if not self.sources.within_rate(source, raw.priority, now):
+        if self.sources.are_limited and not self.sources.within_rate(source, raw.priority, now):
             return "rate"
         if self.gateway is not None and (why := self.gateway.refusal(raw, data, port.network, now)) is not None:
             return f"gateway.{why}"

@@ -8,9 +8,12 @@ from typing import Final
 
 from jauspy.protocol.buckets import TokenBuckets
 from jauspy.protocol.header import Priority
+from jauspy.protocol.ports import NetworkPort
 
 SILENCE: Final = 30.0
 """Seconds after which an id that was not heard may come from elsewhere."""
+SETTLED: Final = 1.0
+"""Seconds between two notes of the same id at the same place."""
 MAX_SOURCES: Final = 4096
 _URGENT: Final = 1 << 32
 
@@ -28,29 +31,34 @@ class Sources:
     """Keys are ids as 32-bit numbers."""
 
     def __init__(self, limits: SourceLimits | None = None) -> None:
-        self._places: OrderedDict[int, tuple[tuple[str, str], float]] = OrderedDict()
+        self._places: OrderedDict[int, tuple[NetworkPort, float]] = OrderedDict()
         self.limit(limits or SourceLimits())
 
     def limit(self, limits: SourceLimits) -> None:
         """Ask something else from now on; what was heard stays known."""
         self._limits = limits
         self._buckets = TokenBuckets(limits.rate, limits.burst)
+        self.are_limited = limits.rate > 0
 
     def within_rate(self, id: int, priority: int, now: float) -> bool:
-        """False when this source has sent too much. Safety-critical messages have a budget of their own."""
-        if not self._limits.rate:
-            return True
+        """False when this source has sent too much; ask only when `are_limited`.
+
+        Safety-critical messages have a budget of their own.
+        """
         return self._buckets.take(id | _URGENT if priority == Priority.SAFETY_CRITICAL else id, now)
 
-    def is_at_home(self, id: int, host: str, network: str, now: float) -> bool:
+    def is_settled(self, id: int, port: NetworkPort, now: float) -> bool:
+        """True when this id came from exactly there a moment ago: there is nothing new to check or to learn."""
+        known = self._places.get(id)
+        return known is not None and known[0] == port and now - known[1] < SETTLED
+
+    def is_at_home(self, id: int, port: NetworkPort, now: float) -> bool:
         """False when this id was heard from another host or network lately; another port is fine."""
-        if not self._limits.check_address:
-            return True
-        here = (host, network)
-        known, heard = self._places.get(id, (here, now))
-        if known != here and now - heard < SILENCE:
+        known, heard = self._places.get(id, (port, now))
+        moved = known.host != port.host or known.network != port.network
+        if moved and self._limits.check_address and now - heard < SILENCE:
             return False
-        self._places[id] = (here, now)
+        self._places[id] = (port, now)
         self._places.move_to_end(id)
         if len(self._places) > MAX_SOURCES:
             self._places.popitem(last=False)
