@@ -8,23 +8,34 @@ import socket
 from typing import NamedTuple
 
 from jauspy.errors import TransportError
-from jauspy.node import owner
+from jauspy.node import owner, udp_errors
 from jauspy.node.config import NodeConfig
 from jauspy.transport import multicast
+from jauspy.transport.memberships import Memberships
 
 _LOGGER = logging.getLogger(__name__)
 
 
 class UdpSockets(NamedTuple):
-    """`unicast` sends everything; `group` only receives multicasts, and is None when `unicast` does that too."""
+    """`unicast` sends all but IPv6; `group` only receives multicasts, and is None when `unicast` does that too."""
 
     unicast: socket.socket
     group: socket.socket | None
-    joined: int
+    memberships: Memberships | None
+    unicast6: socket.socket | None = None
+
+    @property
+    def joined(self) -> int:
+        """On how many interfaces multicasts arrive."""
+        return self.memberships.joined if self.memberships else 0
 
     def all(self) -> list[socket.socket]:
         """The sockets to read from."""
-        return [self.unicast] if self.group is None else [self.unicast, self.group]
+        return [sock for sock in (self.unicast, self.group, self.unicast6) if sock is not None]
+
+    def sender(self, host: str) -> socket.socket | None:
+        """The socket for datagrams to this address."""
+        return self.unicast6 if ":" in host else self.unicast
 
 
 def open_udp(config: NodeConfig) -> UdpSockets:
@@ -34,21 +45,36 @@ def open_udp(config: NodeConfig) -> UdpSockets:
     bound to the group and shared, so that node managers on several addresses of one host all get them.
     """
     unicast = _bind(config.address, config.port)
-    multicast.prepare_sender(unicast, multicast.ANY, config.multicast_ttl)
-    if config.address == multicast.ANY:
-        return UdpSockets(unicast, None, multicast.join(unicast, config.multicast_group, config.interfaces))
     try:
-        group, joined = multicast.receiver((config.multicast_group, unicast.getsockname()[1]), config.interfaces)
+        return _complete(config, unicast)
+    except BaseException:
+        unicast.close()
+        raise
+
+
+def _complete(config: NodeConfig, unicast: socket.socket) -> UdpSockets:
+    multicast.prepare_sender(unicast, multicast.ANY, config.multicast_ttl)
+    udp_errors.watch(unicast)
+    port = unicast.getsockname()[1]
+    unicast6 = _bind(config.address6, port) if config.address6 else None
+    if config.address == multicast.ANY:
+        joined = Memberships(unicast, config.multicast_group, config.interfaces)
+        return UdpSockets(unicast, None, joined, unicast6)
+    try:
+        group, _ = multicast.receiver((config.multicast_group, port), ())
     except OSError as error:
         _LOGGER.warning("no multicasts will be received: %s", error.strerror)
-        return UdpSockets(unicast, None, 0)
-    return UdpSockets(unicast, group, joined)
+        return UdpSockets(unicast, None, None, unicast6)
+    return UdpSockets(unicast, group, Memberships(group, config.multicast_group, config.interfaces), unicast6)
 
 
 def _bind(address: str, port: int) -> socket.socket:
-    sock = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+    family = socket.AF_INET6 if ":" in address else socket.AF_INET
+    sock = socket.socket(family, socket.SOCK_DGRAM)
     try:
         sock.setblocking(False)
+        if family == socket.AF_INET6:
+            sock.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_V6ONLY, 1)
         sock.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, multicast.RECEIVE_BUFFER)
         sock.bind((address, port))
     except OSError as error:

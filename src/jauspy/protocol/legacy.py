@@ -24,6 +24,8 @@ OPC_GREETING: Final = b"JAUS01.0"
 
 _V1_HEAD: Final = struct.Struct(">B2sH")
 _RA: Final = struct.Struct("<BBHIIHH")
+V1_CODE_AT: Final = _V1_HEAD.size + 2
+"""Where the command code is in a version 1 datagram; it stands for the message id of later ones."""
 _RA_VERSION: Final = 2
 _MAX_DATA: Final = 0xFFF
 _FLAGS: Final = {0: DataFlag.SINGLE, 1: DataFlag.FIRST, 2: DataFlag.MIDDLE, 4: DataFlag.MIDDLE, 8: DataFlag.LAST}

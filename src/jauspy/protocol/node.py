@@ -1,43 +1,51 @@
 """What a node manager decides, without I/O: who gets a packet.
 
 Packets are forwarded as the bytes they came in; only the ACK bit of a multicast for an unknown destination is set,
-and packets that shared a datagram are sent one by one.
+packets that shared a datagram are sent one by one, and older headers are adapted (see `wire`).
 """
 
 from __future__ import annotations
 
 import logging
-from collections.abc import Mapping
-from typing import Final
+from collections.abc import Mapping, Sequence
 
 from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
-from jauspy.protocol import addressing, header, judp, junior
-from jauspy.protocol.address_book import Address, AddressBook
+from jauspy.protocol import addressing, junior, wire
+from jauspy.protocol.address_book import LIFETIME, AddressBook
 from jauspy.protocol.counters import Counters
-from jauspy.protocol.directory import Directory
+from jauspy.protocol.directory import ComponentPort, Directory
 from jauspy.protocol.echoes import Echoes
-from jauspy.protocol.header import Ack, Broadcast, RawPacket
-from jauspy.protocol.ports import GROUP, LocalPort, Port, UdpPort
+from jauspy.protocol.header import Broadcast, RawPacket
+from jauspy.protocol.ports import GROUP, GroupPort, LocalPort, NetworkPort, Port, UdpPort
+from jauspy.protocol.reports import Reports
 from jauspy.protocol.waiting import WaitingRoom
 
 _LOGGER = logging.getLogger(__name__)
 
-_VERSION_BYTE: Final = bytes([header.VERSION])
-_ACK_REQUIRED: Final = Ack.REQUIRED << 4
-_ACK_MASK: Final = 3 << 4
-
 
 class NodeCore:
-    """Routing between the components of this machine (`LocalPort`) and the network (`UdpPort`, `GROUP`).
+    """Routing between the components of this machine and the network (`UdpPort`, `TcpPort`, `SerialPort`, `GROUP`).
 
-    `local_root` is the folder of the components' sockets; `addresses` are entries that are never forgotten.
+    `local_root` is the folder of the components' sockets; `addresses` are entries that are never forgotten, and
+    `address_lifetime` is in seconds for all others. With `local_udp`, components of this machine may connect by UDP.
     """
 
-    def __init__(self, local_root: str, *, addresses: Mapping[JausID, Address] | None = None) -> None:
+    def __init__(
+        self,
+        local_root: str,
+        *,
+        addresses: Mapping[JausID, Sequence[NetworkPort]] | None = None,
+        address_lifetime: float = LIFETIME,
+        local_udp: bool = True,
+    ) -> None:
         self.counters = Counters(_LOGGER)
         self.components = Directory()
-        self.address_book = AddressBook({int(id): address for id, address in (addresses or {}).items()})
+        static = {int(id): ports for id, ports in (addresses or {}).items()}
+        self.address_book = AddressBook(static, lifetime=address_lifetime)
+        self._local_udp = local_udp
+        self._dialects = wire.Dialects()
+        self._reports = Reports(_LOGGER)
         self._root = local_root.rstrip("/")
         self._waiting = WaitingRoom(self.counters)
         self._output: list[tuple[Port, bytes]] = []
@@ -47,12 +55,12 @@ class NodeCore:
 
     def receive(self, data: bytes, source: Port, now: float) -> None:
         """Take one datagram from a component or from the network. Never raises; what is wrong is counted."""
-        self.counters["received.local" if isinstance(source, LocalPort) else "received.udp"] += 1
+        self.counters[f"received.{_kind(source)}"] += 1
         try:
-            if isinstance(source, LocalPort):
+            if isinstance(source, LocalPort) or (isinstance(source, UdpPort) and self._is_local(data, source)):
                 self._from_component(data, source, now)
-            elif isinstance(source, UdpPort):
-                self._from_network(data, source)
+            elif not isinstance(source, GroupPort):
+                self._from_network(data, source, now)
         except ProtocolError as error:
             self.counters.drop(f"malformed.{error.reason}", error)
 
@@ -68,47 +76,64 @@ class NodeCore:
     def handle_timeout(self, now: float) -> None:
         """Ask again for unknown destinations, drop what waited too long."""
         for datagram in self._waiting.handle_timeout(now):
-            self._multicast(_asking(datagram))
+            self._multicast(wire.asking(datagram))
 
-    def unreachable(self, path: str) -> None:
-        """Nobody listens on this socket any more: its components are gone until they are heard again."""
-        for id in self.components.remove_path(path):
+    def unreachable(self, port: ComponentPort) -> None:
+        """Nobody listens there any more: its components are gone until they are heard again."""
+        for id in self.components.remove_port(port):
             self.counters["components.lost"] += 1
             _LOGGER.info("component %s is gone", JausID.from_int(id))
 
+    def disconnected(self, port: NetworkPort) -> None:
+        """A connection has ended: what was learned through it is asked for again."""
+        self.address_book.forget(port)
+
     # --- from components -----------------------------------------------------------------------------------------
 
-    def _from_component(self, data: bytes, port: LocalPort, now: float) -> None:
+    def _is_local(self, data: bytes, port: UdpPort) -> bool:
+        """True for a component of this machine that speaks UDP with its node manager, or begins to."""
+        if self.components.has_port(port):
+            return True
+        return self._local_udp and port.host.startswith("127.") and junior.parse(data) is not None
+
+    def _from_component(self, data: bytes, port: ComponentPort, now: float) -> None:
         control = junior.parse(data)
         if control is not None:
             self._control(control, port)
             return
-        for raw in judp.headers(data):
-            path = port.path or f"{self._root}/{raw.source}"
-            if self.components.path(raw.source) not in (None, path):
-                self.counters.drop("duplicate_id", f"{JausID.from_int(raw.source)} also speaks on {path}")
-            elif self._register(raw.source, path):
-                self._route_from_component(raw, _single(data, raw), now)
+        for raw, datagram, _ in wire.packets(data):
+            own = self._named(port, raw.source)
+            if self.components.port(raw.source) not in (None, own):
+                self.counters.drop("duplicate_id", f"{JausID.from_int(raw.source)} also speaks on {own}")
+                self._reports.twice(raw.source, own)
+            elif self._register(raw.source, own):
+                self._route_from_component(raw, datagram, now)
 
-    def _register(self, id: int, path: str, *greeting: bytes) -> bool:
+    def _named(self, port: ComponentPort, id: int) -> ComponentPort:
+        """A component without a socket of its own name is answered at its usual path."""
+        return port if port[0] else LocalPort(f"{self._root}/{id}")
+
+    def _register(self, id: int, port: ComponentPort, *greeting: bytes) -> bool:
         news = id not in self.components
-        if not self.components.register(id, path):
+        if not self.components.register(id, port):
             self.counters.drop("component_refused", JausID.from_int(id))
             return False
         for datagram in greeting:
-            self._send(LocalPort(path), datagram)
+            self._send(port, datagram)
         if news:
             for datagram in self._waiting.found(id):
-                self._deliver(path, datagram)
+                self._deliver(port, datagram)
         return True
 
-    def _control(self, control: junior.Control, port: LocalPort) -> None:
+    def _control(self, control: junior.Control, port: ComponentPort) -> None:
         id = int(control.id)
-        path = port.path or f"{self._root}/{id}"
+        own = self._named(port, id)
         if control.kind is junior.ControlKind.CONNECT:
-            if self._register(id, path, junior.accept(control.id)):
+            if self.components.port(id) not in (None, own):
+                self._reports.moved(id, own)
+            if self._register(id, own, junior.accept(control.id)):
                 self.counters["connects"] += 1
-        elif control.kind is junior.ControlKind.CANCEL and self.components.path(id) == path:
+        elif control.kind is junior.ControlKind.CANCEL and self.components.port(id) == own:
             self.components.remove(id)
             self.counters["cancels"] += 1
 
@@ -118,54 +143,68 @@ class NodeCore:
             self._deliver_broadcast(destination, datagram, besides=raw.source)
             if raw.broadcast != Broadcast.LOCAL:
                 self._multicast(datagram)
-        elif (path := self.components.path(destination)) is not None:
-            self._deliver(path, datagram)
-        elif (address := self.address_book.find(destination)) is not None:
-            self._send(UdpPort(*address), datagram)
-            self.counters["routed.udp"] += 1
+                for port in self.address_book.told_about(destination):
+                    self._forward(port, destination, datagram)
+        elif (own := self.components.port(destination)) is not None:
+            self._deliver(own, datagram)
+        elif (address := self.address_book.find(destination, now)) is not None:
+            self._forward(address, destination, datagram)
         elif destination == 0:
             self.counters.drop("no_destination", JausID.from_int(raw.source))
-        elif (probe := self._waiting.add(destination, datagram, now)) is not None:
-            self._multicast(_asking(probe))
+        else:
+            self._deliver_broadcast(destination, datagram, besides=raw.source)
+            if (probe := self._waiting.add(destination, datagram, now)) is not None:
+                self._multicast(wire.asking(probe))
 
     # --- from the network ----------------------------------------------------------------------------------------
 
-    def _from_network(self, data: bytes, port: UdpPort) -> None:
+    def _from_network(self, data: bytes, port: NetworkPort, now: float) -> None:
         if data in self._echoes:
             self.counters["echoes"] += 1
             return
-        for raw in judp.headers(data):
+        if junior.parse(data) is not None:
+            self.counters.drop("connect_from_network", f"{port.host}:{port.port}")
+            return
+        for raw, datagram, dialect in wire.packets(data):
             if raw.source in self.components:
                 self.counters.drop("hijack", f"{JausID.from_int(raw.source)} from {port.host}:{port.port}")
+                self._reports.twice(raw.source, port)
                 continue
-            self._learn(raw.source, port)
-            self._route_from_network(raw.destination, _single(data, raw))
+            self._dialects.learn(raw.source, dialect)
+            self._learn(raw.source, port, now)
+            self._route_from_network(raw.destination, datagram)
 
     def _route_from_network(self, destination: int, datagram: bytes) -> None:
         if addressing.is_wildcard(destination):
             self._deliver_broadcast(destination, datagram)
-        elif (path := self.components.path(destination)) is not None:
-            self._deliver(path, datagram)
-        else:
+        elif (own := self.components.port(destination)) is not None:
+            self._deliver(own, datagram)
+        elif not self._deliver_broadcast(destination, datagram):
             self.counters.drop("not_here", JausID.from_int(destination))
 
-    def _learn(self, id: int, port: UdpPort) -> None:
+    def _learn(self, id: int, port: NetworkPort, now: float) -> None:
         if addressing.is_wildcard(id) or addressing.is_unassigned(id):
             return
-        if self.address_book.learn(id, (port.host, port.port)):
+        if self.address_book.learn(id, port, now):
             for datagram in self._waiting.found(id):
-                self._send(port, datagram)
-                self.counters["routed.udp"] += 1
+                self._forward(port, id, datagram)
 
     # --- out -----------------------------------------------------------------------------------------------------
 
-    def _deliver(self, path: str, datagram: bytes) -> None:
-        self._send(LocalPort(path), datagram)
+    def _deliver(self, port: ComponentPort, datagram: bytes) -> None:
+        self._send(port, datagram)
         self.counters["routed.local"] += 1
 
-    def _deliver_broadcast(self, destination: int, datagram: bytes, *, besides: int | None = None) -> None:
-        for path in self.components.reached_by(destination, besides=besides):
-            self._deliver(path, datagram)
+    def _deliver_broadcast(self, destination: int, datagram: bytes, *, besides: int | None = None) -> int:
+        """To all components it reaches; for a complete id these are the ones that wait for an id. Returns how many."""
+        reached = self.components.reached_by(destination, besides=besides)
+        for port in reached:
+            self._deliver(port, datagram)
+        return len(reached)
+
+    def _forward(self, port: NetworkPort, destination: int, datagram: bytes) -> None:
+        self._send(port, self._dialects.spoken_to(destination, datagram))
+        self.counters[f"routed.{_kind(port)}"] += 1
 
     def _multicast(self, datagram: bytes) -> None:
         self._echoes.add(datagram)
@@ -176,16 +215,8 @@ class NodeCore:
         self._output.append((port, datagram))
 
 
-def _single(data: bytes, raw: RawPacket) -> bytes:
-    """The datagram of one packet: the original bytes when it came alone."""
-    if raw.start == 1 and raw.end == len(data):
-        return data
-    return _VERSION_BYTE + data[raw.start : raw.end]
-
-
-def _asking(datagram: bytes) -> bytes:
-    """The same packet, asking for an ACK, by which its destination makes itself known."""
-    at = header.control_offset(datagram)
-    if datagram[at] & _ACK_MASK:
-        return datagram
-    return datagram[:at] + bytes([datagram[at] | _ACK_REQUIRED]) + datagram[at + 1 :]
+def _kind(port: Port) -> str:
+    """What counters call it."""
+    if isinstance(port, LocalPort):
+        return "local"
+    return "udp" if isinstance(port, UdpPort | GroupPort) else port.kind
