@@ -11,6 +11,7 @@ from jauspy.protocol import fragments, judp, reassembly
 from jauspy.protocol.delivery import Delivery
 from jauspy.protocol.endpoint import Endpoint
 from jauspy.protocol.header import MAX_PAYLOAD, Ack, DataFlag, Packet
+from jauspy.protocol.transfers import PIECES_PER_TURN
 
 A, B = JausID.parse("100.1.4"), JausID.parse("101.1.1")
 
@@ -172,12 +173,12 @@ def test_unacknowledged_large_messages_are_paced() -> None:
     endpoint = Endpoint(A, first_sequence=1)
     for _ in range(3):
         endpoint.send(B, bytes(20 * MAX_PAYLOAD), now=0.0)
-    assert len(endpoint.poll_output()) == 32
-    sent = 32
+    assert len(endpoint.poll_output()) == PIECES_PER_TURN
+    sent = PIECES_PER_TURN
     while (at := endpoint.next_timeout()) is not None:
         endpoint.handle_timeout(at)
         burst = len(endpoint.poll_output())
-        assert burst <= 32
+        assert burst <= PIECES_PER_TURN
         sent += burst
     assert sent == 60
     assert endpoint.next_outcome() is None
