@@ -11,9 +11,10 @@ from typing import Any
 
 import pytest
 
-from jauspy.errors import TransportError
+from jauspy.errors import ConfigError, TransportError
 from jauspy.ids import JausID
 from jauspy.node import NodeConfig, NodeManager
+from jauspy.node.config import SerialConfig
 from jauspy.protocol import jserial, judp
 from jauspy.protocol.header import Packet
 from jauspy.transport import LocalTransport, SerialLine, serial_link
@@ -58,7 +59,7 @@ def terminal() -> Iterator[Terminal]:
 
 @pytest.fixture
 async def node(root: Path, terminal: Terminal) -> AsyncIterator[NodeManager]:
-    line = SerialLine(terminal.device)
+    line = SerialConfig(device=terminal.device)
     async with NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root, serial=(line,))) as manager:
         yield manager
 
@@ -113,7 +114,7 @@ async def test_a_device_that_comes_back(root: Path, tmp_path: Path, monkeypatch:
     first, second = Terminal(), Terminal()
     name = tmp_path / "line"
     name.symlink_to(first.device)
-    config = NodeConfig(address="127.0.0.1", port=0, local_root=root, serial=(SerialLine(str(name)),))
+    config = NodeConfig(address="127.0.0.1", port=0, local_root=root, serial=(SerialConfig(device=str(name)),))
     async with NodeManager(config) as node:
         first.hang_up()
         async with asyncio.timeout(5):
@@ -147,7 +148,7 @@ async def test_a_line_that_takes_nothing_is_bounded(node: NodeManager, here: Any
 
 
 async def test_no_such_device(root: Path) -> None:
-    line = SerialLine("/dev/does-not-exist")
+    line = SerialConfig(device="/dev/does-not-exist")
     with pytest.raises(TransportError, match="cannot open the serial port /dev/does-not-exist"):
         await NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root, serial=(line,))).open()
     assert list(root.iterdir()) == []
@@ -167,3 +168,12 @@ async def test_without_pyserial_it_says_what_to_install(monkeypatch: pytest.Monk
 
     with pytest.raises(TransportError, match=r"jauspy\[serial\]"):
         SerialLink(SerialLine("/dev/x"), Counters(serial_link._LOGGER), print).open()
+
+
+async def test_a_key_does_not_go_with_what_cannot_be_authenticated(root: Path, tmp_path: Path) -> None:
+    key = tmp_path / "key"
+    key.write_bytes(bytes(range(32)))
+    key.chmod(0o600)
+    with pytest.raises(ConfigError, match="cannot be authenticated"):
+        await NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root, tcp=True, key_file=key)).open()
+    assert list(root.iterdir()) == []

@@ -109,8 +109,8 @@ def test_ids_that_are_used_twice_are_reported_once_each(caplog: pytest.LogCaptur
 
 def test_tcp_and_serial_addresses_are_learned_and_forgotten_with_their_connection() -> None:
     core = node()
-    for port in (TcpPort("10.0.0.9", 3794), SerialPort("/dev/ttyS0")):
-        receive(core, judp.pack(Packet(THEIRS, OURS, b"\x02\x20")), port)
+    for now, port in ((0.0, TcpPort("10.0.0.9", 3794)), (60.0, SerialPort("/dev/ttyS0"))):
+        receive(core, judp.pack(Packet(THEIRS, OURS, b"\x02\x20")), port, now)
         there = judp.pack(Packet(OURS, THEIRS, b"\x02\x40"))
         assert receive(core, there, OUR_PORT) == [(port, there.hex())]
     core.disconnected(SerialPort("/dev/ttyS0"))

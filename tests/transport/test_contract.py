@@ -13,6 +13,7 @@ import pytest
 from jauspy.errors import TransportError
 from jauspy.ids import EVERYONE, JausID
 from jauspy.node import NodeConfig, NodeManager
+from jauspy.node.config import SerialConfig
 from jauspy.protocol import judp
 from jauspy.protocol.header import MAX_PAYLOAD, Broadcast, Packet
 from jauspy.transport import (
@@ -80,7 +81,7 @@ async def make(request: pytest.FixtureRequest, root: Path) -> AsyncIterator[Make
     config = NodeConfig(address="127.0.0.1", port=0, local_root=root, tcp=request.param == "tcp", tcp_port=0)
     if request.param == "serial":
         with null_modem() as (ours, theirs):
-            line = SerialLine(theirs, baud_rate=115200)
+            line = SerialConfig(device=theirs, baud_rate=115200)
             async with NodeManager(config.model_copy(update={"serial": (line,)})):
                 yield lambda own: SerialTransport(own, SerialLine(ours)) if own == A else LocalTransport(own, root)
         return

@@ -47,11 +47,19 @@ def up(
     no_node_manager: Annotated[
         bool, typer.Option("--no-node-manager", help="Start no node manager; wait for one in the local root.")
     ] = False,
+    gateway: Annotated[
+        Path | None,
+        typer.Option(
+            "--gateway", metavar="FILE", help="Put a gateway before it: a node manager with this configuration file."
+        ),
+    ] = None,
     with_parent: WithParent = False,
 ) -> None:
     """Run a robot, and a node manager when none runs in the local root.
 
-    The robot stands in Standby until a client takes control and resumes it. Ctrl-C ends everything in order.
+    The robot stands in Standby until a client takes control and resumes it. Ctrl-C ends everything in order. With
+    --gateway the node manager connects and filters the networks of its configuration file (see `jauspy node-manager
+    --print-config`), and no other may run.
 
     Example:
       jauspy up inc1 --backend kinematic
@@ -61,25 +69,30 @@ def up(
     from jauspy.modules.robot import RobotRunner
     from jauspy.transport import LocalTransport
 
+    config = robots.load(robot)
+    if gateway is not None:
+        from jauspy.cli.local_node import check_gateway
+
+        check_gateway(gateway, config.subsystem, local_root, starts=not no_node_manager)
     if with_parent:
         end_with_parent()
     runner = RobotRunner(
-        robots.load(robot),
+        config,
         lambda component: LocalTransport(component, local_root),
         backend=None if backend is None else backend.value,
         world=world,
     )
-    run(_up(runner, local_root, None if no_node_manager else port))
+    run(_up(runner, local_root, None if no_node_manager else port, gateway))
 
 
-async def _up(runner: RobotRunner, root: Path, port: int | None) -> None:
+async def _up(runner: RobotRunner, root: Path, port: int | None, gateway: Path | None) -> None:
     """Run the robot until cancelled; `port` is for the node manager, None for none."""
     from jauspy.cli.local_node import node_manager
 
     async with AsyncExitStack() as stack:
         where = f"none started, local sockets in {root}"
         if port is not None:
-            where = await stack.enter_async_context(node_manager(root, port))
+            where = await stack.enter_async_context(node_manager(root, port, gateway))
         async with runner:
             _tell(runner, where, root)
             await runner.run()

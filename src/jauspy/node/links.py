@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
+from jauspy.errors import ConfigError
 from jauspy.node.config import NodeConfig
 from jauspy.node.tcp import TcpPeers
 from jauspy.protocol.counters import Counters
@@ -12,14 +13,19 @@ from jauspy.transport.serial_link import SerialLine, SerialLink
 
 
 class Links:
-    """`took(datagram, port)` gets every packet, `gone(port)` is told when a connection has ended."""
+    """They belong to `network`. `took(datagram, port)` gets every packet, `gone(port)` is told of ended connections."""
 
     def __init__(
-        self, counters: Counters, took: Callable[[bytes, NetworkPort], None], gone: Callable[[NetworkPort], None]
+        self,
+        counters: Counters,
+        network: str,
+        took: Callable[[bytes, NetworkPort], None],
+        gone: Callable[[NetworkPort], None],
     ) -> None:
         self._took = took
         self._counters = counters
-        self._tcp = TcpPeers(counters, took, gone)
+        self._network = network
+        self._tcp = TcpPeers(counters, network, took, gone)
         self._serial: dict[SerialPort, SerialLink] = {}
 
     @property
@@ -30,13 +36,16 @@ class Links:
     async def open(self, config: NodeConfig, udp_port: int, known: Iterable[NetworkPort]) -> None:
         """Open what the configuration says, and connect to the TCP peers of the address book; all or nothing.
 
-        Raises `TransportError` when a port or a device cannot be used.
+        Raises `TransportError` when a port or a device cannot be used, `ConfigError` when they would go round a key.
         """
+        peers = {port for port in known if isinstance(port, TcpPort)}
+        if config.key_file is not None and (config.tcp or config.serial or peers):
+            raise ConfigError("key_file: JTCP and serial lines cannot be authenticated; use either them or a key")
         listen = (config.address, udp_port if config.tcp_port is None else config.tcp_port) if config.tcp else None
         try:
-            for line in config.serial:
-                self._open_line(line)
-            await self._tcp.open(listen, {port for port in known if isinstance(port, TcpPort)})
+            for serial in config.serial:
+                self._open_line(serial.line)
+            await self._tcp.open(listen, peers)
         except BaseException:
             await self.close()
             raise
@@ -64,7 +73,7 @@ class Links:
             line.send(datagram)
 
     def _open_line(self, line: SerialLine) -> None:
-        port = SerialPort(line.device)
+        port = SerialPort(line.device, network=self._network)
         link = SerialLink(line, self._counters, lambda datagram: self._took(datagram, port))
         link.open()
         self._serial[port] = link

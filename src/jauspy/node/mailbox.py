@@ -33,6 +33,9 @@ class Mailbox:
         self._socket: socket.socket | None = None
         self._waiting = Outbox()
 
+    def __len__(self) -> int:
+        return len(self._waiting)
+
     def send(self, datagram: bytes) -> None:
         """Send now, or as soon as the component reads; what does not fit the queue is dropped and counted."""
         if not self._waiting and self._try(datagram):

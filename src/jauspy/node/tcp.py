@@ -24,9 +24,14 @@ class TcpPeers:
     """`took(datagram, port)` gets every packet, `gone(port)` is told when a connection has ended."""
 
     def __init__(
-        self, counters: Counters, took: Callable[[bytes, TcpPort], None], gone: Callable[[TcpPort], None]
+        self,
+        counters: Counters,
+        network: str,
+        took: Callable[[bytes, TcpPort], None],
+        gone: Callable[[TcpPort], None],
     ) -> None:
         self._counters = counters
+        self._network = network
         self._took = took
         self._gone = gone
         self._server: asyncio.Server | None = None
@@ -79,7 +84,7 @@ class TcpPeers:
     def _accept(self) -> StreamLink:
         return StreamLink(
             self._counters,
-            lambda link, datagram: self._took(datagram, TcpPort(*link.peer)),
+            lambda link, datagram: self._took(datagram, self._port(link)),
             self._ended,
             self._began,
         )
@@ -90,15 +95,18 @@ class TcpPeers:
             _LOGGER.warning("JTCP connection from %s refused: there are %d already", link.peer, MAX_CONNECTIONS)
             link.close()
             return
-        self._links[TcpPort(*link.peer)] = link
+        self._links[self._port(link)] = link
         self._counters["tcp.accepted"] += 1
 
     def _ended(self, link: StreamLink) -> None:
-        port = TcpPort(*link.peer)
+        port = self._port(link)
         if self._links.get(port) is link:
             del self._links[port]
             self._counters["tcp.closed"] += 1
             self._gone(port)
+
+    def _port(self, link: StreamLink) -> TcpPort:
+        return TcpPort(*link.peer, self._network)
 
     def _receive_from(self, port: TcpPort) -> Callable[[StreamLink, bytes], None]:
         return lambda _, datagram: self._took(datagram, port)

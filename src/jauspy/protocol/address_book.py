@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import OrderedDict
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Final, TypeAlias
 
 from jauspy.protocol import addressing
@@ -36,6 +36,11 @@ class AddressBook:
 
     def __len__(self) -> int:
         return len(self._static) + len(self._learned)
+
+    def __iter__(self) -> Iterator[tuple[int, NetworkPort, float | None]]:
+        """Id, address, and when it was heard last; None for what the configuration told."""
+        yield from ((id, port, None) for id, ports in self._static for port in ports)
+        yield from ((id, port, heard) for id, (port, heard) in self._learned.items())
 
     def find(self, id: int, now: float) -> NetworkPort | None:
         """Where to send what is for this id."""

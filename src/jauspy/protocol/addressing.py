@@ -17,6 +17,11 @@ def is_unassigned(id: int) -> bool:
     return not (id >> 16 and id & ALL_NODES and id & ALL_COMPONENTS)
 
 
+def is_vague(id: int) -> bool:
+    """True when the id does not name one component: nobody's address can be told from it."""
+    return is_wildcard(id) or is_unassigned(id)
+
+
 def reaches(destination: int, id: int) -> bool:
     """True when `destination` addresses the component `id`, field by field.
 

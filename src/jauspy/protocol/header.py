@@ -116,6 +116,13 @@ def control_offset(datagram: bytes) -> int:
     return 6 if datagram[1] & 0xC0 else 4
 
 
+def peek_priority(datagram: bytes, skip: int = 0) -> int:
+    """The priority of a datagram that nobody has checked yet; 0 when it is no packet of this version."""
+    if len(datagram) < skip + OVERHEAD + 1 or datagram[skip] != VERSION:
+        return 0
+    return datagram[skip + (6 if datagram[skip + 1] & 0xC0 else 4)] & 3
+
+
 def parse_header(data: bytes | memoryview, start: int = 0) -> RawPacket:
     """The header of the packet at `start` (after the version byte); raises `ProtocolError` with a short reason.
 

@@ -105,9 +105,9 @@ def parse(data: bytes) -> list[LegacyPacket]:
 
 
 def priority(data: bytes) -> int:
-    """The AS5669A priority of a checked old datagram."""
+    """The AS5669A priority of an old datagram; the lowest when it is cut off."""
     at = len(OPC_GREETING) if data.startswith(OPC_GREETING) else _V1_HEAD.size
-    return _priority(data[at])
+    return _priority(data[at]) if at < len(data) else Priority.LOW
 
 
 def _parse_ra(body: bytes, dialect: Dialect) -> LegacyPacket:

@@ -16,19 +16,22 @@ from jauspy.protocol.address_book import LIFETIME, AddressBook
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.directory import ComponentPort, Directory
 from jauspy.protocol.echoes import Echoes
+from jauspy.protocol.gateway import Gateway
 from jauspy.protocol.header import Broadcast, RawPacket
-from jauspy.protocol.ports import GROUP, GroupPort, LocalPort, NetworkPort, Port, UdpPort
+from jauspy.protocol.ports import LAN, GroupPort, LocalPort, NetworkPort, Port, UdpPort
 from jauspy.protocol.reports import Reports
+from jauspy.protocol.sources import Sources
 from jauspy.protocol.waiting import WaitingRoom
 
 _LOGGER = logging.getLogger(__name__)
 
 
 class NodeCore:
-    """Routing between the components of this machine and the network (`UdpPort`, `TcpPort`, `SerialPort`, `GROUP`).
+    """Routing between the components of this machine (`LocalPort`) and the networks (all other ports).
 
-    `local_root` is the folder of the components' sockets; `addresses` are entries that are never forgotten, and
-    `address_lifetime` is in seconds for all others. With `local_udp`, components of this machine may connect by UDP.
+    `local_root` is the folder of the components' sockets. `addresses` are entries that are never forgotten; others are,
+    `address_lifetime` seconds after they were heard. With `local_udp`, components of this machine may connect by UDP.
+    Packets cross from one of the `networks` to another only by a `gateway`; it and `sources` may change at run time.
     """
 
     def __init__(
@@ -36,6 +39,9 @@ class NodeCore:
         local_root: str,
         *,
         addresses: Mapping[JausID, Sequence[NetworkPort]] | None = None,
+        networks: Sequence[str] = (LAN,),
+        gateway: Gateway | None = None,
+        sources: Sources | None = None,
         address_lifetime: float = LIFETIME,
         local_udp: bool = True,
     ) -> None:
@@ -43,13 +49,16 @@ class NodeCore:
         self.components = Directory()
         static = {int(id): ports for id, ports in (addresses or {}).items()}
         self.address_book = AddressBook(static, lifetime=address_lifetime)
-        self._local_udp = local_udp
-        self._dialects = wire.Dialects()
-        self._reports = Reports(_LOGGER)
+        self.gateway = gateway
+        self.sources = sources or Sources()
+        self._networks = tuple(networks)
         self._root = local_root.rstrip("/")
         self._waiting = WaitingRoom(self.counters)
         self._output: list[tuple[Port, bytes]] = []
         self._echoes = Echoes()
+        self._local_udp = local_udp
+        self._dialects = wire.Dialects()
+        self._reports = Reports(_LOGGER)
 
     # --- upward contract -----------------------------------------------------------------------------------------
 
@@ -76,7 +85,12 @@ class NodeCore:
     def handle_timeout(self, now: float) -> None:
         """Ask again for unknown destinations, drop what waited too long."""
         for datagram in self._waiting.handle_timeout(now):
-            self._multicast(wire.asking(datagram))
+            self._multicast(wire.asking(datagram), self._where_to_ask(wire.header_of(datagram), now), now)
+
+    @property
+    def waiting_messages(self) -> int:
+        """Messages that wait for unknown destinations."""
+        return len(self._waiting)
 
     def unreachable(self, port: ComponentPort) -> None:
         """Nobody listens there any more: its components are gone until they are heard again."""
@@ -106,6 +120,8 @@ class NodeCore:
             if self.components.port(raw.source) not in (None, own):
                 self.counters.drop("duplicate_id", f"{JausID.from_int(raw.source)} also speaks on {own}")
                 self._reports.twice(raw.source, own)
+            elif not self.sources.within_rate(raw.source, raw.priority, now):
+                self.counters.drop("rate", JausID.from_int(raw.source))
             elif self._register(raw.source, own):
                 self._route_from_component(raw, datagram, now)
 
@@ -142,9 +158,8 @@ class NodeCore:
         if addressing.is_wildcard(destination):
             self._deliver_broadcast(destination, datagram, besides=raw.source)
             if raw.broadcast != Broadcast.LOCAL:
-                self._multicast(datagram)
-                for port in self.address_book.told_about(destination):
-                    self._forward(port, destination, datagram)
+                self._multicast(datagram, self._networks, now)
+                self._copy_to_told(destination, datagram, self._networks)
         elif (own := self.components.port(destination)) is not None:
             self._deliver(own, datagram)
         elif (address := self.address_book.find(destination, now)) is not None:
@@ -154,40 +169,83 @@ class NodeCore:
         else:
             self._deliver_broadcast(destination, datagram, besides=raw.source)
             if (probe := self._waiting.add(destination, datagram, now)) is not None:
-                self._multicast(wire.asking(probe))
+                self._multicast(wire.asking(probe), self._where_to_ask(raw, now), now)
 
     # --- from the network ----------------------------------------------------------------------------------------
 
     def _from_network(self, data: bytes, port: NetworkPort, now: float) -> None:
-        if data in self._echoes:
+        if self._echoes.heard(data, port.network, now):
             self.counters["echoes"] += 1
             return
         if junior.parse(data) is not None:
             self.counters.drop("connect_from_network", f"{port.host}:{port.port}")
             return
         for raw, datagram, dialect in wire.packets(data):
-            if raw.source in self.components:
-                self.counters.drop("hijack", f"{JausID.from_int(raw.source)} from {port.host}:{port.port}")
-                self._reports.twice(raw.source, port)
+            if (why := self._refusal(raw, datagram, port, now)) is not None:
+                self.counters.drop(why, f"{JausID.from_int(raw.source)} from {port.host}:{port.port} on {port.network}")
                 continue
             self._dialects.learn(raw.source, dialect)
             self._learn(raw.source, port, now)
-            self._route_from_network(raw.destination, datagram)
+            self._route_from_network(raw, datagram, port.network, now)
 
-    def _route_from_network(self, destination: int, datagram: bytes) -> None:
+    def _refusal(self, raw: RawPacket, datagram: bytes, port: NetworkPort, now: float) -> str | None:
+        """Why a packet is not taken from this network address."""
+        source = raw.source
+        if source in self.components:
+            self._reports.twice(source, port)
+            return "hijack"
+        if not addressing.is_vague(source) and not self.sources.is_at_home(source, port.host, port.network, now):
+            return "address_mismatch"
+        if not self.sources.within_rate(source, raw.priority, now):
+            return "rate"
+        if self.gateway is not None and (why := self.gateway.refusal(raw, datagram, port.network, now)) is not None:
+            return f"gateway.{why}"
+        return None
+
+    def _route_from_network(self, raw: RawPacket, datagram: bytes, network: str, now: float) -> None:
+        destination = raw.destination
         if addressing.is_wildcard(destination):
             self._deliver_broadcast(destination, datagram)
+            self._relay_broadcast(raw, datagram, network, now)
         elif (own := self.components.port(destination)) is not None:
             self._deliver(own, datagram)
-        elif not self._deliver_broadcast(destination, datagram):
+        elif self._deliver_broadcast(destination, datagram):
+            pass
+        elif self.gateway is None or not (onward := self.gateway.onward(raw, network)):
+            self.counters.drop("not_here", JausID.from_int(destination))
+        elif (address := self.address_book.find(destination, now)) is None:
+            if (probe := self._waiting.add(destination, datagram, now)) is not None:
+                self._multicast(wire.asking(probe), onward, now)
+        elif address.network in onward:
+            self._forward(address, destination, datagram)
+            self.counters["relayed"] += 1
+        else:
             self.counters.drop("not_here", JausID.from_int(destination))
 
+    def _relay_broadcast(self, raw: RawPacket, datagram: bytes, network: str, now: float) -> None:
+        if self.gateway is not None and (onward := self.gateway.onward(raw, network)):
+            for each in self._networks:  # in a ring it comes back from any of them
+                self._echoes.add(datagram, each, now)
+            self._multicast(datagram, onward, now)
+            self._copy_to_told(raw.destination, datagram, onward)
+            self.counters["relayed"] += 1
+
+    def _where_to_ask(self, raw: RawPacket, now: float) -> tuple[str, ...]:
+        """The networks where an unknown destination may be; never the one that the source is on."""
+        if self.gateway is None:
+            return self._networks
+        home = self.address_book.find(raw.source, now)
+        if home is not None:
+            return self.gateway.onward(raw, home.network)
+        return self.gateway.reach(raw.source, raw.destination)
+
     def _learn(self, id: int, port: NetworkPort, now: float) -> None:
-        if addressing.is_wildcard(id) or addressing.is_unassigned(id):
+        if addressing.is_vague(id):
             return
         if self.address_book.learn(id, port, now):
             for datagram in self._waiting.found(id):
-                self._forward(port, id, datagram)
+                if port.network in self._where_to_ask(wire.header_of(datagram), now):
+                    self._forward(port, id, datagram)
 
     # --- out -----------------------------------------------------------------------------------------------------
 
@@ -206,10 +264,17 @@ class NodeCore:
         self._send(port, self._dialects.spoken_to(destination, datagram))
         self.counters[f"routed.{_kind(port)}"] += 1
 
-    def _multicast(self, datagram: bytes) -> None:
-        self._echoes.add(datagram)
-        self._send(GROUP, datagram)
-        self.counters["routed.multicast"] += 1
+    def _copy_to_told(self, destination: int, datagram: bytes, networks: Sequence[str]) -> None:
+        """A broadcast to the addresses that the configuration names: not every network has multicast."""
+        for port in self.address_book.told_about(destination):
+            if port.network in networks:
+                self._forward(port, destination, datagram)
+
+    def _multicast(self, datagram: bytes, networks: Sequence[str], now: float) -> None:
+        for network in networks:
+            self._echoes.add(datagram, network, now)
+            self._send(GroupPort(network), datagram)
+            self.counters["routed.multicast"] += 1
 
     def _send(self, port: Port, datagram: bytes) -> None:
         self._output.append((port, datagram))

@@ -20,6 +20,7 @@ _VERSION_BYTE: Final = bytes([header.VERSION])
 _ACK_REQUIRED: Final = Ack.REQUIRED << 4
 _ACK_MASK: Final = 3 << 4
 _HC_BYTES: Final = 2
+_OLD_BEGINNINGS: Final = (bytes([legacy.V1]), legacy.OPC_GREETING[:1])
 
 
 def packets(data: bytes) -> Iterator[tuple[RawPacket, bytes, Dialect | None]]:
@@ -41,6 +42,16 @@ def packets(data: bytes) -> Iterator[tuple[RawPacket, bytes, Dialect | None]]:
 def header_of(datagram: bytes) -> RawPacket:
     """The header of a datagram that `packets` gave."""
     return next(packets(datagram))[0]
+
+
+def peek_priority(data: bytes, skip: int = 0) -> int:
+    """The priority of a datagram that nobody has checked yet, whose version byte comes after `skip` bytes.
+
+    Connects and Cancels count like what a component usually sends, so that they keep their place among it.
+    """
+    if data[skip : skip + 1] in _OLD_BEGINNINGS and legacy.is_legacy(data[skip:]):
+        return legacy.priority(data[skip:])
+    return header.peek_priority(data, skip)
 
 
 def asking(datagram: bytes) -> bytes:

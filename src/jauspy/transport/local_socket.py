@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import shutil
 import socket
 import stat
 from pathlib import Path
@@ -44,6 +45,18 @@ def bind(path: Path, *, owner: str, mode: int | None = None) -> socket.socket:
         sock.close()
         raise TransportError(f"cannot open the socket {path}: {error.strerror}; choose another --local-root") from error
     return sock
+
+
+def give_to_group(path: Path, group: str | None) -> None:
+    """Let another group own the socket; raises `TransportError` when this user may not."""
+    if group is None:
+        return
+    try:
+        shutil.chown(path, group=group)
+    except LookupError:
+        raise TransportError(f"local_group: there is no group {group!r} on this machine") from None
+    except OSError as error:
+        raise TransportError(f"local_group: cannot give {path} to {group!r}: {error.strerror}") from error
 
 
 def clean_up(path: Path) -> None:
