@@ -65,7 +65,7 @@ def test_the_command_line_goes_before_the_file(written: Path) -> None:
     ("text", "told"),
     [
         ("port = 70000", "port = 70000: input should be less than or equal to 65535"),
-        ("prot = 1", "prot = 1: there is no such key; known here are: address, gateway,"),
+        ("prot = 1", "prot = 1: there is no such key; known here are: address, address6, address_books,"),
         (
             "[[networks]]\nname = 'b'\nadress = 'x'",
             "networks[0].adress = 'x': there is no such key; known here are: addr",

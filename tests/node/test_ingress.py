@@ -44,7 +44,7 @@ async def run(source: Socket, counters: Counters) -> list[bytes]:
     routed: list[bytes] = []
     reader = Ingress(lambda data, _: routed.append(data), lambda: None, counters)
     while source.datagrams or len(reader):
-        reader._wake(source, "lan", 0, {})  # type: ignore[arg-type]
+        reader._wake(source, "lan", 0, {}, lambda error: None)  # type: ignore[arg-type]
         await asyncio.sleep(0)
     return routed
 

@@ -19,6 +19,7 @@ from jauspy.protocol import judp, junior
 from jauspy.protocol.header import Packet
 
 HERE, FAR = JausID.parse("101.1.1"), JausID.parse("42.1.1")
+QUERY_BACK = judp.pack(Packet(HERE, FAR, b"\x02\x20", 1))
 QUERY = judp.pack(Packet(FAR, HERE, b"\x02\x20", 1))
 
 
@@ -166,6 +167,24 @@ async def test_a_reload_takes_over_rules_and_keeps_the_old_ones_when_it_fails(ro
         assert node.reload(config(root, multicast_ttl=3)) == ["multicast_ttl"]
         peer.sendto(refused, ("127.0.0.1", node.port))
         assert await receive(component) == refused
+
+
+async def test_a_reload_reads_the_address_books_again(root: Path, tmp_path: Path, introduce, udp) -> None:
+    book = tmp_path / "book.toml"
+    book.write_text("[addresses]\n")
+    settings = config(root, address_books=[book])
+    async with NodeManager(settings) as node:
+        component, peer = introduce(HERE), udp()
+        assert await receive(component) == junior.accept(HERE)
+        book.write_text('[addresses]\n"42.1.1" = "udp://{}:{}"\n'.format(*peer.getsockname()))
+        assert node.reload(settings) == []
+        component.sendto(QUERY_BACK, str(node.path))
+        assert await receive(peer) == QUERY_BACK
+        book.write_text('[addresses]\n"42.1" = 1\n')
+        with pytest.raises(ConfigError, match="book.toml"):
+            node.reload(settings)
+        component.sendto(QUERY_BACK, str(node.path))
+        assert await receive(peer) == QUERY_BACK
 
 
 async def test_systemd_is_told_of_readiness_and_life(root: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -195,7 +195,7 @@ def test_packed_datagrams_are_unpacked_for_everybody(node: NodeCore) -> None:
 
 
 def test_a_dead_component_leaves_the_living_alone(node: NodeCore) -> None:
-    node.unreachable(port(A).path)
+    node.unreachable(port(A))
     data = message(FAR, JausID(100, 255, 255))
     assert after(node, data, FAR_PORT) == [(port(B), data), (port(C), data)]
     after(node, message(A, B), port(A))

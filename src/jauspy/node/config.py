@@ -12,11 +12,27 @@ from typing import Any, Literal, Self
 from pydantic import Field, ValidationError, model_validator
 
 from jauspy.errors import ConfigError
+from jauspy.node.addresses import Entries, entries, load
 from jauspy.node.explain import explain
-from jauspy.node.settings import Group, HostPort, IdPattern, IPv4, MessageName, Mirror, Mode, Name, Settings
+from jauspy.node.settings import (
+    Addresses,
+    Group,
+    HostPort,
+    IdPattern,
+    Interface,
+    IPv4,
+    IPv6,
+    MessageName,
+    Mirror,
+    Mode,
+    Name,
+    Settings,
+)
 from jauspy.protocol import judp
+from jauspy.protocol.address_book import LIFETIME
 from jauspy.protocol.ports import LAN
 from jauspy.transport.multicast import ANY, RECEIVE_BUFFER
+from jauspy.transport.serial_link import SerialLine
 
 
 class NetworkConfig(Settings):
@@ -32,8 +48,11 @@ class NetworkConfig(Settings):
     """Group that broadcasts, and questions for unknown ids, are sent to."""
     multicast_ttl: int = Field(default=judp.MULTICAST_TTL, ge=0, le=255)
     """How many routers a multicast may pass."""
-    multicast_interfaces: tuple[IPv4, ...] = ()
-    """Addresses of the interfaces to join on and send by; empty: the one of `address`, or the kernel's choice."""
+    multicast_interfaces: tuple[Interface, ...] = ()
+    """Interfaces to join on and send by: addresses, names, or "all"; they may come and go. Empty: the one of `address`,
+    or the kernel's choice."""
+    address6: IPv6 | None = Field(default=None, examples=["::"])
+    """IPv6 address to speak JUDP on as well, on the same port, without multicast."""
     key_file: Path | None = Field(default=None, examples=["/etc/jauspy/lan.key"])
     """File with a key of at least 16 bytes that all node managers of this network share. With it every packet is
     authenticated, and packets of others are dropped: only jauspy speaks this. See docs/security.md."""
@@ -75,6 +94,28 @@ class GatewayConfig(Settings):
     everything addressed to the subsystem may enter. What is not addressed to it never does."""
 
 
+class SerialConfig(Settings):
+    """A serial line, with 8 data bits."""
+
+    device: str = Field(examples=["/dev/ttyUSB0"])
+    """The device."""
+    baud_rate: int = Field(default=19200, gt=0)
+    """Bits per second."""
+    parity: Literal["N", "E", "O"] = "N"
+    """None, even or odd."""
+    stop_bits: Literal[1, 2] = 1
+    """Stop bits."""
+    hardware_flow_control: bool = False
+    """RTS and CTS."""
+    software_flow_control: bool = False
+    """XON and XOFF."""
+
+    @property
+    def line(self) -> SerialLine:
+        """What the transport wants to know."""
+        return SerialLine(**self.model_dump())
+
+
 class NodeConfig(NetworkConfig):
     """What a node manager binds, joins, allows and tells. The settings of its first network stand at the top."""
 
@@ -102,6 +143,21 @@ class NodeConfig(NetworkConfig):
     """Messages per second that each source id may send; 0 is no limit. Safety-critical ones have the same once more."""
     rate_burst: float = Field(default=1000.0, ge=1)
     """Messages that a source may send at once under `rate_limit`."""
+    local_udp: bool = True
+    """Let components of this machine connect by UDP, as those of ROS/IOP do."""
+    tcp: bool = False
+    """Take JTCP connections. TCP peers among the addresses are connected to in any case."""
+    tcp_port: int | None = Field(default=None, ge=0, le=65535, examples=[3794])
+    """TCP port; left out: the same as `port`."""
+    serial: tuple[SerialConfig, ...] = Field(default=(), examples=[SerialConfig(device="/dev/ttyUSB0")])
+    """Serial lines that speak JSerial; needs the extra `serial`. They and JTCP belong to the first network."""
+    addresses: Addresses = Field(default_factory=dict)
+    """Where ids are that multicast does not find, as in "101.1.255" = "udp://10.0.0.5:3794"; 65535 and 255 are
+    wildcards, tcp:// and serial: are other ways, and a list is several. They get copies of broadcasts, too."""
+    address_books: tuple[Path, ...] = Field(default=(), examples=[("/etc/jauspy/nm.cfg",)])
+    """Files with more addresses: TOML with a table [addresses], nm.cfg of the JAUS Toolset, or FKIE's YAML."""
+    address_lifetime: float = Field(default=LIFETIME, gt=0)
+    """Seconds of silence after which a learned address is forgotten, and asked for again."""
     receive_buffer: int = Field(default=RECEIVE_BUFFER, ge=4096, le=1 << 30)
     """Bytes of each UDP receive buffer; the kernel gives at most net.core.rmem_max."""
     status: bool = True
@@ -125,6 +181,16 @@ class NodeConfig(NetworkConfig):
         except ValidationError as error:
             told = (explain(problem, cls) for problem in error.errors(include_url=False))
             raise ConfigError(f"node manager setting {'; '.join(told)}") from None
+
+    def known_addresses(self) -> Entries:
+        """All entries of `addresses` and `address_books`; raises `ConfigError` that names the file."""
+        found = {id: list(ports) for id, ports in entries(self.addresses).items()}
+        for path in self.address_books:
+            for id, ports in load(path).items():
+                found.setdefault(id, []).extend(ports)
+        return {
+            id: tuple(dict.fromkeys(port._replace(network=self.name) for port in ports)) for id, ports in found.items()
+        }
 
     @property
     def all_networks(self) -> tuple[NetworkConfig, ...]:

@@ -8,7 +8,7 @@ from collections import deque
 from collections.abc import Callable
 from typing import Any, Final
 
-from jauspy.protocol import header
+from jauspy.protocol import wire
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.ports import UdpPort
 
@@ -44,26 +44,38 @@ class Ingress:
     def __len__(self) -> int:
         return self._waiting
 
-    def attach(self, sock: socket.socket, network: str, *, skip: int = 0) -> None:
-        """Read a non-blocking socket until it is detached. `skip` bytes come before the packet's version byte."""
-        ports: dict[Any, UdpPort] = {}
-        self._loop.add_reader(sock, self._wake, sock, network, skip, ports)
+    def attach(self, sock: socket.socket, network: str, failed: Callable[[OSError], None], *, skip: int = 0) -> None:
+        """Read a non-blocking socket until it is detached. `skip` bytes come before the packet's version byte.
 
-    def _wake(self, sock: socket.socket, network: str, skip: int, ports: dict[Any, UdpPort]) -> None:
-        for _ in range(READ_BURST):
+        `failed` is told what became of sent datagrams that came back.
+        """
+        ports: dict[Any, UdpPort] = {}
+        self._loop.add_reader(sock, self._wake, sock, network, skip, ports, failed)
+
+    def _wake(
+        self,
+        sock: socket.socket,
+        network: str,
+        skip: int,
+        ports: dict[Any, UdpPort],
+        failed: Callable[[OSError], None],
+    ) -> None:
+        for count in range(READ_BURST):
             try:
                 data, sender = sock.recvfrom(_BUFFER)
-            except (BlockingIOError, InterruptedError):
+            except (BlockingIOError, InterruptedError) as error:
+                if not count:
+                    failed(error)
                 break
             except OSError as error:
-                self._counters.drop("socket_error", error)
+                failed(error)
                 break
             port = ports.get(sender)
             if port is None:
                 if len(ports) > MAX_WAITING:
                     ports.clear()
                 port = ports[sender] = UdpPort(sender[0], sender[1], network)
-            self._queues[header.peek_priority(data, skip)].append((data, port))
+            self._queues[wire.peek_priority(data, skip)].append((data, port))
             self._waiting += 1
         if self._waiting > MAX_WAITING:
             self._drop(self._waiting - MAX_WAITING)

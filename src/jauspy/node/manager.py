@@ -14,21 +14,23 @@ from jauspy.ids import JausID
 from jauspy.node import keys, operations, policy
 from jauspy.node.config import NodeConfig
 from jauspy.node.ingress import Ingress
+from jauspy.node.links import Links
 from jauspy.node.mailbox import Mailbox
 from jauspy.node.network import Network
 from jauspy.node.state import NodeState
 from jauspy.protocol import junior
 from jauspy.protocol.node import NodeCore
-from jauspy.protocol.ports import GroupPort, LocalPort, Port, UdpPort
+from jauspy.protocol.ports import GroupPort, LocalPort, NetworkPort, Port, SerialPort, TcpPort, UdpPort
 from jauspy.protocol.sources import Sources
 from jauspy.transport import draining, local_socket
+from jauspy.transport.memberships import WATCH_INTERVAL
 
 if TYPE_CHECKING:
     from jauspy.node.mirror import Mirror
 
 MAX_SENDERS: Final = 4096
 """Names of local sockets that are remembered."""
-RELOADABLE: Final = ("gateway", "source_check", "rate_limit", "rate_burst")
+RELOADABLE: Final = ("gateway", "source_check", "rate_limit", "rate_burst", "addresses", "address_books")
 """Settings that `NodeManager.reload` takes over."""
 
 
@@ -42,8 +44,12 @@ class NodeManager:
 
     def __init__(self, config: NodeConfig | None = None) -> None:
         self.config = config or NodeConfig()
+        self._known = self.config.known_addresses()
         self._core = NodeCore(
             str(self.config.local_root),
+            addresses=self._known,
+            address_lifetime=self.config.address_lifetime,
+            local_udp=self.config.local_udp,
             networks=[network.name for network in self.config.all_networks],
             gateway=policy.gateway(self.config),
             sources=Sources(policy.limits(self.config)),
@@ -55,7 +61,9 @@ class NodeManager:
         self._senders: dict[str | bytes | None, LocalPort] = {}
         self._mirror: Mirror | None = None
         self._mirrored: Port = LocalPort("")
+        self._links = Links(self._core.counters, self.config.name, self._from_link, self._core.disconnected)
         self._timer: asyncio.TimerHandle | None = None
+        self._watch: asyncio.TimerHandle | None = None
         self._extras = AsyncExitStack()
         self._closed = asyncio.Event()
 
@@ -85,6 +93,11 @@ class NodeManager:
         return next(each.port for each in self.config.all_networks if each.name == network)
 
     @property
+    def tcp_port(self) -> int | None:
+        """The TCP port in use, if any."""
+        return self._links.tcp_port
+
+    @property
     def components(self) -> tuple[JausID, ...]:
         """The ids of the components that are registered here."""
         return tuple(sorted(JausID.from_int(id) for id, _ in self._core.components))
@@ -110,7 +123,10 @@ class NodeManager:
             local_socket.give_to_group(self.path, config.local_group)
             for each in config.all_networks:
                 seal = keys.load(each.key_file)
-                self._networks[each.name] = Network(each, self._core.counters, config.receive_buffer, seal)
+                self._networks[each.name] = Network(
+                    each, self._core.counters, config.receive_buffer, seal, self._core.unreachable
+                )
+            await self._links.open(config, self.port, (port for ports in self._known.values() for port in ports))
             self._mirror = await operations.open_all(self._extras, config, lambda: self.state)
         except BaseException:
             await self.close()
@@ -120,16 +136,19 @@ class NodeManager:
         self._ingress = Ingress(self._from_network, self._flush, self._core.counters)
         for name, network in self._networks.items():
             for sock in network.sockets:
-                self._ingress.attach(sock, name, skip=network.skip)
+                self._ingress.attach(sock, name, self._udp_error, skip=network.skip)
+        self._watch = self._loop.call_later(WATCH_INTERVAL, self._watch_interfaces)
 
     async def close(self) -> None:
         """Give everything back; a second call does nothing."""
         local, self._local = self._local, None
         if local is None:
             return
-        if self._timer is not None:
-            self._timer.cancel()
-            self._timer = None
+        for timer in (self._timer, self._watch):
+            if timer is not None:
+                timer.cancel()
+        self._timer = self._watch = None
+        await self._links.close()
         for mailbox in self._mailboxes.values():
             mailbox.close()
         self._mailboxes.clear()
@@ -145,8 +164,13 @@ class NodeManager:
         self._closed.set()
 
     def reload(self, config: NodeConfig) -> list[str]:
-        """Take over rules and limits; returns the settings that differ and need a restart. Raises `ConfigError`."""
-        self._core.gateway = policy.gateway(config)
+        """Take over rules, limits and addresses; returns the settings that differ and need a restart.
+
+        Raises `ConfigError`, and then nothing has changed. New TCP peers are connected to after a restart.
+        """
+        gateway, known = policy.gateway(config), config.known_addresses()
+        self._core.gateway = gateway
+        self._core.address_book.tell({int(id): ports for id, ports in known.items()})
         self._core.sources.limit(policy.limits(config))
         names = type(config).model_fields
         changed = [name for name in names if getattr(config, name) != getattr(self.config, name)]
@@ -174,6 +198,10 @@ class NodeManager:
         if datagram is not None:
             self._take(datagram, port)
 
+    def _from_link(self, datagram: bytes, port: NetworkPort) -> None:
+        self._take(datagram, port)
+        self._flush()
+
     def _take(self, datagram: bytes, port: Port) -> None:
         self._core.receive(datagram, port, self._loop.time())
         if self._mirror is not None:
@@ -182,6 +210,13 @@ class NodeManager:
 
     def _socket_error(self, error: OSError) -> None:
         self._core.counters.drop("socket_error", error)
+
+    def _udp_error(self, error: OSError) -> None:
+        """A wake-up without a datagram, too, is for datagrams that have come back."""
+        if not isinstance(error, BlockingIOError):
+            self._core.counters.drop("udp_unreachable", error)
+        for network in self._networks.values():
+            network.take_back()
 
     # --- out -----------------------------------------------------------------------------------------------------
 
@@ -193,6 +228,10 @@ class NodeManager:
                 self._core.counters.drop("closed")
             elif isinstance(port, GroupPort):
                 network.multicast(datagram)
+                if port.network == self.config.name:
+                    self._links.broadcast(datagram)
+            elif isinstance(port, TcpPort | SerialPort):
+                self._links.send(port, datagram)
             else:
                 network.send(datagram, port.host, port.port)
             if self._mirror is not None:
@@ -210,12 +249,17 @@ class NodeManager:
 
     def _gone(self, path: str) -> None:
         self._mailboxes.pop(path, None)
-        self._core.unreachable(path)
+        self._core.unreachable(LocalPort(path))
 
     def _forget_cancelled(self) -> None:
-        alive = {path for _, path in self._core.components}
+        alive = {port.path for _, port in self._core.components if isinstance(port, LocalPort)}
         for path in [path for path in self._mailboxes if path not in alive]:
             self._mailboxes.pop(path).close()
+
+    def _watch_interfaces(self) -> None:
+        for network in self._networks.values():
+            network.watch_interfaces()
+        self._watch = self._loop.call_later(WATCH_INTERVAL, self._watch_interfaces)
 
     # --- time ----------------------------------------------------------------------------------------------------
 

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import ipaddress
 import re
-from typing import Annotated, Final
+from collections.abc import Mapping
+from typing import Annotated, Any, Final
 
 from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field
 
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
+from jauspy.node.addresses import entries
 
 _RANGE: Final = re.compile(r"(0[xX][0-9a-fA-F]{1,4})(?:-(0[xX][0-9a-fA-F]{1,4}))?")
 
@@ -31,6 +33,25 @@ def _group(text: str) -> str:
     if not ipaddress.IPv4Address(_ipv4(text)).is_multicast:
         raise ValueError("write an IPv4 multicast address, as in 239.255.0.1")
     return text
+
+
+def _ipv6(text: str) -> str:
+    try:
+        return str(ipaddress.IPv6Address(text))
+    except ValueError:
+        raise ValueError("write an IPv6 address, as in fd00::1, or :: for all") from None
+
+
+def _interface(text: str) -> str:
+    return text if text and not text[0].isdigit() else _ipv4(text)
+
+
+def _addresses(table: Mapping[str, Any]) -> Mapping[str, Any]:
+    try:
+        entries(table)
+    except ConfigError as error:
+        raise ValueError(str(error)) from None
+    return table
 
 
 def _host_port(text: str) -> str:
@@ -75,6 +96,9 @@ def parse_codes(text: str) -> range | None:
 
 
 IPv4 = Annotated[str, AfterValidator(_ipv4)]
+IPv6 = Annotated[str, AfterValidator(_ipv6)]
+Interface = Annotated[str, AfterValidator(_interface)]
+Addresses = Annotated[Mapping[str, str | list[str]], AfterValidator(_addresses)]
 Group = Annotated[str, AfterValidator(_group)]
 HostPort = Annotated[str, AfterValidator(_host_port)]
 Mirror = Annotated[str, AfterValidator(_mirror)]

@@ -11,6 +11,7 @@ from jauspy.ids import JausID
 from jauspy.node.config import NodeConfig
 from jauspy.node.network import Network
 from jauspy.protocol.node import NodeCore
+from jauspy.protocol.reports import place
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,7 +32,7 @@ class NodeState:
             "uptime": round(self.now - started, 3),
             "local_root": str(self.config.local_root),
             "networks": [self._network(name, network) for name, network in self.networks.items()],
-            "components": [self._component(id, path) for id, path in sorted(self.core.components)],
+            "components": [self._component(id, place(port)) for id, port in sorted(self.core.components)],
             "peers": [self._peer(*entry) for entry in self.core.address_book],
             "queues": {"ingress": self.ingress, "unknown_destinations": self.core.waiting_messages},
             "counters": dict(sorted(self.core.counters.items())),

@@ -148,8 +148,14 @@ class OCU:
         patience = self._link.patience.changed(timeout, retries)
         return await self._link.query(_id(destination), message, patience=patience, expects=expects)
 
-    async def send(self, destination: str | JausID, message: Message) -> None:
-        """Send to any component, or to all that a wildcard id reaches."""
+    async def send(self, destination: str | JausID, message: Message, *, ack: bool = False) -> None:
+        """Send to any component, or to all that a wildcard id reaches.
+
+        With `ack` it is resent until that one component acknowledges it, or `ResponseTimeout` is raised.
+        """
+        if ack:
+            await self._link.deliver(_id(destination), message)
+            return
         self._link.send(_id(destination), message)
 
 

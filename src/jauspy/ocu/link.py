@@ -103,6 +103,11 @@ class Link:
         self._open().send(destination, message, priority=priority, broadcast=broadcast, ack=ack)
         self.recorder.sent += 1
 
+    async def deliver(self, destination: JausID, message: Message) -> None:
+        """Send a message and wait for its ACK; raises `ResponseTimeout` when none comes after all resends."""
+        self.recorder.sent += 1
+        await self._open().deliver(destination, message)
+
     async def query(
         self,
         destination: JausID,

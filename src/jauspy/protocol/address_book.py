@@ -26,13 +26,16 @@ class AddressBook:
     """
 
     def __init__(self, static: Entries | None = None, *, limit: int = MAX_LEARNED, lifetime: float = LIFETIME) -> None:
-        static = static or {}
-        self._static = tuple((id, tuple(ports)) for id, ports in static.items())
-        self._exact = {id: ports[0] for id, ports in self._static if ports and not addressing.is_wildcard(id)}
-        self._patterns = [(id, ports[0]) for id, ports in self._static if ports and addressing.is_wildcard(id)]
         self._learned: OrderedDict[int, tuple[NetworkPort, float]] = OrderedDict()
         self._limit = limit
         self._lifetime = lifetime
+        self.tell(static or {})
+
+    def tell(self, static: Entries) -> None:
+        """Use these static entries from now on; what was learned stays."""
+        self._static = tuple((id, tuple(ports)) for id, ports in static.items())
+        self._exact = {id: ports[0] for id, ports in self._static if ports and not addressing.is_wildcard(id)}
+        self._patterns = [(id, ports[0]) for id, ports in self._static if ports and addressing.is_wildcard(id)]
 
     def __len__(self) -> int:
         return len(self._static) + len(self._learned)
