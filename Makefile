@@ -7,13 +7,14 @@ VENV := .venv
 BIN := $(VENV)/bin
 PORT ?= 3794
 PYTEST_ARGS ?=
+SECONDS ?= 600
 
 .DEFAULT_GOAL := help
-.PHONY: help setup dev demo test check lint types imports unit wheel-test bench format generate clean
+.PHONY: help setup dev demo test check lint types imports unit wheel-test bench soak format generate clean
 
 help:
 	@sed -n 's/^# //p' Makefile | head -3
-	@echo "others: lint types imports unit wheel-test bench format generate clean (see CONTRIBUTING.md)"
+	@echo "others: lint types imports unit wheel-test bench soak format generate clean (see CONTRIBUTING.md)"
 
 $(VENV)/.installed: pyproject.toml tools/setup_venv.sh
 	@PYTHON=$(PYTHON) tools/setup_venv.sh $(VENV) user
@@ -50,7 +51,11 @@ wheel-test: dev
 	$(BIN)/python tools/wheel_test.py
 
 bench: dev
-	@for script in tools/bench/*.py; do echo "== $$script"; $(BIN)/python $$script || exit 1; done
+	@for script in $(filter-out tools/bench/floor.py,$(wildcard tools/bench/*.py)); do \
+		echo "== $$script"; $(BIN)/python $$script || exit 1; done
+
+soak: dev
+	$(BIN)/python tools/soak.py --seconds $(SECONDS)
 
 format: dev
 	$(BIN)/ruff check --fix
