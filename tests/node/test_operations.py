@@ -181,7 +181,7 @@ async def test_a_reload_reads_the_address_books_again(root: Path, tmp_path: Path
         component.sendto(QUERY_BACK, str(node.path))
         assert await receive(peer) == QUERY_BACK
         book.write_text('[addresses]\n"42.1" = 1\n')
-        with pytest.raises(ConfigError, match="book.toml"):
+        with pytest.raises(ConfigError, match=r"book\.toml"):
             node.reload(settings)
         component.sendto(QUERY_BACK, str(node.path))
         assert await receive(peer) == QUERY_BACK
