@@ -142,6 +142,21 @@ def test_what_the_network_doubles_arrives_once(bad_network: Callable[..., Any]) 
     assert sorted(len(each.payload) for each in network.received[B]) == [2, MAX_PAYLOAD + 1]
 
 
+def test_small_messages_that_overtake_a_large_one_arrive_once(network: Any) -> None:
+    pair(network)
+    network.lose = lambda data: judp.unpack(data)[0].ack is Ack.ACK and 0.02 < network.now < 0.2
+    network.send(A, B, bytes(600 * MAX_PAYLOAD >> 3))
+    network.send(A, B, bytes(600 * MAX_PAYLOAD >> 3))
+    for number in range(20):
+        network.send(A, B, bytes([0x0D, 0, number]), Ack.REQUIRED)
+        network.run(until=network.now + 0.003)
+    network.run(until=5.0)
+    small = [packet.payload for packet in network.received[B] if len(packet.payload) == 3]
+    assert sorted(small) == [bytes([0x0D, 0, number]) for number in range(20)]
+    assert len(network.received[B]) == 22
+    assert network.endpoints[B].counters["dropped.duplicate"] > 0
+
+
 def test_a_peer_that_never_counts_is_heard() -> None:
     endpoint = Endpoint(B, first_sequence=9)
     for step in range(10):

@@ -141,3 +141,20 @@ def test_a_learned_address_expires_and_is_asked_for_again() -> None:
     assert receive(core, data, OUR_PORT, LIFETIME - 1) == [(PEER, data.hex())]
     asking = judp.pack(Packet(OURS, THEIRS, b"\x02\x20", ack=Ack.REQUIRED))
     assert receive(core, data, OUR_PORT, LIFETIME) == [(GROUP, asking.hex())]
+
+
+def test_a_connect_by_udp_does_not_take_the_id_of_a_socket() -> None:
+    core = node()
+    assert receive(core, junior.connect(OURS), UdpPort("127.0.0.1", 4000)) == []
+    assert core.counters["dropped.duplicate_id"] == 1
+    own = judp.pack(Packet(OURS, OURS, b"\x00\x00"))
+    assert receive(core, own, OUR_PORT) == [(OUR_PORT, own.hex())]
+
+
+def test_who_comes_back_on_a_closed_connection_is_learned_at_once() -> None:
+    core, port = node(), TcpPort("10.0.0.9", 3794)
+    there, here = judp.pack(Packet(OURS, THEIRS, b"\x02\x40")), judp.pack(Packet(THEIRS, OURS, b"\x02\x20"))
+    receive(core, here, port, 0.0)
+    core.disconnected(port)
+    receive(core, here, port, 0.1)
+    assert receive(core, there, OUR_PORT, 0.1) == [(port, there.hex())]

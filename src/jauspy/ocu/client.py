@@ -34,7 +34,8 @@ _NODE_TYPE = 40001
 class OCU:
     """`async with jauspy.OCU("42.1.1") as ocu: robot = await ocu.discover(subsystem=101)`.
 
-    `connect`: None (the node manager of this machine, else multicast), `"udp://HOST[:PORT]"` or `"local:DIRECTORY"`.
+    `connect`: None (the node manager of this machine, else multicast), `"udp://HOST[:PORT]"`, `"tcp://HOST[:PORT]"` or
+    `"local:DIRECTORY"`.
     `timeout` (seconds) and `retries` are what queries use unless told otherwise; `registry` has the known messages.
     Others see the OCU as a subsystem with one component that answers discovery and heartbeat.
     """

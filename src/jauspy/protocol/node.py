@@ -106,6 +106,7 @@ class NodeCore:
     def disconnected(self, port: NetworkPort) -> None:
         """A connection has ended: what was learned through it is asked for again."""
         self.address_book.forget(port)
+        self.sources.forget(port)
 
     # --- from components -----------------------------------------------------------------------------------------
 
@@ -152,7 +153,12 @@ class NodeCore:
         id = int(control.id)
         own = self._named(port, id)
         if control.kind is junior.ControlKind.CONNECT:
-            if self.components.port(id) not in (None, own):
+            known = self.components.port(id)
+            if isinstance(own, UdpPort) and isinstance(known, LocalPort):  # any user may send UDP, not any use a socket
+                self.counters.drop("duplicate_id", f"{control.id} from {own}")
+                self._reports.twice(id, own)
+                return
+            if known not in (None, own):
                 self._reports.moved(id, own)
             if self._register(id, own, junior.accept(control.id)):
                 self.counters["connects"] += 1

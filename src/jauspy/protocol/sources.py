@@ -52,6 +52,11 @@ class Sources:
         known = self._places.get(id)
         return known is not None and known[0] == port and now - known[1] < SETTLED
 
+    def forget(self, port: NetworkPort) -> None:
+        """What came from there may come from anywhere now, as when a connection was closed."""
+        for id in [id for id, (known, _) in self._places.items() if known == port]:
+            del self._places[id]
+
     def is_at_home(self, id: int, port: NetworkPort, now: float) -> bool:
         """False when this id was heard from another host or network lately; another port is fine."""
         known, heard = self._places.get(id, (port, now))
