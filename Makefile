@@ -5,7 +5,8 @@
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
-PORT ?= 3794
+# not from the environment, where PORT often means something else; `make demo PORT=3795` works
+PORT = 3794
 PYTEST_ARGS ?=
 SECONDS ?= 600
 

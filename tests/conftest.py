@@ -1,7 +1,10 @@
-"""Fixtures that many tests share: short socket folders and free ports."""
+"""Fixtures that many tests share: short socket folders, free ports, and two hosts on one cable."""
 
+import contextlib
+import os
 import shutil
 import socket
+import subprocess
 import tempfile
 from collections.abc import Iterator
 from pathlib import Path
@@ -33,3 +36,29 @@ def shared() -> Path:
     if not folder.is_dir():
         pytest.skip("needs the folder 'shared' beside the repository")
     return folder
+
+
+@pytest.fixture
+def cable() -> Iterator[tuple[str, str]]:
+    """Two namespaces, 10.77.0.1 on jv<pid>a and 10.77.0.2 on jv<pid>b, with a route for multicasts."""
+    if os.geteuid() or not shutil.which("ip"):
+        pytest.skip("needs root and the program ip to make network namespaces")
+    names = (f"jn{os.getpid()}a", f"jn{os.getpid()}b")
+    ends = (f"jv{os.getpid()}a", f"jv{os.getpid()}b")
+    with contextlib.ExitStack() as stack:
+        try:
+            for name in names:
+                _run("ip", "netns", "add", name)
+                stack.callback(_run, "ip", "netns", "del", name)
+            _run("ip", "link", "add", ends[0], "netns", names[0], "type", "veth", "peer", ends[1], "netns", names[1])
+            for number, (name, end) in enumerate(zip(names, ends, strict=True), 1):
+                _run("ip", "-n", name, "addr", "add", f"10.77.0.{number}/24", "dev", end)
+                _run("ip", "-n", name, "link", "set", end, "up")
+                _run("ip", "-n", name, "route", "add", "default", "dev", end)
+        except subprocess.CalledProcessError as error:
+            pytest.skip(f"this system makes no network namespaces: {error.stderr.decode().strip()}")
+        yield names
+
+
+def _run(*command: str) -> None:
+    subprocess.run(command, check=True, capture_output=True, timeout=20)

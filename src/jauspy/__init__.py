@@ -11,51 +11,23 @@ if TYPE_CHECKING:
     from jauspy.codec.registry import Registry as Registry
     from jauspy.errors import (
         CodecError as CodecError,
-    )
-    from jauspy.errors import (
         ConfigError as ConfigError,
-    )
-    from jauspy.errors import (
         ControlRejected as ControlRejected,
-    )
-    from jauspy.errors import (
         DecodeError as DecodeError,
-    )
-    from jauspy.errors import (
         EncodeError as EncodeError,
-    )
-    from jauspy.errors import (
         EventRejected as EventRejected,
-    )
-    from jauspy.errors import (
         JausError as JausError,
-    )
-    from jauspy.errors import (
         ProtocolError as ProtocolError,
-    )
-    from jauspy.errors import (
         RequestError as RequestError,
-    )
-    from jauspy.errors import (
         ResponseTimeout as ResponseTimeout,
-    )
-    from jauspy.errors import (
         SchemaError as SchemaError,
-    )
-    from jauspy.errors import (
         TransportError as TransportError,
     )
     from jauspy.ids import JausID as JausID
     from jauspy.ocu import (
         OCU as OCU,
-    )
-    from jauspy.ocu import (
         Robot as Robot,
-    )
-    from jauspy.ocu import (
         ServiceClient as ServiceClient,
-    )
-    from jauspy.ocu import (
         Subscription as Subscription,
     )
 

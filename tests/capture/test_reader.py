@@ -57,15 +57,19 @@ def test_port_filter():
 
 
 @pytest.mark.parametrize("writer", [dpkt.pcap.Writer, dpkt.pcapng.Writer])
-def test_a_file_cut_off_anywhere_gives_what_is_whole(writer):
+def test_a_file_cut_off_anywhere_but_between_records_is_an_error(writer):
     whole = capture_file([frame(), frame()], writer)
-    for length in range(4, len(whole)):
+    ends = [len(capture_file([frame()] * count, writer)) for count in range(3)]
+    for length in range(4, len(whole) + 1):
         found = []
         try:
             reader = CaptureReader(io.BufferedReader(io.BytesIO(whole[:length])), name="x.pcap")
             found.extend(reader)
+            assert length in ends
+            assert len(found) == ends.index(length)
         except ConfigError as error:
             assert str(error).startswith("x.pcap is ")  # noqa: PT017 - most lengths are an error, not all
+            assert length not in ends
         assert all(datagram.payload == MESSAGE for datagram in found)
 
 

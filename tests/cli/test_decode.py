@@ -11,6 +11,9 @@ import pytest
 from typer.testing import CliRunner
 
 from jauspy.cli.main import app
+from jauspy.ids import JausID
+from jauspy.messages import registry
+from jauspy.protocol import junior
 
 GOLDEN = Path(__file__).parents[1] / "golden" / "sae_management.hex"
 CAPTURES = Path(__file__).parents[3] / "shared" / "captures"
@@ -149,14 +152,68 @@ def test_standard_input_takes_captures_and_hex(tmp_path, kind):
     assert json.loads(done.stdout)["messages"][0]["message"] == "QueryStatus"
 
 
-def test_head_is_no_failure_and_no_traceback():
-    command = f"{sys.executable} -m jauspy.cli.main decode {{}} --json | head -1"
+@pytest.mark.parametrize("form", ["--json", ""])
+def test_head_is_no_failure_and_no_traceback(form):
+    command = f"{sys.executable} -m jauspy.cli.main decode - {form} | head -1"
     lines = GOLDEN.read_text() * 200
     done = subprocess.run(
-        ["bash", "-o", "pipefail", "-c", command.format("-")], input=lines.encode(), capture_output=True, check=False
+        ["bash", "-o", "pipefail", "-c", command], input=lines.encode(), capture_output=True, check=False
     )
     assert (done.returncode, done.stderr) == (0, b"")
-    assert json.loads(done.stdout)["n"] == 1
+    assert len(done.stdout.splitlines()) == 1
+
+
+@pytest.mark.parametrize(
+    ("command", "sentence"),
+    [
+        ("decode 0220 >/dev/full", "the results cannot be written: No space left on device"),
+        ("decode 0220 --json >/dev/full", "the results cannot be written: No space left on device"),
+        ("--help >/dev/full", "the results cannot be written: No space left on device"),
+        ("decode - <&-", "standard input is empty"),
+        ("decode 0220 >&-", "standard output is closed; write `>/dev/null` to do without it"),
+    ],
+)
+def test_closed_and_full_streams_get_one_sentence(command, sentence):
+    done = subprocess.run(
+        ["bash", "-c", f"{sys.executable} -m jauspy.cli.main {command}"], capture_output=True, text=True, check=False
+    )
+    assert (done.returncode, done.stderr) == (1, f"Error: {sentence}\n")
+
+
+@pytest.mark.parametrize("cut", [1, 2, 3, 8, 13])
+def test_a_datagram_cut_short_is_no_message(cut):
+    [item] = objects(QUERY_STATUS[: -2 * cut], status=1)
+    assert "packet not readable: truncated" in item["errors"][0]
+    assert item["messages"] == []
+
+
+def test_a_message_as_long_as_a_datagram_and_with_its_first_byte_is_one():
+    pose = registry.by_name("ReportGlobalPose")(latitude=30.0, longitude=-120.0, altitude=12.0, yaw=0.5).encode()
+    assert (pose[0], len(pose) >= 15) == (2, True)
+    assert objects(pose.hex())[0]["messages"][0]["message"] == "ReportGlobalPose"
+    assert objects(pose.hex() + "00", status=1)[0]["errors"]
+
+
+@pytest.mark.parametrize(
+    ("pack", "text"), [(junior.connect, "Connect from 126.1.20"), (junior.accept, "Accept to 126.1.20")]
+)
+def test_control_messages_of_local_sockets(pack, text):
+    data = pack(JausID(126, 1, 20)).hex()
+    assert run(data).stdout == f"{text}, of the Junior local protocol (21 bytes)\n"
+    assert objects(data)[0]["note"].startswith(text)
+
+
+def test_a_capture_cut_short_is_shown_and_fails(tmp_path):
+    path = pcap(tmp_path / "x.pcap", [bytes.fromhex(QUERY_STATUS)] * 2)
+    path.write_bytes(path.read_bytes()[:-1])
+    result = run(path, status=1)
+    assert result.stdout.count("QueryStatus") == 1
+    assert "is damaged or cut off after frame 1" in result.stderr
+
+
+def test_a_capture_without_packets_says_so(tmp_path):
+    result = run(pcap(tmp_path / "x.pcap", []))
+    assert (result.stdout, result.stderr) == ("", "there are no packets in it\n")
 
 
 def test_a_control_byte_of_ff_is_decoded_and_remarked():

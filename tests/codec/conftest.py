@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from jauspy.codec import runtime as rt
 from jauspy.codec.dynamic import load_schema
 from jauspy.codec.registry import Registry
-from jauspy.codec.wire import FLOATS, limits
+from jauspy.codec.wire import FLOATS, SIZES, limits
 from jauspy.schema import model as m
 
 
@@ -180,9 +180,14 @@ def strategy(item: rt.Item) -> st.SearchStrategy[Any]:
 
 
 def composite(item: rt.Composite) -> st.SearchStrategy[Any]:
-    parts = {
-        slot.name: st.none() | strategy(slot.item) if slot.optional else strategy(slot.item) for slot in item.slots
-    }
+    parts: dict[str, st.SearchStrategy[Any]] = {}
+    bits_left = 8 * SIZES[item.presence] if item.presence else 0
+    for slot in item.slots:
+        kind = strategy(slot.item)
+        if slot.optional:
+            kind = st.none() | kind if bits_left > 0 else st.none()
+            bits_left -= 1
+        parts[slot.name] = kind
     if item.undefined:
         parts["reserved_presence"] = st.integers(0, 2**32).map(lambda raw: raw & item.undefined)
     return st.fixed_dictionaries(parts).map(lambda values: item.cls(**values))

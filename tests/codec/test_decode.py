@@ -51,30 +51,30 @@ def test_a_wrong_id_is_said_so() -> None:
     with pytest.raises(DecodeError, match=r"0x0010 is not 0x000F \(ConfirmControl\)"):
         ConfirmControl.decode(b"\x10\x00\x00")
     with pytest.raises(DecodeError, match="0x0010"):
-        ConfirmControl.decode_tolerant(b"\x10\x00\x00")
+        ConfirmControl.decode(b"\x10\x00\x00", strict=False)
 
 
 def test_tolerant_keeps_values_outside_their_set() -> None:
-    message, deviations = SetEmergency.decode_tolerant(b"\x06\x00\x00\x00")
+    message, deviations = SetEmergency.decode(b"\x06\x00\x00\x00", strict=False)
     assert message == SetEmergency(0)
     assert [str(d) for d in deviations] == ["byte 2: emergency_code: 0 is none of 1 STOP"]
     assert message.encode(strict=False) == b"\x06\x00\x00\x00"
 
 
 def test_tolerant_reports_bytes_left_over() -> None:
-    message, (deviation,) = ConfirmControl.decode_tolerant(b"\x0f\x00\x01\xaa\xbb")
+    message, (deviation,) = ConfirmControl.decode(b"\x0f\x00\x01\xaa\xbb", strict=False)
     assert message == ConfirmControl(ConfirmControl.ResponseCode.NOT_AVAILABLE)
     assert (deviation.offset, deviation.reason) == (3, "2 bytes left over after the message")
 
 
 def test_tolerant_reads_what_is_there() -> None:
     full = ReportVelocityState(1.0, 2.0, 3.0).encode()
-    message, deviations = ReportVelocityState.decode_tolerant(full[:-3])
+    message, deviations = ReportVelocityState.decode(full[:-3], strict=False)
     assert message.velocity_y == pytest.approx(2.0)
     assert message.velocity_z is not None
     assert deviations[0].path == "velocity_z"
     services = RegisterServices([RegisterServices.ServiceRec("urn:a", 1, 1)] * 3).encode()
-    found, _ = RegisterServices.decode_tolerant(services[:-2])
+    found, _ = RegisterServices.decode(services[:-2], strict=False)
     assert [service.uri for service in found.service_list] == ["urn:a"] * 3
 
 
@@ -133,7 +133,7 @@ def test_counts_are_checked_before_anything_is_made(odd: Registry) -> None:
     shapes = odd.by_name("Shapes")
     with pytest.raises(DecodeError, match=r"count 65535 is outside 0\.\.9"):
         shapes.decode(b"\x04\xf0\x02\xff\xff")
-    message, deviations = shapes.decode_tolerant(b"\x04\xf0\x02\xff\xff" + bytes(6))
+    message, deviations = shapes.decode(b"\x04\xf0\x02\xff\xff" + bytes(6), strict=False)
     assert message.to_dict() == {"shape": {"point_list": {"point_list": [{"x": 0, "y": 0.0}]}}}
     assert [d.offset for d in deviations] == [3, 11]
 

@@ -10,8 +10,7 @@ from jauspy.codec.fast import MOST_MASKS, Masks
 from jauspy.codec.generator import generate
 from jauspy.codec.names import attribute, class_name, constant, members, service_set
 from jauspy.errors import SchemaError
-from jauspy.schema import load_builtin
-from jauspy.schema import model as m
+from jauspy.schema import load_builtin, model as m
 
 MESSAGES = Path(__file__).parents[2] / "src" / "jauspy" / "messages"
 

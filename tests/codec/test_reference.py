@@ -12,8 +12,7 @@ from jauspy.errors import DecodeError, EncodeError
 from jauspy.messages import registry
 from jauspy.messages.core import RegisterServices
 from jauspy.messages.mobility import ReportVelocityState
-from jauspy.schema import load_builtin
-from jauspy.schema import model as m
+from jauspy.schema import load_builtin, model as m
 
 
 @pytest.fixture(scope="module")

@@ -53,7 +53,9 @@ def test_by_name_takes_any_case() -> None:
 
 
 def test_by_code() -> None:
-    assert registry.by_code(0x000F) == (ConfirmControl,)
+    codes = registry.by_code(0x000F)
+    assert codes[0] is ConfirmControl
+    assert {cls.SERVICE.rpartition(":")[2] for cls in codes} == {"AccessControl", "AccessControlClient"}
     assert registry.by_code(0xEEEE) == ()
     with pytest.raises(DecodeError, match="unknown message id 0x000F of urn:none"):
         registry.decode(b"\x0f\x00\x00", service="urn:none")

@@ -4,19 +4,18 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import pytest
-from hypothesis import HealthCheck, given, settings
-from hypothesis import strategies as st
+from hypothesis import HealthCheck, given, settings, strategies as st
 
 from jauspy.codec import careful, reference
 from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
 from jauspy.errors import DecodeError
 from jauspy.messages import registry
-from jauspy.schema import load_builtin
-from jauspy.schema import model as m
+from jauspy.schema import load_builtin, model as m
 
 FEW = settings(max_examples=15, deadline=None, suppress_health_check=list(HealthCheck))
 MORE = settings(max_examples=120, deadline=None, suppress_health_check=list(HealthCheck))
@@ -31,7 +30,8 @@ def check(message: Message) -> bytes:
     assert type(message)._unpack(data, 0) == decoded
     assert careful.decode(type(message), data) == decoded
     assert decoded.encode() == data
-    assert type(message).decode_tolerant(data) == (decoded, ())
+    assert careful.decode_tolerant(type(message), data) == (decoded, [])
+    assert type(message).decode(data, strict=False) == (decoded, [])
     assert type(message).from_dict(json.loads(json.dumps(decoded.to_dict()))) == decoded
     return data
 
@@ -76,7 +76,7 @@ def agree(cls: type[Message], model: m.Message, data: bytes) -> None:
     if ours is not None and theirs is not None:
         assert ours.encode() == data
         assert reference.build(model, theirs) == data
-    tolerant, deviations = cls.decode_tolerant(data)
+    tolerant, deviations = cls.decode(data, strict=False)
     assert (not deviations) == (ours is not None)
     tolerant.to_dict()
     if ours is not None:
@@ -132,7 +132,7 @@ def rejected(decode: Callable[[bytes], object], data: bytes) -> DecodeError | No
 @MORE
 @given(st.binary(max_size=80))
 def test_random_bytes_raise_nothing_but_decode_errors(data: bytes) -> None:
-    for decode in (registry.decode, registry.decode_tolerant):
+    for decode in (registry.decode, partial(registry.decode, strict=False)):
         error = rejected(decode, data)
         assert error is None or 0 <= error.offset <= len(data)
 
@@ -143,6 +143,6 @@ def test_random_bodies_raise_nothing_but_decode_errors(entry: Any, body: bytes) 
     data = entry.code.to_bytes(2, "little") + body
     error = rejected(entry.load().decode, data)
     assert error is None or (0 <= error.offset <= len(data) and error.reason)
-    message, deviations = entry.load().decode_tolerant(data)
+    message, deviations = entry.load().decode(data, strict=False)
     if not any(deviation.lost for deviation in deviations):
         assert message.encode(strict=False) == data

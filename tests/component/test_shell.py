@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import asyncio
+import logging
 import time
 from datetime import UTC, datetime
 
@@ -8,9 +9,19 @@ import pytest
 
 from jauspy.codec.base import Message
 from jauspy.component import Component
+from jauspy.component.shell import MAX_PER_WAKEUP
 from jauspy.errors import EncodeError, ProtocolError, ResponseTimeout, TransportError
 from jauspy.ids import EVERYONE, JausID
-from jauspy.messages.core import QueryHeartbeatPulse, ReportHeartbeatPulse, ReportTimeout, RequestControl
+from jauspy.messages.core import (
+    QueryControl,
+    QueryHeartbeatPulse,
+    RegisterServices,
+    RejectControl,
+    ReportHeartbeatPulse,
+    ReportTimeout,
+    RequestControl,
+    ServiceRec,
+)
 from jauspy.protocol.delivery import Delivery
 from jauspy.protocol.header import Ack, DataFlag, Packet
 from jauspy.protocol.judp import pack, unpack
@@ -257,3 +268,70 @@ async def test_large_messages_go_out_in_pieces_and_come_in_whole():
                 packet = await seen.get()
             assert (len(packet.payload), packet.data_flag) == (400_002, DataFlag.SINGLE)
             assert (ticket is None) == (ack is Ack.NONE)
+
+
+def queries(number: int, start: int = 0) -> bytes:
+    """One datagram with many packets."""
+    packets = [pack(Packet(PEER, ME, QueryHeartbeatPulse().encode(), start + n)) for n in range(number)]
+    return packets[0][:1] + b"".join(packet[1:] for packet in packets)
+
+
+async def test_more_packets_than_one_turn_handles_are_all_handled():
+    hub = LoopbackHub()
+    many = 3 * MAX_PER_WAKEUP + 1
+    async with component(hub) as me:
+        me.transport.received(queries(many))
+        assert me.counters["host.received"] == MAX_PER_WAKEUP
+        me.transport.received(queries(1, start=many))
+        async with asyncio.timeout(3):
+            while me.counters["host.received"] < many + 1:
+                await asyncio.sleep(0)
+
+
+async def test_what_was_not_handled_before_closing_is_not_handled_after():
+    hub = LoopbackHub()
+    me = component(hub)
+    await me.open()
+    me.transport.received(queries(MAX_PER_WAKEUP + 1, start=1000))
+    await me.close()
+    async with me, Peer(hub) as peer:
+        peer.send(QueryHeartbeatPulse())
+        await peer.next()
+        await asyncio.sleep(0)
+        assert me.counters["host.received"] == MAX_PER_WAKEUP + 1
+
+
+async def test_a_bug_on_one_packet_leaves_the_others_of_its_datagram():
+    hub = LoopbackHub()
+
+    def buggy(packet: Packet) -> bool:
+        if packet.sequence == 1:
+            raise RuntimeError("a bug")
+        return False
+
+    async with component(hub, intercept=buggy) as me:
+        me.transport.received(queries(2, start=1))
+        assert me.counters["component.internal_error"] == 1
+        assert me.counters["host.received"] == 1
+
+
+async def test_control_that_ran_out_while_the_event_loop_hung_is_over():
+    hub, now = LoopbackHub(), [time.monotonic()]
+    async with component(hub, clock=lambda: now[0]) as me, Peer(hub) as peer:
+        peer.send(RequestControl(authority_code=100))
+        await peer.next()
+        now[0] += 60.0
+        peer.send(QueryControl())
+        assert (await peer.next()).payload == RejectControl(RejectControl.ResponseCode.CONTROL_RELEASED).encode()
+        assert me.host.controller is None
+
+
+async def test_what_is_too_long_for_the_transport_is_counted_and_logged_once(caplog):
+    async with component(LoopbackHub()) as me:
+        for _ in range(2):
+            me.host.send(EVERYONE, RegisterServices([ServiceRec("x" * 255, 1, 0)] * 255))
+            me.wake()
+        assert me.counters["component.unsendable.oversize"] == 2
+    (record,) = caplog.records
+    assert record.levelno == logging.WARNING
+    assert f"cannot send 0B00h to {EVERYONE}: oversize" in record.getMessage()

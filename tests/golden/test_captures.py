@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -25,17 +26,24 @@ def payloads(file: Path) -> Iterator[bytes]:
                 at += max(size, 14)
 
 
-@pytest.mark.parametrize("name", ["sae_management", "cop_waypoint_run_2013"])
+CUT = {"sae_management": {}, "cop_waypoint_run_2013": {"QueryServices": 1, "ReportLocalWaypoint": 96}}
+"""How often which message of a capture was sent shorter than its presence vector and counts say."""
+
+
+@pytest.mark.parametrize("name", CUT)
 def test_captures_round_trip(name: str) -> None:
     file = CAPTURES / f"{name}.pcap"
     if not file.is_file():
         pytest.skip(f"{file} is not there")
     known = [data for data in payloads(file) if registry.by_code(int.from_bytes(data[:2], "little"))]
     assert len(known) > 20
+    cut: Counter[str] = Counter()
     for data in known:
-        message, deviations = registry.decode_tolerant(data)
-        if not any(deviation.lost for deviation in deviations):
+        message, deviations = registry.decode(data, strict=False)
+        if any(deviation.lost for deviation in deviations):
+            cut[message.NAME] += 1
+        else:
             assert message.encode(strict=False) == data
         if not deviations:
             assert registry.decode(data).encode() == data
-    assert sum(any(d.lost for d in registry.decode_tolerant(data)[1]) for data in known) <= 1
+    assert cut == CUT[name]

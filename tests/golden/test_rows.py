@@ -37,7 +37,7 @@ def test_careful_codec_agrees_with_straight_line_code(row: Any, vectors: ModuleT
     cls = vectors.find(registry, row)
     message = cls._unpack(row.right, 0)
     assert careful.decode(cls, row.right) == message
-    assert cls.decode_tolerant(row.right) == (message, ())
+    assert careful.decode_tolerant(cls, row.right) == cls.decode(row.right, strict=False) == (message, [])
     assert message._pack() == careful.encode(message, clamp=False, strict=True) == row.right
     assert careful.encode(message, clamp=True, strict=False) == row.right
 

@@ -101,11 +101,31 @@ def test_not_even_text(write, tmp_path):
             "component = 33\n[[modules]]\ntype = 'CM-MOB'\ncomponent = 33",
             r"modules: 2 have the component id 33",
         ),
+        (
+            "component = 33",
+            "component = 33\n[[modules]]\ntype = 'CM-MOB'\ncomponent = 34",
+            r"modules: 33 and 34 are both CM-MOB; a robot has one chassis",
+        ),
+        ("component = 33", "component = 33\nservices = []", r"none has the service Discovery; nobody could find"),
+        ("component = 33", "component = 33\nservices = ['PrimitiveDriver']", r"none has the service Discovery"),
+        ('"mine"', '"Ωmega"', r"name: 'Ωmega': JAUS sends names in Latin-1, which has no 'Ω'"),
     ],
 )
 def test_mistakes_name_the_key_and_what_is_allowed(write, old, new, said):
     with pytest.raises(ConfigError, match=said):
         load(write(GOOD.replace(old, new)))
+
+
+def test_names_may_have_what_latin_1_has(write):
+    assert load(write(GOOD.replace('"mine"', '"Jürgen"'))).name == "Jürgen"
+
+
+def test_what_a_module_offers(write):
+    (module,) = load(write(GOOD)).modules
+    assert module.offers("PrimitiveDriver")
+    (module,) = load(write(GOOD + "services = ['Discovery', 'LocalPoseSensor']")).modules
+    assert module.offers("LocalPoseSensor")
+    assert not module.offers("PrimitiveDriver")
 
 
 def test_a_robot_without_modules(write):

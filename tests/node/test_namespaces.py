@@ -2,14 +2,11 @@
 
 import contextlib
 import os
-import shutil
 import socket
 import subprocess
 import sys
 from collections.abc import Iterator
 from pathlib import Path
-
-import pytest
 
 from jauspy.ids import EVERYONE, JausID
 from jauspy.protocol import judp, junior
@@ -20,38 +17,14 @@ NEAR, FAR = JausID.parse("101.1.1"), JausID.parse("102.1.1")
 DAEMON = """
 import asyncio, pathlib, sys
 from jauspy.node import NodeConfig, NodeManager
+from jauspy.transport import memberships
+memberships.WATCH_INTERVAL = 0.1
 async def main(root):
     async with NodeManager(NodeConfig(local_root=pathlib.Path(root))) as manager:
         print("ready", flush=True)
         await asyncio.to_thread(sys.stdin.read)
 asyncio.run(main(sys.argv[1]))
 """
-
-
-def run(*command: str) -> None:
-    subprocess.run(command, check=True, capture_output=True, timeout=20)
-
-
-@pytest.fixture
-def cable() -> Iterator[tuple[str, str]]:
-    """Two namespaces, 10.77.0.1 and 10.77.0.2, with a route for multicasts."""
-    if os.geteuid() or not shutil.which("ip"):
-        pytest.skip("needs root and the program ip to make network namespaces")
-    names = (f"jn{os.getpid()}a", f"jn{os.getpid()}b")
-    ends = (f"jv{os.getpid()}a", f"jv{os.getpid()}b")
-    with contextlib.ExitStack() as stack:
-        try:
-            for name in names:
-                run("ip", "netns", "add", name)
-                stack.callback(run, "ip", "netns", "del", name)
-            run("ip", "link", "add", ends[0], "netns", names[0], "type", "veth", "peer", ends[1], "netns", names[1])
-            for number, (name, end) in enumerate(zip(names, ends, strict=True), 1):
-                run("ip", "-n", name, "addr", "add", f"10.77.0.{number}/24", "dev", end)
-                run("ip", "-n", name, "link", "set", end, "up")
-                run("ip", "-n", name, "route", "add", "default", "dev", end)
-        except subprocess.CalledProcessError as error:
-            pytest.skip(f"this system makes no network namespaces: {error.stderr.decode().strip()}")
-        yield names
 
 
 @contextlib.contextmanager
@@ -93,3 +66,27 @@ def test_two_hosts_find_each_other_and_talk(cable: tuple[str, str], root: Path) 
         ):
             sock.sendto(judp.pack(packet), str(folder / junior.SOCKET_NAME))
             assert judp.unpack(receiver.recv(5000)) == [packet]
+
+
+def test_a_network_that_comes_up_late_is_joined(cable: tuple[str, str], root: Path) -> None:
+    near, far = root / "a", root / "b"
+    end = f"jv{os.getpid()}b"
+    late = ("ip", "-n", cable[1])
+    subprocess.run((*late, "addr", "flush", "dev", end), check=True)
+    subprocess.run((*late, "link", "set", end, "down"), check=True)
+    with contextlib.ExitStack() as stack:
+        for namespace, folder in zip(cable, (near, far), strict=True):
+            stack.enter_context(node_manager(namespace, folder))
+        a = stack.enter_context(component(near, NEAR))
+        b = stack.enter_context(component(far, FAR))
+        for change in (("link", "set", end, "up"), ("addr", "add", "10.77.0.2/24", "dev", end)):
+            subprocess.run((*late, *change), check=True)
+        subprocess.run((*late, "route", "add", "default", "dev", end), check=True)
+        b.settimeout(0.2)
+        for number in range(100):
+            everybody = judp.pack(Packet(NEAR, EVERYONE, b"\x00\x2b\x04", number, broadcast=Broadcast.GLOBAL))
+            a.sendto(everybody, str(near / junior.SOCKET_NAME))
+            with contextlib.suppress(TimeoutError):
+                assert judp.unpack(b.recv(100))[0].source == NEAR
+                return
+        raise AssertionError("no multicast arrived in 20 s")

@@ -13,6 +13,7 @@ from jauspy.messages.core import (
     QueryControl,
     RejectControl,
     ReleaseControl,
+    ReportControl,
     ReportStatus,
     RequestControl,
     Resume,
@@ -20,6 +21,7 @@ from jauspy.messages.core import (
     Standby,
 )
 from jauspy.messages.mobility import SetWrenchEffort
+from jauspy.ocu import control as module
 
 Status = ReportStatus.Status
 HOLDER = JausID(42, 1, 1)
@@ -150,6 +152,67 @@ async def test_a_silent_component_counts_as_lost(world):
         assert "has not answered for" in control.lost
         with pytest.raises(ControlRejected):
             await driver.send(FULL)
+
+
+async def test_a_restart_of_the_robot_is_not_taken_for_control(world):
+    robot = await world.robot(timeout=1)
+    driver = await driver_of(await world.ocu())
+
+    async with driver.control() as control:
+        await driver.resume()
+        await robot.close()
+        again = await world.robot(timeout=1)
+        await asyncio.wait_for(control.until_lost(), 2)
+        assert "nobody is in control; it was started anew" in control.lost
+        with pytest.raises(ControlRejected, match="was lost"):
+            await driver.send(FULL)
+        assert again.host.controller is None
+
+
+async def test_a_restart_is_noticed_even_when_it_is_not_said_who_is_in_control(world):
+    robot = await world.robot(timeout=1)
+    driver = await driver_of(await world.ocu())
+
+    async with driver.control() as control:
+        await driver.resume()
+        await asyncio.sleep(0.5)
+        world.network.lose(ReportControl)
+        await robot.close()
+        await world.robot(timeout=1)
+        await asyncio.wait_for(control.until_lost(), 2)
+        assert "101.1.1 went from READY to STANDBY without being told to" in control.lost
+
+
+async def test_a_restart_is_noticed_when_control_never_times_out(world, monkeypatch):
+    monkeypatch.setattr(module, "LOOK", 0.1)
+    robot = await world.robot(timeout=0)
+    driver = await driver_of(await world.ocu())
+    async with driver.control() as control:
+        await robot.close()
+        await world.robot(timeout=0)
+        await asyncio.wait_for(control.until_lost(), 2)
+
+
+async def test_anothers_emergency_counts_as_lost_and_ones_own_standby_does_not(world):
+    await world.robot(timeout=1)
+    first, second = await world.ocu(), await world.ocu("43.1.1")
+    driver = await driver_of(first)
+
+    async with driver.control() as control:
+        await driver.resume()
+        await asyncio.sleep(0.4)
+        await driver.standby()
+        await asyncio.sleep(0.7)
+        await driver.resume()
+        await first.send("101.255.255", SetEmergency(emergency_code=1))
+        await first.send("101.255.255", ClearEmergency(emergency_code=1))
+        await asyncio.sleep(0.7)
+        assert control.held
+        await driver.resume()
+        await asyncio.sleep(0.4)
+        await second.send("101.1.1", SetEmergency(emergency_code=1))
+        await asyncio.wait_for(control.until_lost(), 2)
+        assert "went from READY to EMERGENCY" in control.lost
 
 
 async def test_lost_packets_do_not_matter(world):

@@ -186,3 +186,20 @@ async def test_direct_udp_needs_no_node_manager_to_open():
     async with OCU(connect="udp://127.0.0.1:9") as ocu:
         assert ocu.is_open
     assert not ocu.is_open
+
+
+async def test_all_who_answer_a_wildcard_are_told_apart_and_each_once(world):
+    await world.robot()
+    await world.robot(JausID(102, 1, 7))
+    ocu = await world.ocu()
+    world.network.lose(ReportStatus, times=1)
+
+    found = [pair async for pair in ocu.query_each("65535.255.255", QueryStatus(), within=1.2)]
+
+    assert sorted(source for source, _ in found) == [ROBOT, JausID(102, 1, 7)]
+    assert all(isinstance(answer, ReportStatus) for _, answer in found)
+
+
+async def test_nobody_answers_a_wildcard(world):
+    ocu = await world.ocu()
+    assert [each async for each in ocu.query_each("9.255.255", QueryStatus(), within=0.1)] == []

@@ -206,7 +206,7 @@ async def test_a_vanished_component_ends_a_subscription_to_changes(world, monkey
         await statuses.get()
         await asyncio.sleep(0.2)
         await robot.close()
-        with pytest.raises(ResponseTimeout, match="QueryEventTimeout"):
+        with pytest.raises(ResponseTimeout, match="QueryEvents"):
             await statuses.get()
 
 
@@ -223,6 +223,45 @@ async def test_events_are_renewed_and_made_anew_after_a_restart(world, monkeypat
         received = poses.received
         await until(lambda: poses.received > received + 2)
     assert world.network.sent(RejectEventRequest)
+
+
+async def test_reports_that_stay_out_after_a_restart_are_asked_for_anew_before_anybody_complains(world):
+    robot = await world.robot()
+    sensor = await sensor_of(await world.ocu())
+    async with sensor.subscribe(POSE, rate=50.0, silence=2.0) as poses:
+        await poses.get()
+        await robot.close()
+        again = await world.robot()
+        received = poses.received
+        await until(lambda: poses.received > received + 2, 2.0)
+        assert len(events_of(again).subscriptions) == 1
+        await poses.get()
+
+
+async def test_a_component_that_comes_back_late_is_heard_again(world):
+    robot = await world.robot()
+    sensor = await sensor_of(await world.ocu(timeout=0.05, retries=1))
+    async with sensor.subscribe(POSE, rate=50.0, silence=0.2) as poses:
+        await robot.close()
+        with pytest.raises(ResponseTimeout):
+            await drain(poses)
+        await asyncio.sleep(0.3)
+        await world.robot()
+        received = poses.received
+        await until(lambda: poses.received > received + 2)
+
+
+async def test_a_subscription_to_changes_is_made_anew_after_a_restart(world, monkeypatch):
+    monkeypatch.setattr(module, "CHECK_INTERVAL", 0.1)
+    robot = await world.robot()
+    sensor = await sensor_of(await world.ocu())
+    async with sensor.subscribe(QueryStatus()) as statuses:
+        await statuses.get()
+        await asyncio.sleep(0.25)
+        assert not world.network.sent(UpdateEvent)  # it would make the component report without a change
+        await robot.close()
+        await world.robot()
+        assert (await asyncio.wait_for(statuses.get(), 2.0)).status == Status.STANDBY
 
 
 async def test_reports_go_on_when_a_renewal_is_not_answered(world, monkeypatch):

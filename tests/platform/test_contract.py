@@ -225,5 +225,10 @@ def test_unknown_robot_lists_the_known_ones(backend_name: str) -> None:
         find(backend_name).open("inc9", "empty")
 
 
+def test_unknown_world_lists_the_known_ones(backend_name: str) -> None:
+    with pytest.raises(ConfigError, match=r"'moon'.*demo.*empty"):
+        find(backend_name).open("inc1", "moon")
+
+
 def test_backend_says_its_name(backend_name: str) -> None:
     assert find(backend_name).name == backend_name

@@ -8,7 +8,7 @@ from jauspy.platform.kinematic import KinematicBackend, SkidSteerParameters, tra
 
 
 def test_stops_completely() -> None:
-    robot = KinematicBackend().open("inc1", "any world")
+    robot = KinematicBackend().open("inc1", "empty")
     robot.drive.set_effort(1.0, 0.5)
     robot.advance(1.0)
     robot.drive.stop()

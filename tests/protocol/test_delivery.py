@@ -4,8 +4,7 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from jauspy.errors import ConfigError, ProtocolError
 from jauspy.ids import EVERYONE, JausID

@@ -1,8 +1,7 @@
 """Bytes of the transport header, against packets seen on real networks."""
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from jauspy.errors import ProtocolError
 from jauspy.ids import JausID

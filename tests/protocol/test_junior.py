@@ -1,8 +1,7 @@
 """The 21 bytes of Connect, Accept and Cancel, as real components and node managers send them."""
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from jauspy.ids import JausID
 from jauspy.protocol import junior

@@ -1,8 +1,7 @@
 """Old headers: examples from the wire, both dialects, and what is malformed."""
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from jauspy.errors import ProtocolError
 from jauspy.ids import JausID

@@ -208,6 +208,13 @@ def test_duplicate_message_id(jsidl):
     assert_matches(jsidl.error(), "duplicate message_id '1234'; the first is in line 11")
 
 
+def test_duplicate_message_id_with_other_content(jsidl):
+    first = jsidl.message(f'<record name="R" optional="false">{BYTE}</record>')
+    second = jsidl.message(f'<record name="Q" optional="false">{BYTE}</record>', name="Second")
+    jsidl.service(messages=first + "\n" + second.replace(">\n", f">{HERE}\n", 1))
+    assert_matches(jsidl.error(), "duplicate message_id '1234'; the first is in line 11")
+
+
 def test_duplicate_message_name(jsidl):
     second = jsidl.message("", code="1235").replace(">\n", f">{HERE}\n", 1)
     jsidl.service(messages=jsidl.message("") + "\n" + second)

@@ -1,7 +1,6 @@
 from __future__ import annotations
 
-from jauspy.schema import load_files
-from jauspy.schema import model as m
+from jauspy.schema import load_files, model as m
 
 
 def test_service(jsidl):
@@ -162,3 +161,12 @@ def test_order_of_files_does_not_matter(jsidl):
     jsidl.service(references=parent("1.0"))
     jsidl.service(name="Parent", urn="urn:test:Parent")
     assert load_files(jsidl.paths) == load_files(reversed(jsidl.paths))
+
+
+def test_messages_with_one_id_and_the_same_content(jsidl):
+    """Public definitions have them; what arrives is the same, whichever it is taken for."""
+    record = '<record name="R"><fixed_field name="N" field_type="byte" field_units="one"/></record>'
+    jsidl.service(messages=jsidl.message(record, name="First") + "\n" + jsidl.message(record, name="Second"))
+    first, second = jsidl.load().services[0].inputs
+    assert (first.name, second.name) == ("First", "Second")
+    assert (first.code, first.body) == (second.code, second.body)

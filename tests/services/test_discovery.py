@@ -2,9 +2,12 @@ from __future__ import annotations
 
 import pytest
 
+from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages.core import (
     ComponentRec,
+    CreateEvent,
+    Event,
     QueriedComponentRec,
     QueriedNodeRec,
     QueryConfiguration,
@@ -19,9 +22,10 @@ from jauspy.messages.core import (
     ServiceRec,
     SubsystemRec,
 )
+from jauspy.protocol.header import MAX_PAYLOAD
 from jauspy.services.core import Discovery, Identity, Liveness
-from jauspy.services.core.directory import MAX_COMPONENTS
-from jauspy.services.core.discovery import registration
+from jauspy.services.core.directory import MAX_COMPONENTS, Offer
+from jauspy.services.core.discovery import LIFETIME, MAX_REGISTRATION, MAX_REPORT, registration
 
 A = "42.1.1"
 MANIPULATOR = ServiceRec("urn:jaus:jss:manipulator:PrimitiveManipulator", 2, 0)
@@ -149,6 +153,81 @@ def test_the_directory_is_bounded(rig) -> None:
     assert rig.host.counters["registration_dropped"] > 0
     assert directory.all()[JausID(101, 1, 5)] == ((MANIPULATOR.uri, 2, 0),)
     rig.ask(A, services((255, 255)))
+
+
+def flood(rig, components: int) -> None:
+    """Register as much as messages carry."""
+    for number in range(components):
+        long = [ServiceRec(f"urn:x:{number:03}:{i:02}:".ljust(100, "x"), 1, 0) for i in range(39)]
+        rig.tell(f"101.{1 + number // 200}.{10 + number % 200}", RegisterServices(long))
+
+
+def test_one_component_cannot_register_more_than_its_share(rig) -> None:
+    flood(rig, 1)
+    uris = listed(rig.ask(A, services((1, 10))))[1, 10]
+    assert len(uris) == MAX_REGISTRATION // 103
+    assert rig.host.counters["registration_cut"] == 1
+
+
+def test_reports_fit_one_packet_whatever_others_register(rig) -> None:
+    own = listed(rig.ask(A, services((1, 1))))
+    flood(rig, 300)
+    report = rig.ask(A, services((255, 255)))
+    assert len(report.encode()) <= MAX_PAYLOAD
+    assert own.items() <= listed(report).items()
+    early = {(1, 5), (2, 1)}
+    assert early <= listed(report).keys(), "who was there before the flood is still found"
+    every = rig.ask(A, service_list(65535, 255, 255))
+    assert len(every.encode()) <= MAX_PAYLOAD
+    (subsystem,) = every.subsystem_list
+    assert own.items() <= listed(subsystem).items()
+    assert rig.host.counters["report_cut"] == 2
+    assert len(rig.ask(A, QueryConfiguration(2)).encode()) <= MAX_PAYLOAD
+    rig.ask(A, CreateEvent(1, 0, 1.0, services((255, 255))))
+    ((_, _, event),) = rig.run(0.5)
+    assert isinstance(event, Event)
+    assert len(event.encode()) <= MAX_PAYLOAD
+
+
+def test_a_robot_of_usual_size_is_reported_whole(rig, robot) -> None:
+    for component in range(20, 28):
+        rig.tell(f"101.1.{component}", registration(robot.host))
+    assert len(listed(rig.ask(A, services((1, 255))))) == 10
+    assert rig.host.counters["report_cut"] == 0
+
+
+def test_the_own_services_are_reported_as_far_as_they_fit(rig) -> None:
+    directory = rig.host.service(Discovery).directory
+    directory.register(rig.ID, [Offer(f"{number:02}".ljust(255, "x"), 1, 0) for number in range(60)])
+    report = rig.ask(A, services((255, 255)))
+    assert len(listed(report)[1, 1]) == MAX_REPORT // 258
+    assert len(report.encode()) <= MAX_PAYLOAD
+
+
+@pytest.mark.parametrize("sign", [RegisterServices([MANIPULATOR]), QueryIdentification(2), QuerySubsystemList()])
+def test_registrations_end_unless_the_component_is_heard(rig, sign) -> None:
+    rig.run(LIFETIME - 1)
+    rig.tell("101.1.5", sign)
+    rig.run(2)
+    assert set(listed(rig.ask(A, services((255, 255))))) == {(1, 1), (1, 5)}
+    rig.run(LIFETIME)
+    assert set(listed(rig.ask(A, services((255, 255))))) == {(1, 1)}
+    assert rig.ask(A, QueryConfiguration(2)).node_list[0].component_list == [ComponentRec(1, 0)]
+
+
+def test_what_ended_makes_room(rig) -> None:
+    flood(rig, MAX_COMPONENTS)
+    rig.tell("101.99.1", RegisterServices([MANIPULATOR]))
+    assert listed(rig.ask(A, services((99, 1)))) == {}
+    rig.run(LIFETIME)
+    rig.tell("101.99.1", RegisterServices([MANIPULATOR]))
+    assert listed(rig.ask(A, services((99, 1)))) == {(99, 1): [MANIPULATOR.uri]}
+
+
+@pytest.mark.parametrize("name", ["Ωmega", "x" * 256])
+def test_a_name_that_does_not_fit_the_wire_is_refused(name) -> None:
+    with pytest.raises(ConfigError, match="Latin-1 text of up to 255 bytes"):
+        Identity(name, 10001)
 
 
 def test_a_component_without_discovery_registers_what_it_has(rig, make) -> None:

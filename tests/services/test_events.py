@@ -281,3 +281,9 @@ def test_a_query_as_large_as_a_book_is_refused(make) -> None:
 def test_settings_that_make_no_sense_are_refused(options) -> None:
     with pytest.raises(ConfigError):
         Events(**options)
+
+
+def test_a_kind_of_event_that_does_not_exist_is_an_invalid_setup(rig) -> None:
+    request = create().encode()
+    ((_, answer),) = rig.tell(A, request[:3] + b"\x07" + request[4:])
+    assert refusal(answer) == 4

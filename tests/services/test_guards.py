@@ -1,8 +1,7 @@
 from __future__ import annotations
 
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from jauspy.errors import SchemaError
 from jauspy.services.guards import And, Call, Not, Or, calls, compile_guard, parse

@@ -2,10 +2,10 @@ from __future__ import annotations
 
 import logging
 from collections import Counter
+from pathlib import Path
 
 import pytest
-from hypothesis import HealthCheck, given, settings
-from hypothesis import strategies as st
+from hypothesis import HealthCheck, given, settings, strategies as st
 
 from jauspy.codec.base import Message
 from jauspy.errors import ConfigError
@@ -14,6 +14,7 @@ from jauspy.messages import registry
 from jauspy.messages.core import (
     QueryHeartbeatPulse,
     QueryStatus,
+    RejectControl,
     ReportHeartbeatPulse,
     ReportStatus,
     RequestControl,
@@ -21,7 +22,7 @@ from jauspy.messages.core import (
 )
 from jauspy.messages.mobility import QueryWrenchEffort, ReportWrenchEffort, SetWrenchEffort
 from jauspy.protocol.header import Broadcast, Priority
-from jauspy.schema import load_builtin
+from jauspy.schema import Schema, load_builtin, load_files, needed
 from jauspy.services.core import AccessControl, Liveness, Management
 from jauspy.services.mobility import PrimitiveDriver
 from jauspy.services.outbox import Outbox, Outgoing
@@ -29,6 +30,7 @@ from jauspy.services.service import Service
 
 A = "42.1.1"
 SOURCE = JausID.parse(A)
+CONTROL_RELEASED = RejectControl.ResponseCode.CONTROL_RELEASED
 INPUTS = sorted({m.code for s in load_builtin().services for m in s.inputs})
 
 
@@ -44,7 +46,7 @@ INPUTS = sorted({m.code for s in load_builtin().services for m in s.inputs})
         (b"\x02\x40\x01\x00\x00\x00\x00", "unknown_message"),
         (b"\x0d\x00", "malformed_RequestControl"),
         (b"\x0d\x00\x01\x01", "malformed_RequestControl"),
-        (b"\x06\x00\x99\x99", "malformed_SetEmergency"),
+        (b"\x06\x00\x99", "malformed_SetEmergency"),
     ],
 )
 def test_what_cannot_be_read_is_counted_by_reason_and_logged_once(robot, caplog, payload, reason) -> None:
@@ -130,6 +132,27 @@ def test_what_cannot_be_encoded_is_counted_and_not_sent(make) -> None:
     rig = make(Wrong())
     assert rig.tell(A, QueryHeartbeatPulse()) == []
     assert rig.host.counters["unencodable"] == 1
+
+
+# --- late callers
+
+
+def test_control_that_ran_out_is_over_before_a_late_message_acts(robot, drive) -> None:
+    robot.tell(A, RequestControl(100))
+    robot.tell(A, Resume())
+    robot.now = 100.0  # nobody called `handle_timeout` meanwhile
+    assert robot.tell(A, SetWrenchEffort(propulsive_linear_effort_x=50.0)) == [(A, RejectControl(CONTROL_RELEASED))]
+    assert robot.host.controller is None
+    assert drive.effort == (0.0, 0.0)
+
+
+def test_a_message_in_time_comes_before_what_is_due_at_the_same_moment(robot, drive) -> None:
+    robot.tell(A, RequestControl(100))
+    robot.tell(A, Resume())
+    robot.now = 5.0
+    robot.tell(A, RequestControl(100))
+    assert robot.run(4.9) == []
+    assert robot.host.controller == SOURCE
 
 
 # --- bugs of actions
@@ -225,7 +248,7 @@ def test_a_service_without_definition_or_given_twice_is_refused(make) -> None:
         ((Nameless(),), "names no definition"),
         ((Liveness(), Liveness()), "given twice"),
         ((Unknown(),), "no definition of urn:x:Unknown"),
-        ((OtherVersion(),), r"Liveness 7\.7 is loaded \(versions there: 1\.1\)"),
+        ((OtherVersion(),), r"Liveness 7\.7 is loaded \(versions there: 1\.0, 1\.1\)"),
     ):
         with pytest.raises(ConfigError, match=text):
             make(*services)
@@ -242,6 +265,20 @@ def test_read_takes_inputs_of_the_component_only(robot) -> None:
         b"\x02\x20\x00",
     ):
         assert robot.host.read(other) is None
+
+
+def test_only_the_definitions_that_are_needed_are_read(monkeypatch, request) -> None:
+    read: list[Path] = []
+
+    def count(paths: list[Path]) -> Schema:
+        read.extend(paths)
+        return load_files(paths)
+
+    needed.load_needed.cache_clear()
+    monkeypatch.setattr(needed, "load_files", count)
+    robot = request.getfixturevalue("robot")
+    types = 2
+    assert len(read) == len(robot.host.services) + types
 
 
 def test_without_management_there_is_no_status(make) -> None:

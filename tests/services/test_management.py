@@ -209,3 +209,20 @@ def test_an_emergency_during_initialization_starts_it_again_afterwards(make) -> 
     assert rig.host.status is ReportStatus.Status.INITIALIZE
     rig.run(2.0)
     assert rig.host.status is ReportStatus.Status.STANDBY
+
+
+def test_an_emergency_is_one_whatever_its_code(make) -> None:
+    """Components of other stacks send code 0, which the value set does not have."""
+    rig = make(Management())
+    assert rig.tell(A, bytes.fromhex("06000000")) == []
+    assert rig.host.state == FREE_EMERGENCY
+    assert rig.host.counters["deviating_SetEmergency"] == 1
+    rig.tell(A, bytes.fromhex("07000000"))
+    assert rig.host.state == FREE_STANDBY
+
+
+def test_an_emergency_that_is_cut_short_is_malformed(make) -> None:
+    rig = make(Management())
+    rig.tell(A, bytes.fromhex("060001"))
+    assert rig.host.state == FREE_STANDBY
+    assert rig.host.counters["malformed_SetEmergency"] == 1

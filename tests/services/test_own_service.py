@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 import jauspy
-from jauspy.messages.core import CreateEvent, Event
+from jauspy.messages.core import ConfirmEventRequest, CreateEvent, Event, RejectEventRequest
 from jauspy.schema import builtin_paths, load_files
 from jauspy.services.core import Discovery
 from jauspy.services.service import Service
@@ -108,3 +109,21 @@ def test_it_runs_is_discovered_masked_and_subscribed_to(own, make) -> None:
     assert isinstance(event, Event)
     content = event.report_message
     assert (content if isinstance(content, bytes) else content.encode()) == report(cycles=512).encode()
+
+
+def test_codes_for_experiments_can_be_subscribed_to_as_well(tmp_path: Path, make) -> None:
+    """From D000h on, a code does not say what kind of message it is."""
+    file = tmp_path / "Battery.xml"
+    file.write_text(JSIDL.replace("2FF0", "D001").replace("4FF0", "D002"))
+    registry = jauspy.load(file)
+    query, report = registry.by_name("QueryBattery"), registry.by_name("ReportBattery")
+
+    class Battery(Service, urn="urn:example:Battery"):
+        def report_battery(self) -> Any:
+            return report(charge=80, cycles=512)
+
+    rig = make(Battery(), schema=load_files([file, *builtin_paths()]), registry=registry)
+    assert isinstance(rig.ask("42.1.1", CreateEvent(1, 0, 1.0, query(1).encode())), ConfirmEventRequest)
+    ((_, _, event),) = rig.run(0.5)
+    assert event.report_message == report(charge=80).encode()
+    assert isinstance(rig.ask("42.1.1", CreateEvent(1, 0, 1.0, report(charge=1).encode())), RejectEventRequest)

@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from datetime import UTC, datetime
+
 import pytest
 
 from jauspy.messages.core import (
@@ -12,6 +14,8 @@ from jauspy.messages.core import (
     SetTime,
     TimeStamp,
 )
+from jauspy.messages.mobility import QueryLocalPose, QueryLocalPoseExt, QueryVelocityState, QueryVelocityStateExt
+from jauspy.services.core import Liveness
 
 A, B = "42.1.1", "42.2.1"
 NOW = ReportTime(TimeStamp(535, 26, 9, 15, 14), DateStamp(14, 3, 26))
@@ -56,3 +60,20 @@ def test_parts_of_the_time(robot, wanted, after) -> None:
     robot.tell(A, wanted)
     assert robot.ask(A, QueryTime(3)) == after
     assert robot.host.counters["impossible_time"] == (wanted == SetTime(date_stamp=DateStamp(31, 2, 26)))
+
+
+def test_sensors_stamp_with_the_time_that_was_set(robot) -> None:
+    wanted = TimeStamp(0, 1, 2, 3, 31)
+    robot.tell(A, RequestControl(100))
+    robot.tell(A, SetTime(wanted, DateStamp(31, 12, 30)))
+    for query in (QueryLocalPose(0xFFFF), QueryVelocityState(0xFFFF)):
+        assert robot.ask(A, query).time_stamp == wanted
+    since_1970 = int(datetime(2030, 12, 31, 3, 2, 1, tzinfo=UTC).timestamp())
+    assert robot.ask(A, QueryLocalPoseExt(0xFFFF)).time_seconds == since_1970
+    velocity = robot.ask(A, QueryVelocityStateExt(0xFF, 0xFFFF))
+    assert velocity.report_velocity_state_ext_rec.time_seconds == since_1970
+
+
+def test_without_the_service_the_wall_clock_is_the_time(make) -> None:
+    rig = make(Liveness())
+    assert rig.host.utc_time == rig.host.utc_now()

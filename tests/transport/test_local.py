@@ -29,9 +29,25 @@ def manager(root: Path) -> NodeManager:
 
 async def test_without_a_node_manager_it_says_what_to_do(root: Path) -> None:
     transport = LocalTransport(A, root, patience=0.1)
-    with pytest.raises(TransportError, match="jauspy node-manager"):
+    with pytest.raises(TransportError, match=f"jauspy node-manager --local-root {root}', or name the directory"):
         await transport.open()
     assert list(root.iterdir()) == []
+
+
+async def test_an_id_that_is_in_use_says_so(root: Path) -> None:
+    async with manager(root):
+        first = LocalTransport(A, root)
+        await first.open()
+        with pytest.raises(TransportError, match=rf"another component {A} is already running .* use another id"):
+            await LocalTransport(A, root).open()
+        await first.close()
+
+
+async def test_a_socket_of_another_kind_in_the_node_managers_place(root: Path) -> None:
+    with socket.socket(socket.AF_UNIX, socket.SOCK_STREAM) as other:
+        other.bind(str(root / junior.SOCKET_NAME))
+        with pytest.raises(TransportError, match="JuniorRTE is a socket of another kind"):
+            await LocalTransport(A, root, patience=0.05).open()
 
 
 async def test_waits_for_a_node_manager_that_is_late(root: Path) -> None:

@@ -8,7 +8,7 @@ from typing import Final
 from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
 from jauspy.errors import DecodeError, EncodeError, ProtocolError
-from jauspy.protocol import judp
+from jauspy.protocol import judp, junior
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet
 
 V1_MARK: Final = 0x01
@@ -47,6 +47,11 @@ class Content:
             return None
 
     @property
+    def exact(self) -> bool:
+        """True when a known message uses up the bytes, as its definition says."""
+        return self.message is not None and not self.deviations and self.reencodes
+
+    @property
     def reencodes(self) -> bool:
         """True when encoding the decoded message gives exactly the bytes that came."""
         return self.reencoded() == self.payload
@@ -62,17 +67,20 @@ class Part:
 
 @dataclass(frozen=True, slots=True)
 class Dissection:
-    """A UDP payload taken apart; `errors` are sentences about what could not be read."""
+    """A datagram taken apart; `errors` are sentences about what could not be read.
+
+    `note` says what it is when it is no AS5669A datagram and no error either.
+    """
 
     data: bytes
     parts: tuple[Part, ...] = ()
     errors: tuple[str, ...] = ()
-    old_header: bool = False
+    note: str = ""
 
     @property
     def reencodes(self) -> bool:
         """True when headers and messages, encoded again, are the very bytes that came."""
-        if self.old_header or not self.parts:
+        if not self.parts:
             return False
         again = b"".join(judp.pack(part.packet)[1:] for part in self.parts)
         return all(part.content.reencodes for part in self.parts) and self.data[:1] + again == self.data
@@ -81,7 +89,7 @@ class Dissection:
 def dissect(data: bytes, registry: Registry) -> Dissection:
     """Take a UDP payload apart. Never raises: what is wrong is in `errors`."""
     if is_old_header(data):
-        return Dissection(data, old_header=True)
+        return Dissection(data, note=OLD_HEADER)
     packets, problems = judp.unpack_all(data)
     parts = tuple(Part(packet, _content_of(packet, registry)) for packet in packets)
     errors = [_sentence(problem) for problem in problems]
@@ -89,12 +97,22 @@ def dissect(data: bytes, registry: Registry) -> Dissection:
     return Dissection(data, parts, tuple(errors))
 
 
+def local_control(data: bytes) -> Dissection | None:
+    """A Connect, Accept or Cancel of the Junior protocol on local sockets; on UDP the same bytes are an old packet."""
+    control = junior.parse(data)
+    if control is None:
+        return None
+    to_or_from = "to" if control.kind is junior.ControlKind.ACCEPT else "from"
+    kind = control.kind.name.capitalize()
+    return Dissection(data, note=f"{kind} {to_or_from} {control.id}, of the Junior local protocol")
+
+
 def read_message(payload: bytes, registry: Registry) -> Content:
     """Decode a bare message (message id first)."""
     if len(payload) < 2:
         return Content(payload, problem=f"{len(payload)} bytes are too short for a message id", broken=True)
     try:
-        message, deviations = registry.decode_tolerant(payload)
+        message, deviations = registry.decode(payload, strict=False)
     except DecodeError:
         return Content(payload, problem=f"unknown message {int.from_bytes(payload[:2], 'little'):04X}h")
     return Content(payload, message, tuple(str(deviation) for deviation in deviations))

@@ -35,6 +35,29 @@ class Datagram:
     payload: bytes
 
 
+class _Whole:
+    """A capture file for dpkt, which takes what is there for whole: a short read is an error, except between records.
+
+    Both formats are read in pairs, a header and the rest of its record.
+    """
+
+    def __init__(self, file: BufferedReader) -> None:
+        self._file = file
+        self._between = False
+
+    def record_follows(self) -> None:
+        """The next read is of a header, or of the file's end."""
+        self._between = True
+
+    def read(self, count: int) -> bytes:
+        """Exactly `count` bytes; none at the end of the file."""
+        data = self._file.read(max(count, 0))
+        if len(data) < count and (data or not self._between):
+            raise dpkt.NeedData("the file ends in the middle of a record")
+        self._between = not self._between
+        return data
+
+
 def is_capture(head: bytes) -> bool:
     """True when a file that begins with these (at least four) bytes is a pcap or pcapng file."""
     return head[:4] == _PCAPNG or head[:4] in _PCAP
@@ -54,7 +77,8 @@ class CaptureReader:
         self._name = name
         self._port = port
         self._assembler = Assembler()
-        self._frames = _open(file, name)
+        self._file = _Whole(file)
+        self._frames = _open(file.peek(4)[:4], self._file, name)
         self._link_type: int = self._frames.datalink()
         if self._link_type not in link.NAMES:
             known = ", ".join(dict.fromkeys(link.NAMES.values()))
@@ -82,6 +106,7 @@ class CaptureReader:
 
     def _each_frame(self) -> Iterator[tuple[float, bytes]]:
         number = 0
+        self._file.record_follows()
         try:
             for number, (time, frame) in enumerate(self._frames, 1):  # noqa: B007 - for the error below
                 yield float(time), bytes(frame)
@@ -89,8 +114,8 @@ class CaptureReader:
             raise ConfigError(f"{self._name} is damaged or cut off after frame {number}") from None
 
 
-def _open(file: BufferedReader, name: str) -> dpkt.pcap.Reader | dpkt.pcapng.Reader:
-    kind = dpkt.pcapng.Reader if file.peek(4)[:4] == _PCAPNG else dpkt.pcap.Reader
+def _open(head: bytes, file: _Whole, name: str) -> dpkt.pcap.Reader | dpkt.pcapng.Reader:
+    kind = dpkt.pcapng.Reader if head == _PCAPNG else dpkt.pcap.Reader
     try:
         return kind(file)
     except (dpkt.Error, struct.error, ValueError) as error:

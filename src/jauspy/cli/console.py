@@ -1,7 +1,5 @@
 """Where the verbs write: results to stdout, everything else to stderr; colours on terminals only."""
 
-# ruff: noqa: PLC0415 - verbs import what they need when they run
-
 from __future__ import annotations
 
 import sys
@@ -16,7 +14,13 @@ if TYPE_CHECKING:
 def _console(*, stderr: bool) -> Console:
     from rich.console import Console
 
-    return Console(stderr=stderr, highlight=False, emoji=False, soft_wrap=True)
+    class Piped(Console):
+        """Leaves a closed pipe to `main`; rich itself would end with status 1."""
+
+        def on_broken_pipe(self) -> None:
+            raise  # noqa: PLE0704 - rich calls this while it handles the error
+
+    return Piped(stderr=stderr, highlight=False, emoji=False, soft_wrap=True)
 
 
 def stdout() -> Console:

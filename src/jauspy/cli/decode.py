@@ -1,7 +1,5 @@
 """`jauspy decode`: what captured or pasted bytes say."""
 
-# ruff: noqa: PLC0415 - verbs import what they need when they run
-
 from __future__ import annotations
 
 from enum import StrEnum

@@ -1,7 +1,5 @@
 """`jauspy demo`: everything at once, on this machine."""
 
-# ruff: noqa: PLC0415 - verbs import what they need when they run
-
 from __future__ import annotations
 
 from typing import Annotated

@@ -13,8 +13,7 @@ from jauspy.cli.children import Child, ChildFailed
 from jauspy.cli.demo_view import View
 from jauspy.errors import ConfigError, RequestError, ResponseTimeout
 from jauspy.messages.core import QueryControl, QueryStatus, ReportControl, ReportStatus
-from jauspy.ocu import OCU
-from jauspy.ocu import demo as script
+from jauspy.ocu import OCU, demo as script
 
 LIMIT: Final = 75.0  # seconds; the drive takes about 20
 LOOK: Final = 0.5  # seconds between two looks at who is in control

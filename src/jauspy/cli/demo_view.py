@@ -17,8 +17,7 @@ from rich.text import Text
 from jauspy.cli import console
 from jauspy.ids import JausID
 from jauspy.messages.core import ReportControl, ReportStatus
-from jauspy.ocu import Stats, Subsystem
-from jauspy.ocu import demo as script
+from jauspy.ocu import Stats, Subsystem, demo as script
 from jauspy.ocu.steering import Motion
 
 _RATE_OVER: Final = 20  # reports

@@ -1,11 +1,9 @@
 """A node manager for the robots of this machine: the one that runs, or a child that is kept running."""
 
-# ruff: noqa: PLC0415 - verbs import what they need when they run
-
 from __future__ import annotations
 
 import asyncio
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 from pathlib import Path
 from typing import Final
@@ -13,46 +11,79 @@ from typing import Final
 from jauspy.cli import console
 from jauspy.cli.children import Child, ChildFailed
 from jauspy.cli.options import DEFAULT_PORT
-from jauspy.cli.probe import node_manager_at
 from jauspy.errors import ConfigError
+from jauspy.protocol import junior
+from jauspy.transport import local_socket
 
 RESTART_DELAY: Final = 1.0  # seconds
 
 
 @asynccontextmanager
 async def node_manager(root: Path, port: int, config: Path | None = None) -> AsyncIterator[str]:
-    """Make sure that one runs in this local root; yields where, for people.
+    """Make sure that one runs in this local root, and goes on running; yields where, for people.
 
-    One that was started here is started again when it dies; components find it by themselves. With a `config` file
+    When it dies, whoever started it, one is started here; components find it by themselves. With a `config` file
     its port is used, unless `port` is another than the usual one.
     """
-    if node_manager_at(root):
-        yield f"was running, local sockets in {root}"
-        return
-    child = _child(root, port, config)
-    await child.__aenter__()
-    keeper = asyncio.create_task(_keep(child, root, port, config))
+    keeper = _Keeper(root, lambda: _child(root, port, config))
+    if keeper.is_there():
+        where = f"was running, local sockets in {root}"
+    else:
+        ready = await keeper.start()
+        where = ready.removeprefix("node manager ready: ") + (f", gateway by {config}" if config else "")
+    keeping = asyncio.create_task(keeper.keep())
     try:
-        yield child.first_line.removeprefix("node manager ready: ") + (f", gateway by {config}" if config else "")
+        yield where
     finally:
-        keeper.cancel()
-        await asyncio.gather(keeper, return_exceptions=True)
+        keeping.cancel()
+        await asyncio.gather(keeping, return_exceptions=True)
+        await keeper.stop()
 
 
-async def _keep(child: Child, root: Path, port: int, config: Path | None) -> None:
-    try:
+class _Keeper:
+    """Watches the node manager of a local root, and starts one when there is none."""
+
+    def __init__(self, root: Path, make: Callable[[], Child]) -> None:
+        self._socket = root / junior.SOCKET_NAME
+        self._make = make
+        self._child: Child | None = None
+
+    def is_there(self) -> bool:
+        return local_socket.is_alive(self._socket)
+
+    async def start(self) -> str:
+        """Returns its first line; raises `ChildFailed` when it does not start."""
+        child = self._make()
+        await child.__aenter__()
+        self._child = child
+        return child.first_line
+
+    async def stop(self) -> None:
+        if self._child is not None:
+            await self._child.stop()
+
+    async def keep(self) -> None:
+        if self._child is None:
+            await self._absence()
+            console.note("the node manager that was running has ended; starting one")
+        told = ""
         while True:
-            console.note(f"{await child.ended()}; starting it again")
-            await asyncio.sleep(RESTART_DELAY)
-            while node_manager_at(root):  # noqa: ASYNC110 - somebody else was quicker, and no event says when it ends
+            if self._child is not None:
+                console.note(f"{await self._child.ended()}; starting it again")
+                self._child = None
                 await asyncio.sleep(RESTART_DELAY)
-            child = _child(root, port, config)
+            await self._absence()
             try:
-                await child.__aenter__()
+                await self.start()
             except ChildFailed as error:
-                console.error(str(error))
-    finally:
-        await child.stop()
+                if str(error) != told and not self.is_there():  # else somebody was quicker
+                    console.error(told := str(error))
+                await asyncio.sleep(RESTART_DELAY)
+
+    async def _absence(self) -> None:
+        """Wait while one runs that somebody else has started; no event says when it ends."""
+        while self.is_there():  # noqa: ASYNC110
+            await asyncio.sleep(RESTART_DELAY)
 
 
 def check_gateway(path: Path, subsystem: int, root: Path, *, starts: bool) -> None:
@@ -66,7 +97,7 @@ def check_gateway(path: Path, subsystem: int, root: Path, *, starts: bool) -> No
         raise ConfigError(f"{path}: gateway.subsystem = {gateway.subsystem}: the robot is subsystem {subsystem}")
     if not starts:
         raise ConfigError("--gateway needs a node manager of its own; leave out --no-node-manager")
-    if node_manager_at(root):
+    if local_socket.is_alive(root / junior.SOCKET_NAME):
         raise ConfigError(f"--gateway: a node manager runs in {root} already; stop it, or choose another --local-root")
 
 

@@ -1,14 +1,12 @@
 """`jauspy ls`: who is there."""
 
-# ruff: noqa: PLC0415 - verbs import what they need when they run
-
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from jauspy.cli.options import OCU_ID, Connect, Json, OwnId
+from jauspy.cli.options import Connect, Json, OwnId
 
 if TYPE_CHECKING:
     from jauspy.ocu import Subsystem
@@ -17,7 +15,7 @@ if TYPE_CHECKING:
 def ls(
     *,
     connect: Connect = None,
-    own_id: OwnId = OCU_ID,
+    own_id: OwnId = None,
     timeout: Annotated[
         float, typer.Option("--timeout", min=0.01, metavar="SECONDS", help="How long to listen for answers.")
     ] = 2.0,
@@ -30,11 +28,11 @@ def ls(
     """
     import json
 
-    from jauspy.cli import console, tree
+    from jauspy.cli import addresses, console, tree
     from jauspy.cli.run import run
     from jauspy.errors import ResponseTimeout
 
-    found = run(_discover(own_id, connect, timeout)) or []
+    found = run(_discover(addresses.own_id(own_id, connect), connect, timeout)) or []
     for subsystem in found:
         if as_json:
             print(json.dumps(tree.as_json(subsystem), ensure_ascii=False))

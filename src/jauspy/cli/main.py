@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import errno
 import inspect
 import os
 import re
 import sys
 from collections.abc import Callable
+from pathlib import Path
 from typing import Annotated, Any, Final
 
 import typer
@@ -16,6 +18,9 @@ from jauspy import __version__
 from jauspy.cli import console, decode, demo, ls, node_manager, query, send, up
 from jauspy.errors import JausError
 
+FULL: Final = frozenset({errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO})
+"""What writing results can fail with, and nobody but the user can mend."""
+
 
 class Verbs(typer.core.TyperGroup):
     """Turns errors into one sentence and an exit status: 1 failed, 2 wrong use, 130 Ctrl-C."""
@@ -23,19 +28,24 @@ class Verbs(typer.core.TyperGroup):
     def invoke(self, ctx: Any) -> Any:
         """Run the verb; with `--debug` errors keep their traceback."""
         try:
-            result = super().invoke(ctx)
-            sys.stdout.flush()
+            try:
+                return super().invoke(ctx)
+            finally:
+                sys.stdout.flush()
         except BrokenPipeError:
-            # Whoever reads has had enough, as in `jauspy decode ... | head`. The interpreter's own last flush must
-            # not complain either.
-            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+            # Whoever reads has had enough, as in `jauspy decode ... | head`.
+            _discard_stdout()
             raise typer.Exit(0) from None
         except JausError as error:
             if ctx.params.get("debug"):
                 raise
             console.error(str(error))
             raise typer.Exit(1) from None
-        return result
+
+
+def _discard_stdout() -> None:
+    """What could not be written must not be tried again, with a complaint, when the interpreter ends."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 app = typer.Typer(
@@ -93,7 +103,29 @@ for name, verb in VERBS.items():
 
 def main() -> None:
     """The console script."""
-    app()
+    if not _open_streams():
+        console.error("standard output is closed; write `>/dev/null` to do without it")
+        sys.exit(1)
+    try:
+        app()
+    except OSError as error:
+        if error.errno not in FULL or "--debug" in sys.argv:
+            raise
+        _discard_stdout()
+        console.error(f"the results cannot be written: {error.strerror}")
+        sys.exit(1)
+
+
+def _open_streams() -> bool:
+    """Give closed standard streams a meaning, so that no socket gets their number; false when results have no place.
+
+    A closed standard input is an empty one, and errors go nowhere without standard error.
+    """
+    has_output = sys.stdout is not None
+    for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):
+        if getattr(sys, name) is None:
+            setattr(sys, name, Path(os.devnull).open(mode, encoding="utf-8"))  # noqa: SIM115 - until the process ends
+    return has_output
 
 
 if __name__ == "__main__":

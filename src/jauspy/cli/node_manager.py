@@ -1,10 +1,7 @@
 """`jauspy node-manager`: route JAUS between local components and the network."""
 
-# ruff: noqa: PLC0415 - verbs import what they need when they run
-
 from __future__ import annotations
 
-import asyncio
 import json
 import sys
 from pathlib import Path
@@ -109,6 +106,8 @@ def node_manager(
 
 def _status(root: Path | None, config: Path | None, *, as_json: bool) -> None:
     """Two looks, because rates need them."""
+    import asyncio
+
     from jauspy.cli.node_status import show
     from jauspy.node import config_file, status
 

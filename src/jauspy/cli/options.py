@@ -9,7 +9,6 @@ import typer
 
 DEFAULT_PORT = 3794
 DEFAULT_ROOT = Path("/tmp")  # noqa: S108  # where the Junior protocol of the JAUS Toolset has its sockets
-OCU_ID = "42.1.1"
 
 Port = Annotated[int, typer.Option("--port", min=1, max=65535, help="UDP port; 3794 is registered for JAUS.")]
 LocalRoot = Annotated[
@@ -24,7 +23,10 @@ Connect = Annotated[
         "Default: the one in /tmp, else multicast.",
     ),
 ]
-OwnId = Annotated[str, typer.Option("--id", metavar="ID", help="The JAUS id to speak as.")]
+OwnId = Annotated[
+    str | None,
+    typer.Option("--id", metavar="ID", help="The JAUS id to speak as. Default: 42.1.2, or the next that is free."),
+]
 Timeout = Annotated[float, typer.Option("--timeout", min=0.01, metavar="SECONDS", help="How long to wait for answers.")]
 Json = Annotated[bool, typer.Option("--json", help="One JSON object per line.")]
 WithParent = Annotated[

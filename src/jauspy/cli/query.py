@@ -1,20 +1,20 @@
 """`jauspy query`: ask a component, print its answer."""
 
-# ruff: noqa: PLC0415 - verbs import what they need when they run
-
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from jauspy.cli.options import OCU_ID, Connect, OwnId, Timeout
+from jauspy.cli.options import Connect, OwnId, Timeout
 
 if TYPE_CHECKING:
     from jauspy.codec.base import Message
     from jauspy.ids import JausID
 
-Destination = Annotated[str, typer.Argument(metavar="ID", help="The component, as in 101.1.102.")]
+Destination = Annotated[
+    str, typer.Argument(metavar="ID", help="The component, as in 101.1.102; 65535, 255 and 255 stand for all.")
+]
 MessageName = Annotated[str, typer.Argument(metavar="MESSAGE", help="The message's JAUS name; case does not matter.")]
 Fields = Annotated[
     list[str] | None,
@@ -32,44 +32,59 @@ def query(
     message: MessageName,
     fields: Fields = None,
     connect: Connect = None,
-    own_id: OwnId = OCU_ID,
+    own_id: OwnId = None,
     timeout: Timeout = 2.0,
 ) -> None:
     """Ask a component and print its answer.
 
-    The answer is YAML on a terminal, one JSON object per line in a pipe. A presence vector that is not given asks
+    The answer is YAML on a terminal, one JSON object per line in a pipe. Of an id with wildcards, as in 101.1.255, all
+    who answer within the timeout are shown. A presence vector that is not given asks
     for every field. Lengths are in metres, angles in radians, times in seconds.
 
     Examples:
       jauspy query 101.1.102 QueryStatus
       jauspy query 101.1.102 QueryLocalPose presence_vector=0x43
+      jauspy query 65535.255.255 QueryIdentification query_type=2
     """
+    from jauspy.cli import addresses
     from jauspy.cli.fields import message_from
     from jauspy.cli.run import run
     from jauspy.errors import ConfigError
-    from jauspy.ids import JausID
     from jauspy.messages import registry
     from jauspy.ocu.link import is_query
 
-    to = JausID.parse(destination)
+    to = addresses.destination(destination)
     question = message_from(registry, message, fields or [])
     if not is_query(type(question)):
         raise ConfigError(f"{question.NAME} is no query, nothing would answer it; use `jauspy send`")
-    answer = run(_ask(own_id, connect, to, question, timeout))
-    if answer is not None:
-        _show(answer, to)
+    ask = _ask_all if to.is_wildcard else _ask
+    run(ask(addresses.own_id(own_id, connect), connect, to, question, timeout))
 
 
-async def _ask(own_id: str, connect: str | None, to: JausID, question: Message, patience: float) -> Message:
+async def _ask(own_id: str, connect: str | None, to: JausID, question: Message, patience: float) -> None:
     """One answer; the patience is cut into three attempts, for datagrams get lost."""
     from jauspy.ocu import OCU
 
     async with OCU(own_id, connect, timeout=patience / 3, retries=2) as ocu:
-        answer: Message = await ocu.query(to, question)
-        return answer
+        answer = await ocu.query(to, question)
+    _show(answer, to)
 
 
-def _show(answer: Message, source: JausID) -> None:
+async def _ask_all(own_id: str, connect: str | None, to: JausID, question: Message, patience: float) -> None:
+    """All answers, as they come."""
+    from jauspy.errors import ResponseTimeout
+    from jauspy.ocu import OCU
+
+    count = 0
+    async with OCU(own_id, connect) as ocu:
+        async for source, answer in ocu.query_each(to, question, within=patience):
+            _show(answer, source, first=not count)
+            count += 1
+    if not count:
+        raise ResponseTimeout(f"nobody that {to} stands for answered {question.NAME} within {patience:g} s")
+
+
+def _show(answer: Message, source: JausID, *, first: bool = True) -> None:
     import json
 
     from rich.text import Text
@@ -84,8 +99,10 @@ def _show(answer: Message, source: JausID) -> None:
             "code": f"{answer.CODE:04X}",
             "fields": answer.to_dict(),
         }
-        print(json.dumps(shown, ensure_ascii=False))
+        print(json.dumps(shown, ensure_ascii=False), flush=True)
         return
+    if not first:
+        console.stdout().print(Text("---", style="dim"))
     console.stdout().print(Text(f"# {answer.NAME} ({answer.CODE:04X}h) from {source}", style="dim"))
     for line in list(field_lines(answer, yaml=True)) or [Text("{}")]:
         console.stdout().print(line)

@@ -1,21 +1,21 @@
 """`jauspy send`: send a message without waiting for an answer."""
 
-# ruff: noqa: PLC0415 - verbs import what they need when they run
-
 from __future__ import annotations
 
-import asyncio
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
 
-from jauspy.cli.options import OCU_ID, Connect, OwnId, Timeout
+from jauspy.cli.options import Connect, OwnId, Timeout
 from jauspy.cli.query import Destination, Fields, MessageName
 
 if TYPE_CHECKING:
     from jauspy.codec.base import Message
     from jauspy.ids import JausID
     from jauspy.ocu import OCU
+
+
+_FREE_SERVICES: Final = frozenset({"Transport", "Events", "EventsClient", "AccessControl", "Discovery", "Liveness"})
 
 
 def send(
@@ -37,49 +37,100 @@ def send(
         float, typer.Option("--hold", min=0, metavar="SECONDS", help="Keep control that long after sending.")
     ] = 0.0,
     connect: Connect = None,
-    own_id: OwnId = OCU_ID,
+    own_id: OwnId = None,
     timeout: Timeout = 2.0,
 ) -> None:
     """Send a command or any other message.
 
     A command moves a component only while somebody controls it: --control takes control, resumes the component, sends,
-    waits for --hold seconds, and gives all back. Without it nothing is awaited.
+    waits for --hold seconds, and gives all back; losing control meanwhile is an error. Without it the message is sent,
+    and a note on stderr says what speaks against its effect.
 
     Examples:
       jauspy send 101.1.102 SetWrenchEffort propulsive_linear_effort_x=40 --control 200 --hold 2
       jauspy send 101.1.102 SetEmergency emergency_code=STOP
     """
+    from jauspy.cli import addresses, console
     from jauspy.cli.fields import message_from
     from jauspy.cli.run import run
-    from jauspy.ids import JausID
+    from jauspy.errors import ConfigError
     from jauspy.messages import registry
     from jauspy.ocu import OCU
+    from jauspy.ocu.link import is_query
 
     if control is None and hold:
         raise typer.BadParameter("control can only be held with --control", param_hint="--hold")
-    to = JausID.parse(destination)
+    to = addresses.destination(destination)
     command = message_from(registry, message, fields or [])
-    ocu = OCU(own_id, connect, timeout=timeout / 3, retries=2)
+    if is_query(type(command)):
+        raise ConfigError(f"{command.NAME} is a query, and its answer would not be shown; use `jauspy query`")
+    if control is not None and to.is_wildcard:
+        raise ConfigError(f"control is taken of one component at a time, and {to} may be several")
+    ocu = OCU(addresses.own_id(own_id, connect), connect, timeout=timeout / 3, retries=2)
     if control is None:
-        run(_send(ocu, to, command))
+        remark = run(_send(ocu, to, command))
+        if remark:
+            console.note(remark)
     else:
         run(_send_in_control(ocu, to, command, authority=control, hold=hold, patience=timeout))
 
 
-async def _send(ocu: OCU, to: JausID, command: Message) -> None:
+async def _send(ocu: OCU, to: JausID, command: Message) -> str:
+    """Send; returns what speaks against an effect."""
     async with ocu:
         await ocu.send(to, command)
+        return "" if to.is_wildcard else await _doubt(ocu, to, command)
+
+
+async def _doubt(ocu: OCU, to: JausID, command: Message) -> str:
+    """Why a component may not have done what it was sent."""
+    import asyncio
+    from typing import Any
+
+    from jauspy.ids import JausID
+    from jauspy.messages.core import QueryControl, QueryEventTimeout, QueryStatus, ReportControl, ReportStatus
+
+    # Every component answers the last one, whatever else it offers.
+    questions = QueryControl(), QueryStatus(), QueryEventTimeout()
+    answers: list[Any] = await asyncio.gather(*(ocu.query(to, each) for each in questions), return_exceptions=True)
+    control, status, _ = answers
+    if all(isinstance(each, BaseException) for each in answers):
+        return f"sent, but {to} does not answer: perhaps nobody has got it (`jauspy ls` shows who is there)"
+    if (
+        command.NAME == "ClearEmergency"
+        and isinstance(status, ReportStatus)
+        and status.status == status.Status.EMERGENCY
+    ):
+        return f"sent, but {to} is still in EMERGENCY: whoever set it must clear it, and you are {ocu.id} (see --id)"
+    if isinstance(control, ReportControl) and _needs_control(command):
+        holder = JausID(control.subsystem_id, control.node_id, control.component_id)
+        who = str(holder) if int(holder) else "nobody"
+        if holder != ocu.id:
+            return f"sent, but {to} obeys only who is in control, and that is {who}: use --control AUTHORITY"
+    return ""
+
+
+def _needs_control(command: Message) -> bool:
+    """False for what anybody may send: all of the services that every component has, and emergencies."""
+    if not command.IS_COMMAND or command.NAME in {"SetEmergency", "ClearEmergency"}:
+        return False
+    return command.SERVICE.rpartition(":")[2] not in _FREE_SERVICES
 
 
 async def _send_in_control(
     ocu: OCU, to: JausID, command: Message, *, authority: int, hold: float, patience: float
 ) -> None:
     """Control is taken, the component resumed unless the message itself manages its state, and all that undone."""
+    import asyncio
+    from contextlib import suppress
+
     async with ocu:
         robot = await ocu.discover(to.subsystem, timeout=patience)
         client = robot.component(to).service("AccessControl")
-        async with client.control(authority):
+        async with client.control(authority) as control:
             if not command.SERVICE.endswith(":Management"):
                 await client.resume(patience)
             await client.send(command)
-            await asyncio.sleep(hold)
+            with suppress(TimeoutError):
+                await asyncio.wait_for(control.until_lost(), hold)
+            control.check()

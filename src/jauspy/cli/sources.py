@@ -8,7 +8,7 @@ from io import BufferedReader
 from pathlib import Path
 from typing import Final, Literal, cast
 
-from jauspy.capture.dissect import dissect, is_old_header, read_message
+from jauspy.capture.dissect import dissect, is_old_header, local_control, read_message
 from jauspy.capture.hextext import from_hex, from_lines
 from jauspy.capture.reader import CaptureReader, is_capture
 from jauspy.cli import console
@@ -19,6 +19,7 @@ from jauspy.messages import registry
 What = Literal["datagram", "message"] | None
 
 _VERSION: Final = b"\x02"  # first byte of an AS5669A datagram
+_UNCOMPRESSED: Final = b"\x00"  # its second byte
 _SMALLEST: Final = 15  # bytes of a datagram without payload
 
 
@@ -70,21 +71,27 @@ def _from_file(file: BufferedReader, name: str, port: int | None, what: What) ->
 
 
 def _from_capture(reader: CaptureReader) -> Iterator[Item]:
-    for datagram in reader:
+    count = 0
+    for count, datagram in enumerate(reader, 1):  # noqa: B007 - for the note below
         yield Item(datagram.number, captured=datagram, dissection=dissect(datagram.payload, registry))
+    if not count and not reader.skipped:
+        console.note("there are no packets in it")
     if reader.skipped:
         console.note("left out: " + ", ".join(f"{count} {reason}" for reason, count in reader.skipped.items()))
 
 
 def _from_hex(number: int, data: bytes, what: What) -> Item:
-    """A datagram where it is a whole one, else a message where its code is known, else what it looks more like."""
+    """A datagram where it is a whole one or long enough for one, else a message; a damaged datagram is no message."""
     if what == "message":
         return Item(number, bare=read_message(data, registry))
+    control = local_control(data)
+    if control is not None and what is None:
+        return Item(number, dissection=control)
     datagram = Item(number, dissection=dissect(data, registry))
     if what == "datagram" or is_old_header(data):
         return datagram
     if data[:1] == _VERSION and not datagram.failed:
         return datagram
     message = read_message(data, registry)
-    looks_like_datagram = data[:1] == _VERSION and len(data) >= _SMALLEST
-    return Item(number, bare=message) if message.message or not looks_like_datagram else datagram
+    looks_like_datagram = data[:1] == _VERSION and (len(data) >= _SMALLEST or data[1:2] == _UNCOMPRESSED)
+    return datagram if looks_like_datagram and not message.exact else Item(number, bare=message)

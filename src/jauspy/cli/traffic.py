@@ -9,7 +9,7 @@ from typing import Any, Protocol
 
 from rich.text import Text
 
-from jauspy.capture.dissect import OLD_HEADER, Content, Dissection, Part
+from jauspy.capture.dissect import Content, Dissection, Part
 from jauspy.capture.reader import Datagram
 from jauspy.cli import console
 from jauspy.cli.explain import explanation
@@ -77,7 +77,7 @@ def as_json(item: Item) -> dict[str, Any]:
         "messages": messages,
         "errors": errors,
         "reencodes": dissection.reencodes if dissection else bool(bare and bare.reencodes),
-    } | ({"note": OLD_HEADER} if dissection and dissection.old_header else {})
+    } | ({"note": dissection.note} if dissection and dissection.note else {})
 
 
 def _part_json(part: Part) -> dict[str, Any]:
@@ -131,8 +131,8 @@ class HumanPrinter:
         self._datagram(item, item.dissection)
 
     def _datagram(self, item: Item, dissection: Dissection) -> None:
-        if dissection.old_header:
-            self._heading(item, Text(f"{OLD_HEADER} ({len(dissection.data)} bytes)", style="yellow"))
+        if dissection.note:
+            self._heading(item, Text(f"{dissection.note} ({len(dissection.data)} bytes)", style="yellow"))
         for index, part in enumerate(dissection.parts):
             line = _route(part.packet).append("  ").append_text(_title(part.content)).append_text(_flags(part.packet))
             if index == 0:
@@ -140,7 +140,7 @@ class HumanPrinter:
             else:
                 console.stdout().print(Text("   + ").append_text(line))
             self._content(part.content)
-        if not dissection.parts and not dissection.old_header:
+        if not dissection.parts and not dissection.note:
             self._heading(item, Text(f"{len(dissection.data)} bytes", style="red"))
         for error in dissection.errors:
             console.stdout().print(Text(f"     {error}", style="red"))

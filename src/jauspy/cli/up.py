@@ -1,13 +1,11 @@
 """`jauspy up`: a robot, with a node manager when none runs."""
 
-# ruff: noqa: PLC0415 - verbs import what they need when they run
-
 from __future__ import annotations
 
 from contextlib import AsyncExitStack
 from enum import StrEnum
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
 
@@ -15,6 +13,9 @@ from jauspy.cli.options import DEFAULT_PORT, DEFAULT_ROOT, LocalRoot, Port, With
 
 if TYPE_CHECKING:
     from jauspy.modules.robot import RobotRunner
+
+
+_DRIVE: Final = "jauspy send {} SetWrenchEffort propulsive_linear_effort_x=40 --control 200 --hold 2"
 
 
 class BackendName(StrEnum):
@@ -112,7 +113,7 @@ def _tell(runner: RobotRunner, where: str, root: Path) -> None:
         f"  node manager: {where}",
         f"see it:    jauspy ls{connect}",
         f"ask it:    jauspy query {first} QueryStatus{connect}",
-        f"drive it:  jauspy send {first} SetWrenchEffort propulsive_linear_effort_x=40 --control 200 --hold 2{connect}",
+        *([f"drive it:  {_DRIVE.format(first)}{connect}"] if config.modules[0].offers("PrimitiveDriver") else ()),
         "stop it:   Ctrl-C",
     ]
     print(*lines, sep="\n", flush=True)

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import struct
 from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING, Any, ClassVar, Final, Self
+from typing import TYPE_CHECKING, Any, ClassVar, Final, Literal, Self, overload
 
 from jauspy.errors import DecodeError
 
@@ -131,7 +131,7 @@ class Message(Struct):
 
         Raises `EncodeError` with field path, value and range. `clamp=True` moves numbers that are out of range to the
         nearest limit instead. `strict=False` leaves value sets and count limits unchecked, as for messages that came
-        from `decode_tolerant`.
+        from `decode(..., strict=False)`.
         """
         if strict and not clamp:
             try:
@@ -142,29 +142,37 @@ class Message(Struct):
 
         return encode(self, clamp=clamp, strict=strict)
 
+    @overload
     @classmethod
-    def decode(cls, data: bytes | bytearray | memoryview) -> Self:
-        """Read one whole message; raises `DecodeError` with offset, field path and reason."""
+    def decode(cls, data: bytes | bytearray | memoryview, *, strict: Literal[True] = True) -> Self: ...
+
+    @overload
+    @classmethod
+    def decode(
+        cls, data: bytes | bytearray | memoryview, *, strict: Literal[False]
+    ) -> tuple[Self, list[Deviation]]: ...
+
+    @classmethod
+    def decode(
+        cls, data: bytes | bytearray | memoryview, *, strict: bool = True
+    ) -> Self | tuple[Self, list[Deviation]]:
+        """Read one whole message; raises `DecodeError` with offset, field path and reason.
+
+        With `strict=False`, read what can be read, and return it with a list of deviations; an empty one means that
+        the bytes are valid. Values outside their set stay numbers, what is missing gets a default, bytes left over are
+        reported. Then only id bytes of another message raise `DecodeError`.
+        """
         if data.__class__ is not bytes:
             data = bytes(data)
         try:
-            return cls._unpack(data, 0)
+            message = cls._unpack(data, 0)
         except FAST_ERRORS:
             pass
-        from jauspy.codec.careful import decode  # noqa: PLC0415 - off the fast road
+        else:
+            return message if strict else (message, [])
+        from jauspy.codec import careful  # noqa: PLC0415 - off the fast road
 
-        return decode(cls, data)
-
-    @classmethod
-    def decode_tolerant(cls, data: bytes | bytearray | memoryview) -> tuple[Self, tuple[Deviation, ...]]:
-        """Read what can be read; the deviations say what was wrong, none means that `decode` takes it as well.
-
-        Values outside their set stay numbers, what is missing gets a default, bytes left over are reported.
-        Raises `DecodeError` only when the id bytes are not this message's.
-        """
-        from jauspy.codec.careful import decode_tolerant  # noqa: PLC0415 - off the fast road
-
-        return decode_tolerant(cls, bytes(data))
+        return careful.decode(cls, data) if strict else careful.decode_tolerant(cls, data)
 
 
 def check_code(cls: type[Message], data: bytes) -> None:

@@ -16,11 +16,11 @@ def decode(cls: type[M], data: bytes) -> M:
     return _read(cls, Reader(data, strict=True))
 
 
-def decode_tolerant(cls: type[M], data: bytes) -> tuple[M, tuple[Deviation, ...]]:
+def decode_tolerant(cls: type[M], data: bytes) -> tuple[M, list[Deviation]]:
     """Tolerant: collects deviations; only a wrong message id raises."""
     reader = Reader(data, strict=False)
     message = _read(cls, reader)
-    return message, tuple(reader.deviations)
+    return message, reader.deviations
 
 
 def encode(message: Message, *, clamp: bool, strict: bool) -> bytes:

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from enum import IntEnum
 from struct import Struct
+from typing import TypeVar
 
 from jauspy.codec.base import Message, Reject
 from jauspy.codec.wire import compact
+
+E = TypeVar("E", bound=IntEnum)
 
 MOST_MASKS = 1024
 """Masks whose packers are kept; a peer that sends all of 2**15 masks must not fill the memory."""
@@ -29,6 +33,11 @@ class Masks(dict[int, Struct]):
         packer = Struct(f"<{self._head}{compact(present)}")
         self[mask] = packer
         return packer
+
+
+def members(enum: type[E]) -> dict[int, E]:
+    """The members of an enumeration by value; looking them up costs less than a call of the class."""
+    return {member.value: member for member in enum}
 
 
 def plain_bytes(value: object) -> bytes:

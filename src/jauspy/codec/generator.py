@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 
 from jauspy.codec.generator_classes import class_lines
 from jauspy.codec.generator_fixed import Constants
 from jauspy.codec.generator_packages import NOTE, packages, root, table
+from jauspy.codec.names import module_alias
 from jauspy.codec.plan import ModulePlan
-from jauspy.codec.planner import module_alias, plan
+from jauspy.codec.planner import plan
 from jauspy.schema.model import Schema
 
 
@@ -18,15 +20,16 @@ def generate(schema: Schema, package: str = "jauspy.messages", base: str | None 
     Raises `SchemaError` for what cannot be decoded in bounded time.
     """
     modules = plan(schema)
-    files = {f"{module.name.replace('.', '/')}.py": module_source(module, package) for module in modules}
+    names = [module.name for module in modules]
+    files = {f"{module.name.replace('.', '/')}.py": module_source(module, package, names) for module in modules}
     files |= packages(modules, package)
     files["__init__.py"] = root(package, base)
     files["_table.py"] = table(modules, package)
     return dict(sorted(files.items()))
 
 
-def module_source(module: ModulePlan, package: str) -> str:
-    """The source of one module."""
+def module_source(module: ModulePlan, package: str, names: Iterable[str]) -> str:
+    """The source of one module, which imports those of the modules `names` that it speaks of."""
     body: list[str] = []
     constants = Constants()
     for made in module.classes:
@@ -34,13 +37,15 @@ def module_source(module: ModulePlan, package: str) -> str:
     body += ["", "", *constants.lines()]
     text = "\n".join(body).replace(f"{module_alias(module.name)}.", "")
     lines = [f'"""{module.doc} {NOTE}"""', "", "from __future__ import annotations", ""]
-    lines += ["from dataclasses import dataclass"]
+    lines += ["from dataclasses import dataclass"] if "@dataclass" in text else []
     lines += ["from enum import IntEnum"] if "(IntEnum)" in text else []
-    typing = [name for name in ("ClassVar", "Self") if re.search(rf"\b{name}\b", text)]
-    lines += [f"from typing import {', '.join(typing)}"] if typing else []
-    lines += ["", "from jauspy.codec import runtime as rt"]
+    lines += ["from typing import Self"] if "Self" in text else []
+    lines += [""] if lines[-1] else []
+    lines += ["from jauspy.codec import runtime as rt"] if "rt." in text else []
     lines += [f"from {package} import registry as _registry"] if "_registry" in text else []
-    for name in sorted(module.imports):
+    for name in sorted(names):
+        if not re.search(rf"\b{module_alias(name)}\.", text):
+            continue
         head, _, tail = f"{package}.{name}".rpartition(".")
         lines.append(f"from {head} import {tail} as {module_alias(name)}")
     return "\n".join(lines) + "\n" + text + "\n"

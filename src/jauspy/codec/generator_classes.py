@@ -13,6 +13,9 @@ from jauspy.codec.undefined import undefined_bits, undefined_presence
 
 def class_lines(plan: ClassPlan, module: ModulePlan, constants: Constants) -> list[str]:
     """A class with its nested ones, from the decorator on."""
+    if plan.same_as:
+        lines = [f"class {plan.name}({plan.same_as}):", *indent(docstring(_summary(plan)))]
+        return [*lines, "", *indent(["__slots__ = ()", *_place(module)])]
     base = "rt.Message" if plan.kind == "message" else "rt.Struct"
     keywords = ", kw_only=True" if needs_keywords(plan) else ""
     lines = [f"@dataclass(slots=True, repr=False{keywords})", f"class {plan.name}({base}):"]
@@ -38,12 +41,15 @@ def _summary(plan: ClassPlan) -> str:
 def _constants(plan: ClassPlan, module: ModulePlan) -> list[str]:
     assert plan.message is not None
     return [
-        f"CODE: ClassVar[int] = 0x{plan.message.code:04X}",
-        f"NAME: ClassVar[str] = {quote(plan.message.name)}",
-        f"SERVICE: ClassVar[str] = {quote(module.service)}",
-        f"VERSION: ClassVar[str] = {quote(module.version)}",
-        f"IS_COMMAND: ClassVar[bool] = {plan.message.is_command}",
+        f"CODE = 0x{plan.message.code:04X}",
+        f"NAME = {quote(plan.message.name)}",
+        *_place(module),
+        f"IS_COMMAND = {plan.message.is_command}",
     ]
+
+
+def _place(module: ModulePlan) -> list[str]:
+    return [f"SERVICE = {quote(module.service)}", f"VERSION = {quote(module.version)}"]
 
 
 def _enum(plan: EnumPlan) -> list[str]:

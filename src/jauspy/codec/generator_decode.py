@@ -1,7 +1,7 @@
 """Source of the straight-line decoders: `_unpack` of messages, `_read` of what is inside them.
 
-They accept valid bytes only and raise something out of `FAST_ERRORS` for all others. Local variables end in an
-underscore where they hold a field.
+They accept valid bytes only and raise something out of `FAST_ERRORS` for all others. Attributes are set on an object
+made by `rt.new`, which costs less than a constructor; local variables end in an underscore where they hold a field.
 """
 
 from __future__ import annotations
@@ -12,21 +12,19 @@ from jauspy.codec.generator_fixed import (
     Constants,
     bits_by_name,
     class_codes,
-    covers,
     fixed_codes,
-    free,
     is_fixed_run,
-    outside,
     runs,
     size_of,
 )
-from jauspy.codec.generator_text import annotation, indent, needs_keywords
+from jauspy.codec.generator_locals import Locals, Position
+from jauspy.codec.generator_raw import Raw, RawReader, one_expression, reject_if
+from jauspy.codec.generator_text import indent
 from jauspy.codec.plan import (
     BlobPlan,
     ClassPlan,
     GridPlan,
     ItemPlan,
-    NumberPlan,
     ObjectPlan,
     RepeatPlan,
     SlotPlan,
@@ -34,79 +32,89 @@ from jauspy.codec.plan import (
     UnionPlan,
 )
 from jauspy.codec.planner import minimum
-from jauspy.codec.undefined import undefined_bits, undefined_presence
-from jauspy.codec.wire import CODES, FLOATS, SIZES, limits
+from jauspy.codec.undefined import undefined_presence
+from jauspy.codec.wire import CODES, SIZES, limits
 from jauspy.schema.model import Count
-
-REJECT = "raise rt.Reject"
 
 
 def decode_method(plan: ClassPlan, constants: Constants) -> list[str]:
-    """The lines of `_unpack` of a message, or `_read` of what is inside one; bit fields are read in place."""
-    if plan.kind == "bits":
-        return []
-    writer = _Decoder(plan, constants)
+    """The lines of `_unpack` of a message, or `_read` of what is inside one; most of that is read in place."""
     if plan.kind == "message":
-        return ["@classmethod", "def _unpack(cls, data: bytes, depth: int) -> Self:", *indent(writer.message())]
+        lines = _Decoder(plan, constants, Position("", 2)).message()
+        return ["@classmethod", "def _unpack(cls, data: bytes, depth: int) -> Self:", *indent(lines)]
+    if plan.kind == "bits" or not plan.called:
+        return []
+    lines = _Decoder(plan, constants, Position("at", 0)).inner()
     head = "def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:"
-    return ["@classmethod", head, *indent(writer.inner())]
+    return ["@classmethod", head, *indent(lines)]
 
 
 class _Decoder:
-    def __init__(self, plan: ClassPlan, constants: Constants) -> None:
+    def __init__(self, plan: ClassPlan, constants: Constants, position: Position) -> None:
         self.plan = plan
         self.constants = constants
         self.bits = bits_by_name(plan)
-        self.counter = 0
+        self.locals = Locals()
+        self.position = position
+        self.raw = RawReader(constants, self.locals)
 
     def message(self) -> list[str]:
         assert self.plan.message is not None
         code = self.plan.message.code
         fixed = class_codes(self.plan)
         if fixed is not None:
-            names, lines, arguments = self._flat_slots(list(self.plan.slots))
-            packer = self.constants.packer("H" + "".join(fixed))
-            targets = ", ".join(["code", *names]) + ("," if not names else "")
-            return [
-                f"{targets} = {packer}.unpack(data)",
-                *_if(f"code != 0x{code:04X}"),
-                *lines,
-                self._return(arguments),
-            ]
+            return self._fixed_message(code, fixed)
         if self.plan.presence and self._is_one_run():
             return self._masked_message(code)
-        body = self._body()
-        check = _if(f"data[0] != 0x{code & 255:02X} or data[1] != 0x{code >> 8:02X}")
-        return [*check, "at = 2", *self._sized(body), *_if("at != len(data)"), self._return(self._arguments())]
+        check = reject_if(f"data[0] != 0x{code & 255:02X} or data[1] != 0x{code >> 8:02X}")
+        body = [*self._body(), *reject_if(f"{self.position.here()} != size")]
+        return [*check, "size = len(data)", "self = rt.new(cls)", *body, "return self"]
 
     def inner(self) -> list[str]:
         if self.plan.kind == "choice":
-            return self._choice()
-        if self.plan.kind == "format":
-            return self._format()
-        return [*self._sized(self._body()), self._return(self._arguments(), "at")]
-
-    @staticmethod
-    def _sized(body: list[str]) -> list[str]:
-        return (["size = len(data)"] if any(re.search(r"(?<![.\w])size\b", line) for line in body) else []) + body
+            lines = self._choice()
+        elif self.plan.kind == "format":
+            lines = self._format()
+        else:
+            lines = self._body()
+        sized = any(re.search(r"(?<![.\w])size\b", line) for line in lines)
+        head = [*(["size = len(data)"] if sized else []), "self = rt.new(cls)"]
+        return [*head, *lines, f"return self, {self.position.here()}"]
 
     def _is_one_run(self) -> bool:
         found = runs(self.plan.slots)
         return len(found) == 1 and is_fixed_run(found[0])
 
+    def _fixed_message(self, code: int, codes: list[str]) -> list[str]:
+        raw = self._raw_slots(list(self.plan.slots), "self")
+        packer = self.constants.packer("H" + "".join(codes))
+        targets = ", ".join(["code", *raw.targets]) + ("," if not raw.targets else "")
+        return [
+            "self = rt.new(cls)",
+            f"{targets} = {packer}.unpack(data)",
+            *reject_if(f"code != 0x{code:04X}"),
+            *raw.lines,
+            "return self",
+        ]
+
     def _masked_message(self, code: int) -> list[str]:
         """Only numbers behind a presence vector: one `unpack` for each mask, exact in length."""
         presence = str(self.plan.presence)
         head = self.constants.packer("H" + presence)
-        lines = [f"code, mask = {head}.unpack_from(data)", *_if(f"code != 0x{code:04X}")]
         masks = self._masks(self.plan.path, f"{2 + SIZES[presence]}x", list(self.plan.slots))
-        lines.append(f"raw = iter({masks}[mask & 0x{self._optional_bits():X}].unpack(data)).__next__")
+        lines = [
+            f"code, mask = {head}.unpack_from(data)",
+            *reject_if(f"code != 0x{code:04X}"),
+            f"raw = iter({masks}[mask & 0x{sum(self.bits.values()):X}].unpack(data)).__next__",
+            "self = rt.new(cls)",
+        ]
         for slot in self.plan.slots:
             lines += self._masked_slot(slot)
-        return [*lines, self._return(self._arguments())]
+        return [*lines, *self._reserved(), "return self"]
 
-    def _optional_bits(self) -> int:
-        return sum(self.bits.values())
+    def _reserved(self) -> list[str]:
+        undefined = undefined_presence(self.plan)
+        return [f"self.reserved_presence = mask & 0x{undefined:X}"] if undefined else []
 
     def _masks(self, path: str, head: str, slots: list[SlotPlan]) -> str:
         there = [slot for slot in slots if self.bits.get(slot.name) != 0]
@@ -114,285 +122,203 @@ class _Decoder:
         return self.constants.masks(path, head, codes)
 
     def _masked_slot(self, slot: SlotPlan) -> list[str]:
-        name = f"{slot.name}_"
+        target = f"self.{slot.name}"
         bit = self.bits.get(slot.name)
         if bit is None:
-            names, lines, arguments = self._flat(slot.item, name)
-            return [*(f"{n} = raw()" for n in names), *lines, *([] if arguments == name else [f"{name} = {arguments}"])]
+            return self._next_raw(slot, target)
         if not bit:
-            return [f"{name} = None"]
-        number = slot.item
-        if isinstance(number, NumberPlan) and free(number):
-            value = self._value(number, "raw()")
-            if value is not None:
-                return [f"{name} = {value} if mask & {bit} else None"]
-        names, lines, argument = self._flat(slot.item, name)
-        body = [f"{names[0]} = raw()", *lines, *([] if argument == name else [f"{name} = {argument}"])]
-        return [f"if mask & {bit}:", *indent(body), "else:", f"    {name} = None"]
+            return [f"{target} = None"]
+        value = one_expression(slot.item, "raw()")
+        if value is not None:
+            return [f"{target} = {value} if mask & {bit} else None"]
+        return [f"if mask & {bit}:", *indent(self._next_raw(slot, target)), f"else: {target} = None"]
 
-    def _value(self, number: NumberPlan, raw: str) -> str | None:
-        """One expression that needs the raw value once."""
-        scale = number.scaling
-        if scale:
-            step = f"{raw} * {scale.step!r}"
-            return (f"{scale.lower!r} + {step}" if scale.lower else step) if scale.top_is_exact else None
-        return None if number.allowed.enum else raw
+    def _next_raw(self, slot: SlotPlan, target: str) -> list[str]:
+        raw = self.raw.into(slot.item, slot.name, target)
+        return [*(f"{name} = raw()" for name in raw.targets), *raw.lines]
 
     def _body(self) -> list[str]:
-        lines: list[str] = []
-        if self.plan.presence:
-            presence = self.plan.presence
-            if presence == "B":
-                lines += ["mask = data[at]", "at += 1"]
-            else:
-                lines += [f"(mask,) = {self.constants.packer(presence)}.unpack_from(data, at)"]
-                lines += [f"at += {SIZES[presence]}"]
+        lines = self._number(str(self.plan.presence), "mask") if self.plan.presence else []
         for number, run in enumerate(runs(self.plan.slots)):
             lines += self._run(run, number) if is_fixed_run(run) else self._single(run[0])
-        return lines
+        return [*lines, *self._reserved()]
+
+    def _number(self, code: str, name: str) -> list[str]:
+        """A single unsigned number."""
+        here = self.position.here()
+        self.position.skip(SIZES[code])
+        if code == "B":
+            return [f"{name} = data[{here}]"]
+        return [f"({name},) = {self.constants.packer(code)}.unpack_from(data, {here})"]
 
     def _run(self, run: list[SlotPlan], number: int) -> list[str]:
         if not any(slot.optional for slot in run):
-            names, lines, values = self._flat_slots(run)
-            codes = [code for slot in run for code in fixed_codes(slot.item) or []]
-            fields = [f"{slot.name}_" for slot in run]
-            lines += [f"{field} = {value}" for field, value in zip(fields, values, strict=True) if field != value]
-            return [*(self._unpack(codes, names) if codes else []), *lines]
+            return self._unpack_slots(run, "self")
         bits = sum(self.bits[slot.name] for slot in run if slot.optional)
         masks = self._masks(f"{self.plan.path}_{number}", "", run)
-        lines = [f"packer = {masks}[mask & 0x{bits:X}]", "raw = iter(packer.unpack_from(data, at)).__next__"]
-        lines.append("at += packer.size")
+        here = self.position.here()
+        lines = [f"packer = {masks}[mask & 0x{bits:X}]", f"raw = iter(packer.unpack_from(data, {here})).__next__"]
+        lines.append("at += packer.size" if here == "at" else f"at = {here} + packer.size")
+        self.position.settled()
         for slot in run:
             lines += self._masked_slot(slot)
         return lines
 
-    def _unpack(self, codes: list[str], names: list[str]) -> list[str]:
-        if codes == ["B"]:
-            return [f"{names[0]} = data[at]", "at += 1"]
-        targets = f"({names[0]},)" if len(names) == 1 else ", ".join(names)
-        packer = self.constants.packer("".join(codes))
-        return [f"{targets} = {packer}.unpack_from(data, at)", f"at += {size_of(codes)}"]
-
-    def _flat_slots(self, slots: list[SlotPlan], prefix: str = "") -> tuple[list[str], list[str], list[str]]:
-        """Names of the raw values, lines that turn them into fields, and the fields as expressions."""
-        names: list[str] = []
+    def _raw_slots(self, slots: list[SlotPlan], owner: str) -> Raw:
+        """All raw values of some slots, and the lines that turn them into attributes."""
+        targets: list[str] = []
         lines: list[str] = []
-        arguments: list[str] = []
         for slot in slots:
-            name = f"{prefix}{slot.name}_"
-            inner_names, inner_lines, argument = self._flat(slot.item, name)
-            names += inner_names
-            lines += inner_lines
-            arguments.append(argument)
-        return names, lines, arguments
+            raw = self.raw.into(slot.item, slot.name, f"{owner}.{slot.name}")
+            targets += raw.targets
+            lines += raw.lines
+        return Raw(targets, lines)
 
-    def _flat(self, item: ItemPlan, name: str) -> tuple[list[str], list[str], str]:
-        match item:
-            case NumberPlan():
-                return [name], self._checks(item, name), self._converted(item, name)
-            case TextPlan():
-                return [name], [], f'{name}.rstrip(b"\\0").decode("latin-1")'
-            case ObjectPlan() if item.cls.kind == "bits":
-                return [name], self._bit_checks(item.cls, name), self._bits_value(item.cls, name)
-            case ObjectPlan():
-                names: list[str] = []
-                lines: list[str] = []
-                arguments: list[str] = []
-                for slot in item.cls.slots:
-                    inner_names, inner_lines, argument = self._flat(slot.item, f"{name}{slot.name}_")
-                    names, lines = names + inner_names, lines + inner_lines
-                    arguments.append(f"{slot.name}={argument}" if needs_keywords(item.cls) else argument)
-                return names, lines, f"{item.cls.path}({', '.join(arguments)})"
-            case _:
-                raise AssertionError(item)
+    def _unpack_slots(self, slots: list[SlotPlan], owner: str) -> list[str]:
+        raw = self._raw_slots(slots, owner)
+        codes = [code for slot in slots for code in fixed_codes(slot.item) or []]
+        return [*self._unpack(codes, raw.targets), *raw.lines]
 
-    def _checks(self, number: NumberPlan, name: str) -> list[str]:
-        if number.code in FLOATS:
-            lines = _if(f"{name} - {name} != 0.0")  # infinities and NaN
-            return lines + (_if(outside(number.allowed, name, self.constants)) if not number.allowed.anything else [])
-        if free(number) or (number.allowed.enum and not number.allowed.intervals):
-            return []  # a lookup of the member fails by itself
-        if number.scaling:
-            return _if(f"{name} < 0")
-        return _if(outside(number.allowed, name, self.constants, *limits(number.code)))
-
-    def _converted(self, number: NumberPlan, name: str) -> str:
-        if number.scaling:
-            value = self._value(number, name)
-            scale = number.scaling
-            return value or f"{scale.upper!r} if {name} == {scale.top} else {scale.lower!r} + {name} * {scale.step!r}"
-        enum = number.allowed.enum
-        if enum is None:
-            return name
-        members = self.constants.members(enum)
-        return f"{members}.get({name}, {name})" if number.allowed.intervals or free(number) else f"{members}[{name}]"
-
-    def _bit_checks(self, plan: ClassPlan, name: str) -> list[str]:
-        lines: list[str] = []
-        for bit in plan.bits:
-            if not covers(bit.allowed, 0, bit.mask):
-                lines += [
-                    f"part = {_part(name, bit.shift, bit.mask)}",
-                    *_if(outside(bit.allowed, "part", self.constants, 0, bit.mask)),
-                ]
-        return lines
-
-    def _bits_value(self, plan: ClassPlan, name: str) -> str:
-        parts = []
-        for bit in plan.bits:
-            part = _part(name, bit.shift, bit.mask)
-            members = self.constants.members(bit.allowed.enum) if bit.allowed.enum else ""
-            parts.append(f"{members}.get({part}, {part})" if members else part)
-        if undefined_bits(plan):
-            parts.append(f"{name} & 0x{undefined_bits(plan):X}")
-        return f"{plan.path}({', '.join(parts)})"
+    def _unpack(self, codes: list[str], targets: list[str]) -> list[str]:
+        if not codes:
+            return []
+        here = self.position.here()
+        if len(codes) <= 3 and set(codes) == {"B"}:  # indexing costs less than a call
+            places = [self.position.here(number) for number in range(len(codes))]
+            self.position.skip(len(codes))
+            return [f"{target} = data[{place}]" for target, place in zip(targets, places, strict=True)]
+        self.position.skip(size_of(codes))
+        names = f"({targets[0]},)" if len(targets) == 1 else ", ".join(targets)
+        return [f"{names} = {self.constants.packer(''.join(codes))}.unpack_from(data, {here})"]
 
     def _single(self, slot: SlotPlan) -> list[str]:
-        name = f"{slot.name}_"
+        target = f"self.{slot.name}"
         bit = self.bits.get(slot.name)
-        lines = self._item(slot.item, name)
         if bit is None:
-            return lines
+            return self._item(slot.item, slot.name, target)
         if not bit:
-            return [f"{name} = None"]
-        declared = f"{name}: {annotation(slot.item)} | None = None"
-        lines = [line for line in lines if not line.startswith(f"{name}: ")]
-        return [declared, f"if mask & {bit}:", *indent(lines)]
+            return [f"{target} = None"]
+        before = self.position.settle()
+        lines = [*self._item(slot.item, slot.name, target), *self.position.settle()]
+        return [*before, f"if mask & {bit}:", *indent(lines), f"else: {target} = None"]
 
-    def _item(self, item: ItemPlan, name: str) -> list[str]:
+    def _item(self, item: ItemPlan, hint: str, target: str) -> list[str]:
         codes = fixed_codes(item)
         if codes:
-            names, lines, argument = self._flat(item, name)
-            unpack = self._unpack(codes, names)
-            return [*unpack, *lines, *([] if argument == name else [f"{name} = {argument}"])]
+            raw = self.raw.into(item, hint, target)
+            return [*self._unpack(codes, raw.targets), *raw.lines]
         match item:
             case TextPlan() if item.count:
-                chunk, end = self._chunk(item.count, name)
-                return [*chunk, f'{name} = data[at:{end}].decode("latin-1")', f"at = {end}"]
+                lines, chunk = self._chunk(item.count, hint)
+                return [*lines, f'{target} = {chunk}.decode("latin-1")']
             case TextPlan():
-                return [f'{name} = ""']
+                return [f'{target} = ""']
             case BlobPlan():
-                chunk, end = self._chunk(item.count, name)
-                value = f"_registry.nested(data[at:{end}], depth)" if item.is_message else f"data[at:{end}]"
-                return [*chunk, f"{name} = {value}", f"at = {end}"]
+                lines, chunk = self._chunk(item.count, hint)
+                return [*lines, f"{target} = {f'_registry.nested({chunk}, depth)' if item.is_message else chunk}"]
             case ObjectPlan() if item.cls.kind == "composite" and not item.cls.presence:
-                return self._inline(item.cls, name)
+                return self._inline(item.cls, hint, target)
             case ObjectPlan():
-                return [f"{name}, at = {item.cls.path}._read(data, at, depth)"]
+                return [*self.position.settle(), f"{target}, at = {item.cls.path}._read(data, at, depth)"]
             case UnionPlan():
-                return self._union(item, name)
+                arms = self.constants.arms([arm.path for arm in item.arms])
+                read = f"{target}, at = {arms}[tag]._read(data, at, depth)"
+                return [*self._number(item.code, "tag"), *self.position.settle(), read]
             case RepeatPlan():
-                return self._repeat(item, name)
+                return self._repeat(item, hint, target)
             case GridPlan():
                 inner = GridPlan(item.item, item.sizes[1:]) if len(item.sizes) > 1 else item.item
-                return self._loop(inner, name, str(item.sizes[0]))
+                return self._loop(inner, hint, str(item.sizes[0]), target)
             case _:
                 raise AssertionError(item)
 
-    def _inline(self, plan: ClassPlan, name: str) -> list[str]:
+    def _inline(self, plan: ClassPlan, hint: str, target: str) -> list[str]:
         """A composite without presence vector, read in place: calls cost as much as a small record."""
-        lines: list[str] = []
-        arguments: list[str] = []
+        owner = target if target.isidentifier() else self.locals.name(hint)
+        lines = [f"{target} = {f'{owner} = ' if owner != target else ''}rt.new({plan.path})"]
         for run in runs(plan.slots):
             if is_fixed_run(run):
-                names, inner, found = self._flat_slots(run, name)
-                codes = [code for slot in run for code in fixed_codes(slot.item) or []]
-                lines += [*(self._unpack(codes, names) if codes else []), *inner]
-                arguments += found
+                lines += self._unpack_slots(run, owner)
             else:
-                lines += self._item(run[0].item, f"{name}{run[0].name}_")
-                arguments.append(f"{name}{run[0].name}_")
-        return [*lines, f"{name} = {plan.path}({', '.join(arguments)})"]
+                lines += self._item(run[0].item, run[0].name, f"{owner}.{run[0].name}")
+        return lines
 
     def _count(self, count: Count, name: str) -> list[str]:
         code = CODES[count.type]
-        if code == "B":
-            lines = [f"{name} = data[at]", "at += 1"]
-        else:
-            lines = [f"({name},) = {self.constants.packer(code)}.unpack_from(data, at)", f"at += {SIZES[code]}"]
         low = f"{name} < {count.minimum}" if count.minimum else ""
         high = f"{name} > {count.maximum}" if count.maximum < limits(code)[1] else ""
-        return lines + (_if(" or ".join(part for part in (low, high) if part)) if low or high else [])
+        checks = reject_if(" or ".join(part for part in (low, high) if part)) if low or high else []
+        return [*self._number(code, name), *checks]
 
-    def _chunk(self, count: Count, name: str) -> tuple[list[str], str]:
-        end = f"{name}end"
-        return [*self._count(count, end), f"{end} += at", *_if(f"{end} > size")], end
+    def _chunk(self, count: Count, hint: str) -> tuple[list[str], str]:
+        """Lines that read a count and find the end, and the counted bytes as an expression.
 
-    def _repeat(self, item: RepeatPlan, name: str) -> list[str]:
-        counted = f"{name}count"
+        Nothing checks that the end is within the data: a slice makes do with less, every read after it fails, and at
+        the latest the message finds that it does not end where the data does.
+        """
+        end = self.locals.name(f"{hint}_end")
+        lines = self._count(count, end)
+        start = self.position.here()
+        self.position.move(end)
+        if len(lines) == 1 and CODES[count.type] == "B":
+            lines = [f"{end} = {start} + {lines[0].partition(' = ')[2]}"]
+        else:
+            lines.append(f"{end} += {start}")
+        return lines, f"data[{start}:{end}]"
+
+    def _repeat(self, item: RepeatPlan, hint: str, target: str) -> list[str]:
+        counted = self.locals.name(f"{hint}_count")
+        lines = self._count(item.count, counted)
         codes = fixed_codes(item.item)
         if codes and isinstance(item.item, ObjectPlan):
-            return [*self._count(item.count, counted), *self._table(item.item, codes, name, counted)]
-        guard = _if(f"{counted} * {minimum(item.item)} > size - at")
-        return [*self._count(item.count, counted), *guard, *self._loop(item.item, name, counted)]
+            return [*lines, *self._table(item.item, codes, hint, counted, target)]
+        guard = reject_if(f"{counted} * {minimum(item.item)} > size - {self.position.parenthesized()}")
+        return [*lines, *guard, *self._loop(item.item, hint, counted, target)]
 
-    def _table(self, item: ObjectPlan, codes: list[str], name: str, counted: str) -> list[str]:
+    def _table(self, item: ObjectPlan, codes: list[str], hint: str, counted: str, target: str) -> list[str]:
         """Elements of fixed size: one call unpacks them all."""
-        end = f"{name}end"
-        names, lines, argument = self._flat(item, f"{name}item_")
+        start, end = self.position.here(), self.locals.name(f"{hint}_end")
+        self.position.move(end)
+        names, lines, argument = self.raw.flat(item, hint)
         targets = f"({names[0]},)" if len(names) == 1 else ", ".join(names)
-        rows = f"{self.constants.packer(''.join(codes))}.iter_unpack(data[at:{end}])"
-        head = [f"{end} = at + {counted} * {size_of(codes)}", *_if(f"{end} > size")]
-        if lines:
-            body = [f"{name} = []", f"for {targets} in {rows}:", *indent([*lines, f"{name}.append({argument})"])]
-        else:
-            body = [f"{name} = [{argument} for {targets} in {rows}]"]
-        return [*head, *body, f"at = {end}"]
+        rows = f"{self.constants.packer(''.join(codes))}.iter_unpack(data[{start}:{end}])"
+        head = [f"{end} = {start} + {counted} * {size_of(codes)}"]
+        if not lines:
+            return [*head, f"{target} = [{argument} for {targets} in {rows}]"]
+        made = self.locals.name(hint)
+        body = indent([*lines, f"{made}.append({argument})"])
+        return [*head, f"{made} = []", f"for {targets} in {rows}:", *body, f"{target} = {made}"]
 
-    def _loop(self, item: ItemPlan, name: str, counted: str) -> list[str]:
-        inner = f"{name}item_"
-        body = [*self._item(item, inner), f"{name}.append({inner})"]
-        return [f"{name} = []", f"for _ in range({counted}):", *indent(body)]
-
-    def _union(self, item: UnionPlan, name: str) -> list[str]:
-        if item.code == "B":
-            lines = ["tag = data[at]", "at += 1"]
-        else:
-            lines = [f"(tag,) = {self.constants.packer(item.code)}.unpack_from(data, at)", f"at += {SIZES[item.code]}"]
-        lines.append(f"{name}: {annotation(item)}")
-        for number, arm in enumerate(item.arms):
-            head = f"{'el' if number else ''}if tag == {number}:"
-            lines += [head, f"    {name}, at = {arm.path}._read(data, at, depth)"]
-        return [*lines, "else:", f"    {REJECT}"]
+    def _loop(self, item: ItemPlan, hint: str, counted: str, target: str) -> list[str]:
+        made = self.locals.name(hint)
+        one = self.locals.name("item")
+        before = self.position.settle()
+        body = [*self._item(item, "item", one), *self.position.settle(), f"{made}.append({one})"]
+        return [*before, f"{made} = []", f"for _ in range({counted}):", *indent(body), f"{target} = {made}"]
 
     def _choice(self) -> list[str]:
-        lines = ["choice = data[at]", "at += 1"]
+        lines = ["choice = data[at]"]
         for number, (index, plan) in enumerate(self.plan.choices):
-            body = [*self._unpack([plan.code], ["value_"]), *self._checks(plan, "value_")]
-            body.append(f"value = {self._converted(plan, 'value_')}")
+            self.position.settled()
+            self.position.skip(1)
+            raw = self.raw.into(plan, "value", "self.value")
+            body = [*self._unpack([plan.code], raw.targets), *raw.lines, *self.position.settle()]
             lines += [f"{'el' if number else ''}if choice == {index}:", *indent(body)]
-        lines += ["else:", f"    {REJECT}"]
+        lines += ["else: raise rt.Reject"]
         enum = self.plan.allowed.enum
-        chosen = f"{self.constants.members(enum)}[choice]" if enum else "choice"
-        return [*lines, f"return cls({chosen}, value), at"]
+        return [*lines, f"self.choice = {f'{self.constants.members(enum)}[choice]' if enum else 'choice'}"]
 
     def _format(self) -> list[str]:
         assert self.plan.count is not None
-        chunk, end = self._chunk(self.plan.count, "data_")
-        lines = ["size = len(data)", "format = data[at]", "at += 1", *chunk, f"chunk = data[at:{end}]"]
-        if self.plan.message_formats:
-            chosen = " or ".join(f"format == {number}" for number in self.plan.message_formats)
-            lines += ["content: rt.Message | bytes = chunk", f"if {chosen}:"]
-            lines += ["    content = _registry.nested(chunk, depth)"]
-        content = "content" if self.plan.message_formats else "chunk"
         enum = self.plan.allowed.enum
-        value = f"{self.constants.members(enum)}[format]" if enum else "format"
-        return [*lines, f"return cls({value}, {content}), {end}"]
-
-    def _arguments(self) -> list[str]:
-        undefined = undefined_presence(self.plan)
-        return [f"{slot.name}_" for slot in self.plan.slots] + ([f"mask & 0x{undefined:X}"] if undefined else [])
-
-    def _return(self, arguments: list[str], more: str = "") -> str:
-        if needs_keywords(self.plan):
-            names = [slot.name for slot in self.plan.slots] + ["reserved_presence"]
-            arguments = [f"{name}={argument}" for name, argument in zip(names, arguments, strict=False)]
-        return f"return cls({', '.join(arguments)}){', ' + more if more else ''}"
-
-
-def _part(name: str, shift: int, mask: int) -> str:
-    return f"{name} >> {shift} & 0x{mask:X}" if shift else f"{name} & 0x{mask:X}"
-
-
-def _if(condition: str) -> list[str]:
-    return [f"if {condition}:", f"    {REJECT}"]
+        lines = [
+            "format = data[at]",
+            f"self.format = {f'{self.constants.members(enum)}[format]' if enum else 'format'}",
+        ]
+        self.position.skip(1)
+        found, chunk = self._chunk(self.plan.count, "data")
+        lines += found
+        if not self.plan.message_formats:
+            return [*lines, f"self.data = {chunk}"]
+        chosen = f"format in {set(self.plan.message_formats)}"
+        return [*lines, f"self.data = _registry.nested({chunk}, depth) if {chosen} else {chunk}"]

@@ -17,17 +17,20 @@ class Constants:
     def __init__(self) -> None:
         self._sources: dict[str, str] = {}
         self._names: dict[str, str] = {}
+        self._types: dict[str, str] = {}
 
     def lines(self) -> list[str]:
         """The assignments; they stand after all classes."""
-        return [f"{name} = {source}" for name, source in self._sources.items()]
+        return [f"{name}{self._types.get(name, '')} = {source}" for name, source in self._sources.items()]
 
-    def _add(self, name: str, source: str) -> str:
+    def _add(self, name: str, source: str, kind: str = "") -> str:
         if source not in self._names:
             while name in self._sources:
                 name += "_"
             self._names[source] = name
             self._sources[name] = source
+            if kind:
+                self._types[name] = f": {kind}"
         return self._names[source]
 
     def packer(self, codes: str) -> str:
@@ -37,9 +40,17 @@ class Constants:
 
     def members(self, enum: EnumPlan) -> str:
         """A map of values to members."""
-        return self._add(
-            f"_E_{'_'.join(enum.path.split('.')[-2:])}", f"{{member.value: member for member in {enum.path}}}"
-        )
+        return self._add(f"_E_{'_'.join(enum.path.split('.')[-2:])}", f"rt.members({enum.path})")
+
+    def arms(self, paths: list[str]) -> str:
+        """The classes of a variant in the order of their tags."""
+        kinds = " | ".join(f"type[{path}]" for path in dict.fromkeys(paths))
+        return self._add(f"_U_{len(self._sources)}", tuple_of(paths), f"tuple[{kinds}, ...]")
+
+    def tags(self, paths: list[str]) -> str:
+        """The inverse of `arms`."""
+        rows = ", ".join(f"{path}: {tag}" for tag, path in enumerate(paths))
+        return self._add(f"_T_{len(self._sources)}", f"{{{rows}}}", "dict[type[rt.Struct], int]")
 
     def scaling(self, scale: Scaling) -> str:
         """A scale range."""

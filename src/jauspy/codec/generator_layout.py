@@ -43,21 +43,26 @@ def _body(plan: ClassPlan) -> list[str]:
             tail = f", {quote(plan.presence)}" if plan.presence else ""
             if not plan.slots:
                 return [f"return rt.Composite(cls, (){tail})"]
-            return _call("rt.Composite", ["cls"], [_slot(slot) for slot in plan.slots], tail[2:])
+            presence = quote(plan.presence) if plan.presence else "None"
+            return [
+                "return rt.composite(",
+                f"    cls, {presence},",
+                *indent(f"{_slot(slot)}," for slot in plan.slots),
+                ")",
+            ]
 
 
 def _last(plan: ClassPlan) -> list[str]:
     return [f"    {values(plan.allowed)},", ")"]
 
 
-def _call(name: str, head: list[str], rows: list[str], tail: str = "") -> list[str]:
+def _call(name: str, head: list[str], rows: list[str]) -> list[str]:
     lines = [f"return {name}(", *indent(f"{part}," for part in head), "    ("]
-    return [*lines, *indent([f"{row}," for row in rows], 2), "    ),", *([f"    {tail},"] if tail else []), ")"]
+    return [*lines, *indent([f"{row}," for row in rows], 2), "    ),", ")"]
 
 
 def _slot(slot: SlotPlan) -> str:
-    optional = ", optional=True" if slot.optional else ""
-    return f"rt.Slot({quote(slot.name)}, {quote(slot.jaus)}, {item(slot.item)}{optional})"
+    return f"({quote(slot.jaus)}, {item(slot.item)}{', True' if slot.optional else ''})"
 
 
 def _bit(bit: BitPlan) -> str:
@@ -89,7 +94,9 @@ def item(plan: ItemPlan) -> str:
     match plan:
         case NumberPlan() if plan.scaling:
             units = "" if plan.units == "one" else f", {quote(plan.units)}"
-            return f"rt.Real({quote(plan.code)}, {scaling(plan.scaling)}{units})"
+            scale = plan.scaling
+            function = "" if scale.function == "round" else f", function={quote(scale.function)}"
+            return f"rt.real({quote(plan.code)}, {scale.lower!r}, {scale.upper!r}{units}{function})"
         case NumberPlan():
             units = "" if plan.units == "one" else f", {quote(plan.units)}"
             checked = "" if plan.allowed.anything and not units else f", {values(plan.allowed)}"

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from jauspy.codec.generator_text import indent, quote, tuple_of
+from jauspy.codec.generator_text import indent, quote
 from jauspy.codec.plan import ModulePlan
+from jauspy.schema.model import Message
 
 NOTE = "Generated from schemas/; do not edit."
 
@@ -39,13 +40,12 @@ def root(package: str, base: str | None) -> str:
 
 def table(modules: Iterable[ModulePlan], package: str) -> str:
     """`_table.py`: code, name, service, version and module of every message."""
-    rows = [
-        f"Entry(0x{plan.message.code:04X}, {quote(plan.message.name)}, {quote(module.service)}, "
-        f"{quote(module.version)}, {quote(f'{package}.{module.name}')}, {quote(plan.name)}),"
-        for module in sorted(modules, key=lambda module: module.name)
-        for plan in module.classes
-        if plan.message
-    ]
+    rows: list[str] = []
+    for module in sorted(modules, key=lambda module: module.name):
+        place = ", ".join(map(quote, (f"{package}.{module.name}", module.service, module.version)))
+        messages = [_row(plan.message, plan.name) for plan in module.classes if plan.message]
+        if messages:
+            rows += ["*entries(", *indent([f"{place},", *messages]), "),"]
     return "\n".join(
         [
             f'"""Which messages there are, and where. {NOTE}"""',
@@ -54,7 +54,7 @@ def table(modules: Iterable[ModulePlan], package: str) -> str:
             "",
             "from typing import Final",
             "",
-            "from jauspy.codec.registry import Entry",
+            "from jauspy.codec.registry import entries",
             "",
             "TABLE: Final = (",
             *indent(rows),
@@ -62,6 +62,11 @@ def table(modules: Iterable[ModulePlan], package: str) -> str:
             "",
         ]
     )
+
+
+def _row(message: Message, cls: str) -> str:
+    other = f", {quote(cls)}" if cls != message.name else ""
+    return f"(0x{message.code:04X}, {quote(message.name)}{other}),"
 
 
 def packages(modules: list[ModulePlan], package: str) -> dict[str, str]:
@@ -88,24 +93,25 @@ def _lazy(name: str, modules: list[ModulePlan], package: str) -> str:
             "",
             "from __future__ import annotations",
             "",
-            "from importlib import import_module",
             "from typing import TYPE_CHECKING",
+            "",
+            "from jauspy.codec.lazy import exports, load",
             "",
             "if TYPE_CHECKING:",
             *indent(_imports(by_module, package)),
             "",
-            "_MODULES = {",
-            *indent(f"{quote(cls)}: {quote(f'{package}.{module}')}," for cls, module in sorted(exported.items())),
-            "}",
+            "_MODULES = exports({",
+            *indent(
+                f"{quote(f'{package}.{module}')}: {quote(' '.join(sorted(classes)))},"
+                for module, classes in sorted(by_module.items())
+            ),
+            "})",
             "",
-            f"__all__ = {tuple_of(quote(cls) for cls in sorted(exported))}",
+            "__all__ = sorted(_MODULES)",
             "",
             "",
             "def __getattr__(name: str) -> object:",
-            "    if name not in _MODULES:",
-            '        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")',
-            "    value: object = getattr(import_module(_MODULES[name]), name)",
-            "    globals()[name] = value",
+            "    globals()[name] = value = load(name, _MODULES, __name__)",
             "    return value",
             "",
             "",

@@ -5,8 +5,8 @@ from __future__ import annotations
 from jauspy.codec.item import Item
 from jauspy.codec.items_bits import Bit, Bits, Choice
 from jauspy.codec.items_bytes import Blob, Count, Formatted, Text, message_to_dict
-from jauspy.codec.items_numbers import ANY, Number, Real, Values
-from jauspy.codec.layout import Composite, Grid, Repeat, Slot, Union
+from jauspy.codec.items_numbers import ANY, Number, Real, Values, real
+from jauspy.codec.layout import Composite, Grid, Repeat, Slot, Union, composite
 
 __all__ = [
     "ANY",
@@ -26,5 +26,7 @@ __all__ = [
     "Text",
     "Union",
     "Values",
+    "composite",
     "message_to_dict",
+    "real",
 ]

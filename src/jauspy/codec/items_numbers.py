@@ -7,10 +7,11 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from enum import IntEnum
+from functools import lru_cache
 from typing import Any
 
 from jauspy.codec.item import Item, integer_of, number_of
-from jauspy.codec.scaling import Scaling, exact_raw
+from jauspy.codec.scaling import Rounding, Scaling, exact_raw
 from jauspy.codec.streams import Reader, Writer
 from jauspy.codec.wire import FLOATS, SIZES, limits
 from jauspy.errors import EncodeError
@@ -177,3 +178,9 @@ class Real(Item):
             return None
         raw = round((number - self.scaling.lower) * self.scaling.factor)
         return raw if limits(self.code)[0] <= raw < 0 else None
+
+
+@lru_cache(maxsize=4096)
+def real(code: str, lower: float, upper: float, units: str = "one", function: Rounding = "round") -> Real:
+    """The layout of a real number with this range over all raw values of its type from 0."""
+    return Real(code, Scaling(lower, upper, limits(code)[1], function), units)

@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from difflib import get_close_matches
 from typing import Any
 
@@ -112,6 +112,12 @@ class Composite(Item):
         if "reserved_presence" in data:
             values["reserved_presence"] = data["reserved_presence"]
         return self.cls(**values)
+
+
+def composite(cls: type[Struct], presence: str | None, *rows: tuple[Any, ...]) -> Composite:
+    """The layout of a dataclass: for each attribute its JAUS name and its layout, and `True` when it is optional."""
+    slots = (Slot(field.name, *row) for field, row in zip(fields(cls), rows, strict=False))  # type: ignore[arg-type]  # generated classes are dataclasses
+    return Composite(cls, tuple(slots), presence)
 
 
 def _hint(key: object, names: list[str]) -> str:

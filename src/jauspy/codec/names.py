@@ -15,7 +15,7 @@ _WORDS = re.compile(
 )
 _ACRONYM_THEN_WORD = re.compile(r"([A-Z]+)([A-Z](?!s(?![a-z]))[a-z])")
 _DIMENSIONS = re.compile(r"(?<=\d)D(?![a-z])")
-_RESERVED = frozenset({"encode", "decode", "decode_tolerant", "to_dict", "from_dict", "layout", "mro", "self", "cls"})
+_RESERVED = frozenset({"encode", "decode", "to_dict", "from_dict", "layout", "mro", "self", "cls"})
 
 
 def snake(name: str) -> str:
@@ -87,3 +87,8 @@ def service_set(urn: str) -> str:
 def version_package(version: str) -> str:
     """`v1_1` of `1.1`."""
     return "v" + re.sub(r"\W+", "_", version)
+
+
+def module_alias(name: str) -> str:
+    """How a module of the package is called where another imports it: `core_v1_0_types` of `core.v1_0.types`."""
+    return snake(name.replace(".", " ")) or name

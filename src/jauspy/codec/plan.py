@@ -122,7 +122,11 @@ class BitPlan:
 
 @dataclass(eq=False, slots=True)
 class ClassPlan:
-    """A class to write. Which of the last fields count depends on `kind`."""
+    """A class to write. Which of the last fields count depends on `kind`.
+
+    `called` says that its `_read` and `_write` are used; what is of one form only is read and written in place.
+    `same_as` is a message of another module that has the same body.
+    """
 
     kind: Literal["message", "composite", "bits", "choice", "format"]
     name: str
@@ -139,6 +143,8 @@ class ClassPlan:
     nested: list[EnumPlan | ClassPlan] = field(default_factory=list)
     message: Message | None = None
     aliases: dict[str, str] = field(default_factory=dict)
+    called: bool = False
+    same_as: str | None = None
 
 
 @dataclass(eq=False, slots=True)
@@ -150,4 +156,3 @@ class ModulePlan:
     service: str = ""
     version: str = ""
     classes: list[ClassPlan] = field(default_factory=list)
-    imports: set[str] = field(default_factory=set)

@@ -6,7 +6,16 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 
-from jauspy.codec.names import attribute, attributes, class_name, members, service_set, snake, unique, version_package
+from jauspy.codec.names import (
+    attribute,
+    attributes,
+    class_name,
+    members,
+    module_alias,
+    service_set,
+    unique,
+    version_package,
+)
 from jauspy.codec.plan import (
     Allowed,
     BitPlan,
@@ -23,8 +32,9 @@ from jauspy.codec.plan import (
     TextPlan,
     UnionPlan,
 )
+from jauspy.codec.planner_sharing import mark_called, share_messages
 from jauspy.codec.scaling import Scaling
-from jauspy.codec.wire import CODES, FLOATS, SIZES, limits
+from jauspy.codec.wire import CODES, FLOATS, SIZES, as_sent, limits
 from jauspy.errors import SchemaError
 from jauspy.schema.model import (
     Array,
@@ -39,6 +49,7 @@ from jauspy.schema.model import (
     Scalar,
     Scale,
     Schema,
+    Sequence as SequenceNode,
     Service,
     TypeChoice,
     ValueSet,
@@ -48,7 +59,6 @@ from jauspy.schema.model import (
     VariableString,
     Variant,
 )
-from jauspy.schema.model import Sequence as SequenceNode
 
 JAUS_MESSAGE = "jaus message"
 _OWN_NAMES = frozenset({"CODE", "NAME", "SERVICE", "VERSION", "IS_COMMAND"})
@@ -56,9 +66,13 @@ _OWN_NAMES = frozenset({"CODE", "NAME", "SERVICE", "VERSION", "IS_COMMAND"})
 
 def plan(schema: Schema) -> list[ModulePlan]:
     """The modules of a schema: one per service, and one per set and version for declared types."""
-    shared = SharedTypes({service.id for service in schema.services})
+    services = {service.id for service in schema.services}
+    shared = SharedTypes(services)
     modules = [_service_module(service, shared) for service in schema.services if service.messages]
-    return modules + shared.modules()
+    share_messages(modules, services)
+    modules += shared.modules()
+    mark_called(modules)
+    return modules
 
 
 def _service_module(service: Service, shared: SharedTypes) -> ModulePlan:
@@ -69,7 +83,7 @@ def _service_module(service: Service, shared: SharedTypes) -> ModulePlan:
     for message in service.messages:
         if message.name not in taken:
             taken.add(message.name)
-            owner = Owner(class_name(message.name), shared, module)
+            owner = Owner(class_name(message.name), shared)
             module.classes.append(owner.message(message))
     return module
 
@@ -97,17 +111,15 @@ class SharedTypes:
             and node.declared.set_id not in self._services
         )
 
-    def use(self, node: Node, user: ModulePlan) -> ClassPlan:
-        """The class of a declared node; `user` will import its module."""
+    def use(self, node: Node) -> ClassPlan:
+        """The class of a declared node."""
         assert node.declared is not None
         key = _bare(replace(node, name=node.declared.name))
         name = f"{service_set(node.declared.set_id)}.{version_package(node.declared.version)}.types"
         module = self._modules.setdefault(name, ModulePlan(name, "Declared types that several messages share."))
-        if user is not module:
-            user.imports.add(name)
         if key not in self._classes:
             taken = {plan.name for plan in module.classes}
-            owner = Owner(unique(class_name(node.declared.name), taken.__contains__), self, module, module_name=name)
+            owner = Owner(unique(class_name(node.declared.name), taken.__contains__), self, module_name=name)
             made = owner.declared(key)
             self._classes[key] = made
             module.classes.append(made)
@@ -121,11 +133,10 @@ def _bare(node: Node) -> Node:
 class Owner:
     """Builds one class at module level with everything nested in it."""
 
-    def __init__(self, name: str, shared: SharedTypes, module: ModulePlan, module_name: str = "") -> None:
+    def __init__(self, name: str, shared: SharedTypes, module_name: str = "") -> None:
         self.name = name
         self.path = f"{module_alias(module_name)}.{name}" if module_name else name
         self._shared = shared
-        self._module = module
         self._nested: list[EnumPlan | ClassPlan] = []
         self._known: dict[object, ClassPlan | EnumPlan] = {}
         self._taken: set[str] = set(_OWN_NAMES)
@@ -204,7 +215,7 @@ class Owner:
 
     def _class(self, node: Node) -> ClassPlan:
         if self._shared.owns(node):
-            return self._alias(self._shared.use(node, self._module))
+            return self._alias(self._shared.use(node))
         return self._nest(node, key=_bare(node))
 
     def _alias(self, made: ClassPlan) -> ClassPlan:
@@ -311,8 +322,9 @@ def intervals(values: ValueSet, code: str) -> tuple[tuple[float, float], ...]:
     made: list[tuple[float, float]] = []
     for r in values.ranges:
         if code in FLOATS:
-            low = r.lower if r.lower_inclusive else math.nextafter(r.lower, math.inf)
-            high = r.upper if r.upper_inclusive else math.nextafter(r.upper, -math.inf)
+            lower, upper = as_sent(r.lower, code), as_sent(r.upper, code)
+            low = lower if r.lower_inclusive else math.nextafter(lower, math.inf)
+            high = upper if r.upper_inclusive else math.nextafter(upper, -math.inf)
         else:
             low = math.ceil(r.lower) if r.lower_inclusive else math.floor(r.lower) + 1
             high = math.floor(r.upper) if r.upper_inclusive else math.ceil(r.upper) - 1
@@ -348,8 +360,3 @@ def class_minimum(made: ClassPlan) -> int:
         return 1 + (SIZES[CODES[made.count.type]] if made.count else 0)
     vector = SIZES[made.presence] if made.presence else 0
     return vector + sum(minimum(slot.item) for slot in made.slots if not slot.optional)
-
-
-def module_alias(name: str) -> str:
-    """How a module of shared types is called where it is imported."""
-    return snake(name.replace(".", " ")) or name

@@ -11,7 +11,7 @@ from construct import Container
 
 from jauspy.codec.names import attributes, members
 from jauspy.codec.scaling import nearest_raw
-from jauspy.codec.wire import CODES, FLOATS, limits
+from jauspy.codec.wire import CODES, FLOATS, as_sent, limits
 from jauspy.errors import DecodeError
 from jauspy.schema import model as m
 
@@ -129,7 +129,7 @@ class Explainer:
             if code in FLOATS and not math.isfinite(raw):
                 self._wrong(f"{name} is not finite", leaf, path)
                 value = str(raw)
-            elif not allows(kind.values, raw):
+            elif not allows(kind.values, raw, code):
                 self._wrong(f"{raw} is not allowed", leaf, path)
         self._row(leaf, path, value)
         return value
@@ -311,16 +311,17 @@ def named(raw: Any, values: m.ValueSet | None) -> Any:
     )
 
 
-def allows(values: m.ValueSet | None, raw: float) -> bool:
+def allows(values: m.ValueSet | None, raw: float, code: str = "Q") -> bool:
     """True when a value set holds the number; an empty one holds all."""
     if values is None or not (values.enums or values.ranges):
         return True
     if any(enum.value == raw for enum in values.enums):
         return True
-    return any(_within(r, raw) for r in values.ranges)
+    return any(_within(r, raw, code) for r in values.ranges)
 
 
-def _within(r: m.ValueRange, raw: float) -> bool:
-    above = raw >= r.lower if r.lower_inclusive else raw > r.lower
-    below = raw <= r.upper if r.upper_inclusive else raw < r.upper
+def _within(r: m.ValueRange, raw: float, code: str) -> bool:
+    lower, upper = (as_sent(r.lower, code), as_sent(r.upper, code)) if code in FLOATS else (r.lower, r.upper)
+    above = raw >= lower if r.lower_inclusive else raw > lower
+    below = raw <= upper if r.upper_inclusive else raw < upper
     return above and below

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
 from importlib import import_module
-from typing import Any
+from typing import Any, Literal, overload
 
 from jauspy.codec.base import FAST_ERRORS, MAX_NESTING, Deviation, Message
 from jauspy.errors import ConfigError, DecodeError
@@ -34,6 +34,12 @@ class Entry:
     def order(self) -> tuple[int, ...]:
         """Orders versions, oldest first."""
         return tuple(int(part) for part in self.version.split(".") if part.isdigit())
+
+
+def entries(module: str, service: str, version: str, *messages: tuple[Any, ...]) -> Iterator[Entry]:
+    """The entries of one module: for each message its code and name, and its class where that has another name."""
+    for code, name, *cls in messages:
+        yield Entry(code, name, service, version, module, cls[0] if cls else name)
 
 
 class Registry:
@@ -82,17 +88,40 @@ class Registry:
         hint = f"; did you mean {' or '.join(close)}?" if close else ""
         raise ConfigError(f"no message {which} is known{hint}")
 
+    @overload
     def decode(
-        self, data: bytes | bytearray | memoryview, *, service: str | None = None, version: str | None = None
-    ) -> Message:
-        """The message these bytes are, newest version unless told otherwise; raises `DecodeError`."""
-        return self._class_for(bytes(data), service, version).decode(data)
+        self,
+        data: bytes | bytearray | memoryview,
+        *,
+        service: str | None = None,
+        version: str | None = None,
+        strict: Literal[True] = True,
+    ) -> Message: ...
 
-    def decode_tolerant(
-        self, data: bytes | bytearray | memoryview, *, service: str | None = None, version: str | None = None
-    ) -> tuple[Message, tuple[Deviation, ...]]:
-        """As `Message.decode_tolerant`; raises `DecodeError` only for an unknown or missing message id."""
-        return self._class_for(bytes(data), service, version).decode_tolerant(data)
+    @overload
+    def decode(
+        self,
+        data: bytes | bytearray | memoryview,
+        *,
+        service: str | None = None,
+        version: str | None = None,
+        strict: Literal[False],
+    ) -> tuple[Message, list[Deviation]]: ...
+
+    def decode(
+        self,
+        data: bytes | bytearray | memoryview,
+        *,
+        service: str | None = None,
+        version: str | None = None,
+        strict: bool = True,
+    ) -> Message | tuple[Message, list[Deviation]]:
+        """The message these bytes are, newest version unless told otherwise; raises `DecodeError`.
+
+        `strict=False` as in `Message.decode`: then only an unknown or missing message id raises.
+        """
+        cls = self._class_for(bytes(data), service, version)
+        return cls.decode(data) if strict else cls.decode(data, strict=False)
 
     def _class_for(self, data: bytes, service: str | None, version: str | None) -> type[Message]:
         if len(data) < 2:

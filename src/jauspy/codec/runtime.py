@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from struct import Struct as Packer
+from typing import Final
 
 from jauspy.codec.base import Message, Reject, Struct
-from jauspy.codec.fast import Masks, message_bytes, plain_bytes
+from jauspy.codec.fast import Masks, members, message_bytes, plain_bytes
 from jauspy.codec.items import (
     ANY,
     Bit,
@@ -24,6 +25,8 @@ from jauspy.codec.items import (
     Text,
     Union,
     Values,
+    composite,
+    real,
 )
 from jauspy.codec.scaling import Scaling, exact_raw
 
@@ -51,7 +54,14 @@ __all__ = [
     "Text",
     "Union",
     "Values",
+    "composite",
     "exact_raw",
+    "members",
     "message_bytes",
+    "new",
     "plain_bytes",
+    "real",
 ]
+
+new: Final = object.__new__
+"""Makes an object without calling its constructor; whoever calls it sets all attributes."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import struct
 from itertools import groupby
 from typing import TYPE_CHECKING, Final
 
@@ -29,6 +30,12 @@ def limits(code: str) -> tuple[int, int]:
     """The smallest and largest value of an integer code."""
     bits = 8 * SIZES[code]
     return (0, 2**bits - 1) if code.isupper() else (-(2 ** (bits - 1)), 2 ** (bits - 1) - 1)
+
+
+def as_sent(number: float, code: str) -> float:
+    """The number as it is after a journey in this type: a limit written in decimals is meant for what can be sent."""
+    rounded: float = struct.unpack(f"<{code}", struct.pack(f"<{code}", number))[0]
+    return rounded
 
 
 def compact(codes: str) -> str:

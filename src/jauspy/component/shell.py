@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import logging
 import random
 import time
 from collections import Counter
@@ -21,8 +22,10 @@ from jauspy.protocol.header import Ack, Broadcast, Packet, Priority
 from jauspy.services.host import Host
 from jauspy.transport.base import Transport
 
+_LOG: Final = logging.getLogger("jauspy.component")
+
 MAX_PER_WAKEUP: Final = 256
-"""Packets handled before the event loop gets its turn; endpoints hold a bounded number anyway."""
+"""Packets handled before the event loop gets its turn; the rest, which is bounded, is handled right after that."""
 
 Intercept = Callable[[Packet], bool]
 """Sees every received packet first; what it returns true for does not reach the services."""
@@ -56,6 +59,7 @@ class Component:
         self._errors: Counter[str] = Counter()
         self._guard = Guard(f"component {host.id}", self._errors)
         self._timer: asyncio.TimerHandle | None = None
+        self._continuation: asyncio.Handle | None = None
         self._loop: asyncio.AbstractEventLoop | None = None
         self._closed = asyncio.Event()
 
@@ -168,16 +172,29 @@ class Component:
             return
         with self._guard:
             self._endpoint.receive(datagram, self._clock())
-            for _ in range(MAX_PER_WAKEUP):
-                packet = self._endpoint.next_event()
-                if packet is None:
-                    break
-                self._deliver(packet)
+        if self._continuation is None:
+            self._handle(self._loop)
+
+    def _continue(self) -> None:
+        self._continuation = None
+        if self._loop is not None:
+            self._handle(self._loop)
+
+    def _handle(self, loop: asyncio.AbstractEventLoop) -> None:
+        """Handle what was received; what is too much for one turn of the event loop comes with the next."""
+        for _ in range(MAX_PER_WAKEUP):
+            packet = self._endpoint.next_event()
+            if packet is None:
+                break
+            self._deliver(packet)
+        else:
+            self._continuation = loop.call_soon(self._continue)
         self._flush()
 
     def _deliver(self, packet: Packet) -> None:
-        if self._intercept is None or not self._intercept(packet):
-            self.host.receive(packet.payload, packet.source, self._clock())
+        with self._guard:
+            if self._intercept is None or not self._intercept(packet):
+                self.host.receive(packet.payload, packet.source, self._clock())
 
     def _flush(self) -> None:
         """Send everything that waits to be sent, and set the timer anew."""
@@ -193,7 +210,10 @@ class Component:
         try:
             self._endpoint.send(destination, payload, now=self._clock(), priority=priority, broadcast=broadcast)
         except ProtocolError as error:
-            self._errors[f"unsendable.{error.reason}"] += 1
+            reason = f"unsendable.{error.reason}"
+            if not self._errors[reason]:
+                _LOG.warning("%s: cannot send %04Xh to %s: %s", self.id, _code(payload), destination, error)
+            self._errors[reason] += 1
 
     def _transmit(self) -> None:
         for datagram in self._endpoint.poll_output():
@@ -219,6 +239,15 @@ class Component:
     def _stop(self) -> None:
         self._loop = None
         self._deliveries.fail(TransportError(f"component {self.id} was closed before this was acknowledged"))
+        if self._continuation is not None:
+            self._continuation.cancel()
+            self._continuation = None
+        while self._endpoint.next_event() is not None:
+            pass  # a command from before must not act when it is opened again
         if self._timer is not None:
             self._timer.cancel()
             self._timer = None
+
+
+def _code(payload: bytes) -> int:
+    return int.from_bytes(payload[:2], "little")

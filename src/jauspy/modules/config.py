@@ -3,16 +3,28 @@
 from __future__ import annotations
 
 from collections import Counter
-from typing import Annotated, Literal, Self, TypeAlias
+from typing import Annotated, Final, Literal, Self, TypeAlias
 
-from pydantic import BaseModel, ConfigDict, Field, model_validator
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, model_validator
 
 from jauspy.ids import JausID
+
+
+def _on_the_wire(name: str) -> str:
+    try:
+        name.encode("latin-1")
+    except UnicodeEncodeError as error:
+        raise ValueError(f"name: {name!r}: JAUS sends names in Latin-1, which has no {name[error.start]!r}") from None
+    return name
+
 
 Name: TypeAlias = Annotated[str, Field(min_length=1, max_length=64)]
 Service: TypeAlias = Literal[
     "Time", "Liveness", "Discovery", "PrimitiveDriver", "VelocityStateSensor", "LocalPoseSensor"
 ]
+
+_DRIVING: Final = ("CM-MOB",)
+"""Types of modules that drive the chassis."""
 
 
 class _Strict(BaseModel):
@@ -37,11 +49,15 @@ class ModuleConfig(_Strict):
     """Beside Transport, Events, AccessControl and Management; all that the type offers when left out."""
     access_control: AccessControlConfig = AccessControlConfig()
 
+    def offers(self, service: Service) -> bool:
+        """True when the module has the service."""
+        return self.services is None or service in self.services
+
 
 class RobotConfig(_Strict):
     """One robot: a JAUS node with its capability modules, on a backend."""
 
-    name: Name
+    name: Annotated[Name, AfterValidator(_on_the_wire)]
     description: Annotated[str, Field(max_length=200)] = ""
     model: Name
     """The backend's name of the robot."""
@@ -58,6 +74,15 @@ class RobotConfig(_Strict):
         for component, count in Counter(module.component for module in self.modules).items():
             if count > 1:
                 raise ValueError(f"modules: {count} have the component id {component}; give each its own, 1..254")
+        drivers = [module.component for module in self.modules if module.type in _DRIVING]
+        if len(drivers) > 1:
+            # Each would have an access control of its own: two clients would be in control of one chassis.
+            which = " and ".join(map(str, drivers))
+            raise ValueError(
+                f"modules: {which} are both CM-MOB; a robot has one chassis, and one module that drives it"
+            )
+        if not any(module.offers("Discovery") for module in self.modules):
+            raise ValueError("modules: none has the service Discovery; nobody could find the robot; add it to services")
         return self
 
     def id_of(self, module: ModuleConfig) -> JausID:

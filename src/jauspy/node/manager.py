@@ -22,8 +22,7 @@ from jauspy.protocol import junior
 from jauspy.protocol.node import NodeCore
 from jauspy.protocol.ports import GroupPort, LocalPort, NetworkPort, Port, SerialPort, TcpPort, UdpPort
 from jauspy.protocol.sources import Sources
-from jauspy.transport import draining, local_socket
-from jauspy.transport.memberships import WATCH_INTERVAL
+from jauspy.transport import draining, local_socket, memberships
 
 if TYPE_CHECKING:
     from jauspy.node.mirror import Mirror
@@ -50,6 +49,7 @@ class NodeManager:
             addresses=self._known,
             address_lifetime=self.config.address_lifetime,
             local_udp=self.config.local_udp,
+            is_dead=self._is_dead,
             networks=[network.name for network in self.config.all_networks],
             gateway=policy.gateway(self.config),
             sources=Sources(policy.limits(self.config)),
@@ -137,7 +137,7 @@ class NodeManager:
         for name, network in self._networks.items():
             for sock in network.sockets:
                 self._ingress.attach(sock, name, self._udp_error, skip=network.skip)
-        self._watch = self._loop.call_later(WATCH_INTERVAL, self._watch_interfaces)
+        self._watch = self._loop.call_later(memberships.WATCH_INTERVAL, self._watch_interfaces)
 
     async def close(self) -> None:
         """Give everything back; a second call does nothing."""
@@ -250,6 +250,19 @@ class NodeManager:
     def _gone(self, path: str) -> None:
         self._mailboxes.pop(path, None)
         self._core.unreachable(LocalPort(path))
+        self._bury(path)
+
+    def _is_dead(self, path: str) -> bool:
+        if not local_socket.is_dead(Path(path)):
+            return False
+        self._bury(path)
+        return True
+
+    def _bury(self, path: str) -> None:
+        """Remove the socket that a component has left behind, when its name says that it is one's."""
+        socket_path = Path(path)
+        if socket_path.parent == self.config.local_root and socket_path.name.isdecimal():
+            local_socket.clean_up(socket_path)
 
     def _forget_cancelled(self) -> None:
         alive = {port.path for _, port in self._core.components if isinstance(port, LocalPort)}
@@ -259,7 +272,7 @@ class NodeManager:
     def _watch_interfaces(self) -> None:
         for network in self._networks.values():
             network.watch_interfaces()
-        self._watch = self._loop.call_later(WATCH_INTERVAL, self._watch_interfaces)
+        self._watch = self._loop.call_later(memberships.WATCH_INTERVAL, self._watch_interfaces)
 
     # --- time ----------------------------------------------------------------------------------------------------
 

@@ -142,9 +142,18 @@ class Network:
     def multicast(self, datagram: bytes) -> None:
         """Send to the group on each interface."""
         for interface in self._memberships.current if self._memberships else self.config.interfaces:
+            if self._leave_by(interface):
+                self.send(datagram, self.config.multicast_group, self.port)
+
+    def _leave_by(self, interface: str) -> bool:
+        """Let multicasts leave by this interface; false while it is not there."""
+        try:
             if interface != multicast.ANY:
                 self._unicast.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_IF, socket.inet_aton(interface))
-            self.send(datagram, self.config.multicast_group, self.port)
+        except OSError as error:
+            self._counters.drop("udp_unreachable", error)
+            return False
+        return True
 
     def close(self) -> None:
         """Close the sockets; a second call does nothing."""
@@ -154,6 +163,7 @@ class Network:
     def _join(self) -> Memberships | None:
         config = self.config
         if config.address == multicast.ANY:
+            multicast.join(self._unicast, config.multicast_group, ())  # from now on it hears only what it joins itself
             return Memberships(self._unicast, config.multicast_group, config.interfaces)
         try:
             self._group, _ = multicast.receiver((config.multicast_group, self.port), ())

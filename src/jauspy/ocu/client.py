@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import AsyncIterator, Mapping
 from datetime import UTC, datetime
 from types import TracebackType
 from typing import Any, Self, TypeVar, overload
@@ -148,6 +148,13 @@ class OCU:
         """Ask any component; of several that a wildcard id reaches, the first answer counts."""
         patience = self._link.patience.changed(timeout, retries)
         return await self._link.query(_id(destination), message, patience=patience, expects=expects)
+
+    async def query_each(
+        self, destination: str | JausID, message: Message, *, within: float = 2.0, expects: type[Message] | None = None
+    ) -> AsyncIterator[tuple[JausID, Any]]:
+        """Ask all that a wildcard id reaches: who answered and what, as it comes in the next `within` seconds."""
+        async for answer, source in self._link.query_each(_id(destination), message, within, expects):
+            yield source, answer
 
     async def send(self, destination: str | JausID, message: Message, *, ack: bool = False) -> None:
         """Send to any component, or to all that a wildcard id reaches.

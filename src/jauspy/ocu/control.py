@@ -23,6 +23,10 @@ from jauspy.messages.core import (
     ReportStatus,
     ReportTimeout,
     RequestControl,
+    Reset,
+    Resume,
+    SetEmergency,
+    Shutdown,
     Standby,
 )
 from jauspy.ocu.link import Link, Patience
@@ -31,14 +35,19 @@ LEAVE: Final = Patience(timeout=0.3, retries=2)
 """How long leaving the block waits for the component to say that control is released."""
 ASSUMED_TIMEOUT: Final = 3.0
 """Seconds, of a component that does not say after how long it takes control back."""
+LOOK: Final = 2.0
+"""Seconds, at most, between two looks at whether the component still knows of us and does what it was told."""
 _NOBODY: Final = JausID(0, 0, 0)
+_CALMING: Final = tuple(each.CODE for each in (Standby, SetEmergency, Reset, Shutdown))
+"""After one of these from us it is no wonder that the component leaves Ready."""
 
 
 class Control:
     """Holds control from `async with` on, keeps it alive, and on the way out leaves Standby and releases it.
 
     Entering raises `ControlRejected`, naming who holds it. When control is lost meanwhile, `lost` says why and
-    commands to the component raise `ControlRejected`; the block itself is not interrupted.
+    commands to the component raise `ControlRejected`; the block itself is not interrupted. Control also counts as lost
+    when the component has left Ready by itself, as after a restart: from then on it would ignore every command.
     """
 
     def __init__(self, link: Link, id: JausID, authority: int, patience: Patience) -> None:
@@ -51,6 +60,9 @@ class Control:
         self.lost = ""
         """Why control was lost; empty while it is held."""
         self._taken = False
+        self._gone = asyncio.Event()
+        self._ready = False
+        self._calmed = False
         self._link = link
         self._patience = patience
         self._confirmed_at = 0.0
@@ -66,6 +78,15 @@ class Control:
         """Raise `ControlRejected` when control was lost."""
         if self.lost:
             raise ControlRejected(f"control of {self.id} was lost: {self.lost}")
+
+    async def until_lost(self) -> None:
+        """Wait until control is lost; `lost` then says why."""
+        await self._gone.wait()
+
+    def sent(self, message: Message) -> None:
+        """The OCU has sent this to the component: whether it may leave Ready now."""
+        if message.CODE == Resume.CODE or message.CODE in _CALMING:
+            self._ready, self._calmed = False, message.CODE != Resume.CODE
 
     async def __aenter__(self) -> Self:
         self._link.take_control(self.id, self)
@@ -124,24 +145,46 @@ class Control:
             return f"{self.id} gives control to authority {least.authority_code} and above; {asked}"
         return f"{self.id} refused control (code {code}); {asked}"
 
-    async def _ask(self, query: Message) -> Message | None:
+    async def _ask(self, query: Message, patience: Patience | None = None) -> Message | None:
         try:
-            return await self._link.query(self.id, query, patience=self._patience)
-        except ResponseTimeout:
+            return await self._link.query(self.id, query, patience=patience or self._patience)
+        except (ResponseTimeout, TransportError):
             return None
 
     # --- keeping --------------------------------------------------------------------------------------------------
 
     async def _keep(self) -> None:
-        """Ask again at a third of the timeout, so that two lost requests do no harm."""
+        """Look, and ask again, at a third of the timeout, so that two lost requests do no harm."""
         clock = asyncio.get_running_loop().time
-        while self.timeout and not self.lost:
-            await asyncio.sleep(self.timeout / 3)
+        interval = min(self.timeout / 3 or LOOK, LOOK)
+        patience = Patience(min(self._patience.timeout, interval / 3), 1)
+        due = clock()
+        while not self.lost:
+            due = max(due + interval, clock())
+            await asyncio.sleep(due - clock())
             silence = clock() - self._confirmed_at
-            if silence > self.timeout:
-                self.lost = f"{self.id} has not answered for {silence:.1f} s, and its timeout is {self.timeout:g} s"
+            if self.timeout and silence > self.timeout:
+                self._lose(f"{self.id} has not answered for {silence:.1f} s, and its timeout is {self.timeout:g} s")
                 return
-            self._quietly(RequestControl(authority_code=self.authority))
+            # Before asking: a component that was started anew would just give control again, and stand still.
+            await self._look(patience)
+            if self.timeout and not self.lost:
+                self._quietly(RequestControl(authority_code=self.authority))
+
+    async def _look(self, patience: Patience) -> None:
+        """See whether the component still holds us for its controller, and is as we left it; silence says nothing."""
+        control, status = await asyncio.gather(self._ask(QueryControl(), patience), self._ask(QueryStatus(), patience))
+        if isinstance(control, ReportControl):
+            holder = JausID(control.subsystem_id, control.node_id, control.component_id)
+            if holder == _NOBODY:
+                self._lose(f"{self.id} says that nobody is in control; it was started anew, or did not hear us in time")
+            elif holder != self._link.id:
+                self._take_from(f"{self.id} is held by {holder} with authority {control.authority_code}")
+        if isinstance(status, ReportStatus) and not self._calmed:
+            if status.status == ReportStatus.Status.READY:
+                self._ready = True
+            elif self._ready:
+                self._lose(f"{self.id} went from READY to {_status(status)} without being told to by this OCU")
 
     def _heard(self, message: Message, source: JausID) -> None:
         """A confirmation keeps it; anything else says that it is gone."""
@@ -155,8 +198,12 @@ class Control:
                 self._take_from(f"{source} gave it to another client; your authority of {self.authority} is too low")
 
     def _take_from(self, why: str) -> None:
-        self.lost = self.lost or why
+        self._lose(why)
         self._taken = True
+
+    def _lose(self, why: str) -> None:
+        self.lost = self.lost or why
+        self._gone.set()
 
     # --- giving back ----------------------------------------------------------------------------------------------
 
@@ -170,7 +217,7 @@ class Control:
         try:
             self._link.send(self.id, message)
         except TransportError:
-            self.lost = self.lost or "the OCU was closed"
+            self._lose("the OCU was closed")
 
 
 def _status(report: ReportStatus) -> str:

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from itertools import groupby
 from operator import attrgetter
+from typing import TypeAlias
 
 from jauspy.codec.base import Message
 from jauspy.ids import JausID
 from jauspy.messages.core import QueryIdentification, ReportIdentification, ReportServices
 from jauspy.ocu.model import Component, Node, ServiceInfo, Subsystem
 
-Level = QueryIdentification.QueryType
+Level: TypeAlias = QueryIdentification.QueryType
 MAX_COMPONENTS = 4096
 """Components that are remembered; a flood of made-up ids ends here."""
 

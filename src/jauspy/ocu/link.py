@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import logging
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import AsyncIterator, Callable
 from dataclasses import dataclass
 from typing import Final, Protocol
 
@@ -15,12 +15,16 @@ from jauspy.component.shell import Component
 from jauspy.errors import ConfigError, ControlRejected, ResponseTimeout, TransportError
 from jauspy.ids import JausID
 from jauspy.ocu.lanes import Lanes
-from jauspy.ocu.replies import Replies
+from jauspy.ocu.replies import Arrival, Replies
 from jauspy.ocu.stats import Recorder
 from jauspy.protocol.header import Ack, Broadcast, Packet, Priority
 
 _LOG: Final = logging.getLogger("jauspy.ocu")
 
+ASK_AGAIN: Final = 0.5
+"""Seconds between two questions to all that a wildcard reaches."""
+MAX_ANSWERS: Final = 4096
+"""Different components that one question may be answered by."""
 REPORT_OFFSET: Final = 0x2000
 """From the code of a query (2000h to 3FFFh) to that of its report (4000h to 5FFFh; AS5710)."""
 
@@ -51,6 +55,9 @@ class Held(Protocol):
 
     def check(self) -> None:
         """Raise `ControlRejected` when it was lost."""
+
+    def sent(self, message: Message) -> None:
+        """Hear of a message that was sent to the component."""
 
 
 class Link:
@@ -102,6 +109,9 @@ class Link:
         """Send a message; raises `EncodeError` when a value does not fit."""
         self._open().send(destination, message, priority=priority, broadcast=broadcast, ack=ack)
         self.recorder.sent += 1
+        for id, control in self._controls.items():
+            if destination.matches(id):
+                control.sent(message)
 
     async def deliver(self, destination: JausID, message: Message) -> None:
         """Send a message and wait for its ACK; raises `ResponseTimeout` when none comes after all resends."""
@@ -132,6 +142,33 @@ class Link:
             if not deadline.expired():
                 raise
             raise self._silence(destination, message, patience) from None
+
+    async def query_each(
+        self, destination: JausID, message: Message, seconds: float, expects: type[Message] | None = None
+    ) -> AsyncIterator[Arrival]:
+        """Every answer within `seconds`, with who gave it, as they come; one of each component."""
+        kind, myself = expects or self.report_of(message), self.id
+        answers: asyncio.Queue[Arrival] = asyncio.Queue()
+        seen: set[JausID] = set()
+
+        def heard(answer: Message, source: JausID) -> None:
+            if source not in seen and source != myself and len(seen) < MAX_ANSWERS:
+                seen.add(source)
+                answers.put_nowait((answer, source))
+
+        clock = asyncio.get_running_loop().time
+        now = clock()
+        end, ask_at = now + seconds, now
+        broadcast = Broadcast.GLOBAL if destination.is_wildcard else Broadcast.NONE
+        with self.replies.tapped(destination, heard, kind):
+            while (now := clock()) < end:
+                if now >= ask_at:
+                    self.send(destination, message, broadcast=broadcast)
+                    ask_at = now + ASK_AGAIN
+                try:
+                    yield await asyncio.wait_for(answers.get(), min(ask_at, end) - now)
+                except TimeoutError:
+                    continue
 
     async def request(
         self,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import math
 from collections import deque
 from collections.abc import AsyncIterator, Mapping
 from contextlib import ExitStack
@@ -18,8 +19,10 @@ from jauspy.messages.core import (
     ConfirmEventRequest,
     CreateEvent,
     Event,
+    QueryEvents,
     QueryEventTimeout,
     RejectEventRequest,
+    ReportEvents,
     ReportEventTimeout,
     UpdateEvent,
 )
@@ -30,7 +33,7 @@ R = TypeVar("R", bound=Message)
 MAX_RATE: Final = 1092.0
 """Hz; what fits the message."""
 CHECK_INTERVAL: Final = 5.0
-"""Seconds between looking whether the component of an every-change event is still there."""
+"""Seconds between looking whether the component still has the event."""
 _MEANINGS: Final[Mapping[int, str]] = {
     RejectEventRequest.ResponseCode.PERIODIC_NOT_SUPPORTED: "it has no periodic events; subscribe with rate=None",
     RejectEventRequest.ResponseCode.EVERY_CHANGE_NOT_SUPPORTED: "it has no every-change events; subscribe with a rate",
@@ -61,8 +64,9 @@ class Request:
 class Subscription(Generic[R]):
     """`async for report in subscription`, or `async with subscription` and `await subscription.get()`.
 
-    The event is created on entering, renewed in time and cancelled on exit; entering raises `EventRejected` with the
-    reason, or `ResponseTimeout`. When reports stay out, `get` raises `ResponseTimeout`. At most `buffer` reports wait
+    The event is created on entering, renewed in time, made anew when the component has lost it, as after a restart, and
+    cancelled on exit; entering raises `EventRejected` with the reason, or `ResponseTimeout`. When reports stay out,
+    `get` raises `ResponseTimeout`, and may be called again: the component may come back. At most `buffer` reports wait
     to be read; the oldest is dropped for a new one.
     """
 
@@ -230,25 +234,46 @@ class Subscription(Generic[R]):
         return report.timeout * 60.0 if isinstance(report, ReportEventTimeout) else 60.0
 
     async def _keep(self, lifetime: float) -> None:
-        """Renew at a third of the lifetime, and see that the component of an every-change event is still there."""
+        """Renew at a third of the lifetime; when reports stay out, or the component has no event of ours, anew."""
         clock = asyncio.get_running_loop().time
-        renewed, seen = clock(), self.received
+        most = self._longest_gap()
+        interval = min(CHECK_INTERVAL, lifetime / 3 or CHECK_INTERVAL, most)
+        renewed, seen, seen_at = clock(), self.received, clock()
         while True:
-            await asyncio.sleep(min(CHECK_INTERVAL, lifetime / 3 or CHECK_INTERVAL))
+            await asyncio.sleep(interval)
+            if self.received > seen:
+                seen_at = clock()
             try:
-                if lifetime and clock() - renewed >= lifetime / 3:
+                dried_up = clock() - max(seen_at, renewed) >= most
+                is_due = lifetime and clock() - renewed >= lifetime / 3
+                if dried_up or is_due or not await self._is_known():
                     await self._renew()
                     renewed = clock()
-                elif self.request.rate is None:
-                    await self._link.query(self.request.id, QueryEventTimeout(), patience=self._patience)
             except (ResponseTimeout, EventRejected, TransportError) as error:
-                if isinstance(error, ResponseTimeout) and self.received > seen:
-                    continue  # reports still come: answers get lost, and the next round is soon enough
+                # Reports with a rate tell by themselves whether they come; of the others nobody would miss any.
+                if isinstance(error, ResponseTimeout) and (self.request.rate is not None or self.received > seen):
+                    continue
                 self._error = error
                 self._news.set()
                 return
             finally:
                 seen = self.received
+
+    def _longest_gap(self) -> float:
+        """Seconds without a report after which the event may be gone; it is asked for before `get` complains."""
+        if self.request.rate is None:
+            return math.inf
+        period = 1.0 / (self.confirmed_rate or self.request.rate)
+        return max(3.0 * period, (self.request.silence or 2.0 * CHECK_INTERVAL) / 2)
+
+    async def _is_known(self) -> bool:
+        """True while the component has our every-change event; with a rate the reports themselves say so."""
+        if self.request.rate is not None or self.event_id is None:
+            return True
+        mine = QueryEvents(query_events_var=QueryEvents.EventIDRec(event_id=self.event_id))
+        report = await self._link.query(self.request.id, mine, patience=self._patience, expects=ReportEvents)
+        assert isinstance(report, ReportEvents)
+        return any(each.event_id == self.event_id for each in report.event_list)
 
     def _leave(self) -> None:
         self._stack.close()

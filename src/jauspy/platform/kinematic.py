@@ -31,6 +31,8 @@ class SkidSteerParameters:
 
 
 ROBOTS: Final = {"inc1": SkidSteerParameters()}
+WORLDS: Final = ("demo", "empty")
+"""Worlds that are known by name; what stands in them is not there for a kinematic robot."""
 
 
 def track_speed(speed: float, effort: float, dt: float, parameters: SkidSteerParameters) -> float:
@@ -115,12 +117,14 @@ class KinematicRobot:
 
 
 class KinematicBackend:
-    """Robots by arithmetic; every world is a flat floor to them."""
+    """Robots by arithmetic; each of the `WORLDS` is a flat floor to them."""
 
     name: str = "kinematic"
 
-    def open(self, robot: str, world: str) -> KinematicRobot:  # noqa: ARG002 - part of the contract
+    def open(self, robot: str, world: str) -> KinematicRobot:
         """A robot at rest at the origin."""
         if robot not in ROBOTS:
             raise ConfigError(f"the kinematic backend knows no robot {robot!r}; it knows: {', '.join(sorted(ROBOTS))}")
+        if world not in WORLDS:
+            raise ConfigError(f"the kinematic backend knows no world {world!r}; it knows: {', '.join(WORLDS)}")
         return KinematicRobot(ROBOTS[robot])

@@ -7,7 +7,7 @@ packets that shared a datagram are sent one by one, and older headers are adapte
 from __future__ import annotations
 
 import logging
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Final
 
 from jauspy.errors import ProtocolError
@@ -37,6 +37,7 @@ class NodeCore:
     `local_root` is the folder of the components' sockets. `addresses` are entries that are never forgotten; others are,
     `address_lifetime` seconds after they were heard. With `local_udp`, components of this machine may connect by UDP.
     Packets cross from one of the `networks` to another only by a `gateway`; it and `sources` may change at run time.
+    `is_dead` says whether nobody listens on a socket any more; it is asked when somebody else speaks as its component.
     """
 
     def __init__(
@@ -49,6 +50,7 @@ class NodeCore:
         sources: Sources | None = None,
         address_lifetime: float = LIFETIME,
         local_udp: bool = True,
+        is_dead: Callable[[str], bool] = lambda _: False,
     ) -> None:
         self.counters = Counters(_LOGGER)
         self.components = Directory()
@@ -57,6 +59,7 @@ class NodeCore:
         self.gateway = gateway
         self.sources = sources or Sources()
         self._networks = tuple(networks)
+        self._is_dead = is_dead
         self._root = local_root.rstrip("/")
         self._waiting = WaitingRoom(self.counters)
         self._output: list[tuple[Port, bytes]] = []
@@ -108,6 +111,16 @@ class NodeCore:
         self.address_book.forget(port)
         self.sources.forget(port)
 
+    def _is_taken(self, id: int, *, besides: ComponentPort | None = None) -> bool:
+        """True when a component with this id lives elsewhere; one that died without goodbye gives its id up."""
+        port = self.components.port(id)
+        if port is None or port == besides:
+            return False
+        if isinstance(port, LocalPort) and self._is_dead(port.path):
+            self.unreachable(port)
+            return False
+        return True
+
     # --- from components -----------------------------------------------------------------------------------------
 
     def _is_local(self, data: bytes, port: UdpPort) -> bool:
@@ -125,7 +138,7 @@ class NodeCore:
             return
         for raw, datagram, _ in wire.packets(data):
             own = self._named(port, raw.source)
-            if self.components.port(raw.source) not in (None, own):
+            if self._is_taken(raw.source, besides=own):
                 self.counters.drop("duplicate_id", f"{JausID.from_int(raw.source)} also speaks on {own}")
                 self._reports.twice(raw.source, own)
             elif self.sources.are_limited and not self.sources.within_rate(raw.source, raw.priority, now):
@@ -154,7 +167,9 @@ class NodeCore:
         own = self._named(port, id)
         if control.kind is junior.ControlKind.CONNECT:
             known = self.components.port(id)
-            if isinstance(own, UdpPort) and isinstance(known, LocalPort):  # any user may send UDP, not any use a socket
+            if (
+                isinstance(own, UdpPort) and isinstance(known, LocalPort) and self._is_taken(id)
+            ):  # any user may send UDP, not any use a socket
                 self.counters.drop("duplicate_id", f"{control.id} from {own}")
                 self._reports.twice(id, own)
                 return
@@ -207,7 +222,7 @@ class NodeCore:
     def _refusal(self, raw: RawPacket, datagram: bytes, port: NetworkPort, now: float, *, settled: bool) -> str | None:
         """Why a packet is not taken from this network address."""
         source = raw.source
-        if source in self.components:
+        if self._is_taken(source):
             self._reports.twice(source, port)
             return "hijack"
         if not settled and not addressing.is_vague(source) and not self.sources.is_at_home(source, port, now):

@@ -17,16 +17,21 @@ _CODE = re.compile(r"[0-9A-Fa-f]{4}")
 
 
 def read_messages(message_set: Element, direction: str, scope: Scope) -> tuple[Message, ...]:
-    """The messages of an `input_set` or `output_set`; names and codes are unique in it."""
-    seen: dict[str | int, Element] = {}
+    """The messages of an `input_set` or `output_set`.
+
+    Names are unique in it, and so are codes, except for those with the same content: a public definition has such.
+    """
+    names: dict[str, Element] = {}
+    codes: dict[int, tuple[Message, Element]] = {}
     messages = []
     for element in message_set.iterfind(f"{direction}/*"):
         message = read_message(element, scope)
-        for key, what in ((message.name, "name"), (message.code, "message_id")):
-            first = seen.setdefault(key, element)
-            if first is not element:
-                shown = key if isinstance(key, str) else f"{key:04X}"
-                raise wrong(element, f"duplicate {what} '{shown}'; the first is in line {line_of(first)}")
+        first = names.setdefault(message.name, element)
+        if first is not element:
+            raise wrong(element, f"duplicate name '{message.name}'; the first is in line {line_of(first)}")
+        other, first = codes.setdefault(message.code, (message, element))
+        if first is not element and (message.body is None or message.body != other.body):
+            raise wrong(element, f"duplicate message_id '{message.code:04X}'; the first is in line {line_of(first)}")
         messages.append(message)
     return tuple(messages)
 

@@ -9,9 +9,8 @@ from jauspy import messages
 from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
-from jauspy.schema import load_builtin
-from jauspy.schema.model import Schema
-from jauspy.schema.model import Service as Definition
+from jauspy.schema.model import Schema, Service as Definition
+from jauspy.schema.needed import load_needed
 from jauspy.services.bind import Binder, Reply
 from jauspy.services.core.defaults import DEFAULTS
 from jauspy.services.isolation import Containment
@@ -31,6 +30,8 @@ class Built:
     machines: Mapping[str, Machine]
     inputs: Mapping[int, type[Message]]
     events: Mapping[str, Machine]
+    queries: frozenset[int]
+    """Codes of messages that are answered without a change of state."""
 
     def route(self, key: Key) -> Machine | None:
         """The machine that a message or an internal event is for."""
@@ -42,7 +43,9 @@ def build(
 ) -> Built:
     """Everything bound and checked; raises `ConfigError` with all that is missing."""
     given = _by_urn(services)
-    definitions = definitions_of(given.values(), schema or load_builtin())
+    if schema is None:
+        schema = load_needed(frozenset((service.urn, service.version) for service in given.values()))
+    definitions = definitions_of(given.values(), schema)
     all_services = {urn: given.get(urn) or _default(urn) for urn in definitions}
     binder = Binder(definitions, all_services, reply)
     roots = merge(list(definitions.values()))
@@ -50,15 +53,20 @@ def build(
     binder.raise_problems()
     starts = {name: start_of(root, name, list(definitions.values())) for name, root in roots.items()}
     machines = {name: Machine(states, starts[name], contain) for name, states in bound.items()}
-    keys = [(rule.key, name) for name, states in bound.items() for rule in _rules(states.values())]
-    events = {key: machines[name] for key, name in keys if isinstance(key, str)}
-    received = {key for key, _ in keys if isinstance(key, int)}
+    rules = [(rule, name) for name, states in bound.items() for rule in _rules(states.values())]
+    events = {rule.key: machines[name] for rule, name in rules if isinstance(rule.key, str)}
+    received = {rule.key for rule, _ in rules if isinstance(rule.key, int)}
+    queries = frozenset(rule.key for rule, _ in rules if isinstance(rule.key, int) and _answers(rule))
     inputs = _inputs(definitions.values(), received, registry or messages.registry)
-    return Built(all_services, definitions, machines, inputs, events)
+    return Built(all_services, definitions, machines, inputs, events, queries)
 
 
 def _rules(states: Iterable[BoundState]) -> Iterable[Rule]:
     return (rule for state in states for rule in state.transitions + state.defaults)
+
+
+def _answers(rule: Rule) -> bool:
+    return rule.kind == "internal" and any(step.sends for step in rule.steps)
 
 
 def _by_urn(services: Iterable[Service]) -> dict[str, Service]:

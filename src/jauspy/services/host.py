@@ -13,11 +13,11 @@ from jauspy.codec.registry import Registry
 from jauspy.errors import DecodeError, EncodeError
 from jauspy.ids import JausID
 from jauspy.protocol.header import Broadcast, Priority
-from jauspy.schema.model import Schema
-from jauspy.schema.model import Service as Definition
+from jauspy.schema.model import Schema, Service as Definition
 from jauspy.services.build import Built, build
 from jauspy.services.core.access_control import AccessControl
 from jauspy.services.core.management import Management
+from jauspy.services.core.time import Time
 from jauspy.services.isolation import Attempt
 from jauspy.services.machine import Outcome
 from jauspy.services.outbox import Outbox, Outgoing
@@ -77,8 +77,14 @@ class Host:
     # --- what the shell calls -------------------------------------------------------------------------------------
 
     def receive(self, payload: bytes, source: JausID, now: float) -> None:
-        """Take one message (two id bytes, then the body). Never raises for what it contains."""
+        """Take one message (two id bytes, then the body). Never raises for what it contains.
+
+        Timers that are overdue come first: a late caller must not let a client act whose control has run out.
+        """
         self.now = now
+        due = self._timers.next()
+        if due is not None and due < now:
+            self.handle_timeout(now)
         message = self._decoded(payload, source)
         if message is not None:
             self.counters["received"] += 1
@@ -141,6 +147,12 @@ class Host:
         """The client in control, if any."""
         access = self.service(AccessControl)
         return access.controller if access else None
+
+    @property
+    def utc_time(self) -> datetime:
+        """The date and time as the component sees it: as a client set it, if there is the service Time."""
+        time = self.service(Time)
+        return time.current if time else self.utc_now()
 
     def service(self, kind: type[S]) -> S | None:
         """The service of this class, if the component has one."""
@@ -217,6 +229,10 @@ class Host:
         except DecodeError:
             return None
 
+    def is_query(self, message: Message) -> bool:
+        """True for an input that is no command and is answered, whatever its code: messages of users have any."""
+        return message.CODE in self._built.queries and not message.IS_COMMAND
+
     def count(self, reason: str, detail: str) -> None:
         """Count something dropped; logged at DEBUG the first time."""
         self.counters[reason] += 1
@@ -237,8 +253,17 @@ class Host:
             try:
                 return kind.decode(payload)
             except DecodeError as error:
-                self.count(f"malformed_{kind.NAME}", f"from {source}: {error}")
+                return self._forgiven(kind, payload, f"from {source}: {error}")
         return None
+
+    def _forgiven(self, kind: type[Message], payload: bytes, detail: str) -> Message | None:
+        """Understand values that are merely outside of their sets: an emergency is one, whatever its code."""
+        message, deviations = kind.decode(payload, strict=False)
+        if any(deviation.lost for deviation in deviations):
+            self.count(f"malformed_{kind.NAME}", detail)
+            return None
+        self.count(f"deviating_{kind.NAME}", detail)
+        return message
 
     def _run(self, trigger: Trigger) -> None:
         self._busy = True

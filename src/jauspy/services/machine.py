@@ -22,6 +22,8 @@ class Step:
 
     name: str
     call: Callable[[Trigger], object]
+    sends: bool = False
+    """True for `Send`: a message goes out."""
 
 
 @dataclass(frozen=True, slots=True)

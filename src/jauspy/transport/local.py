@@ -67,7 +67,9 @@ class LocalTransport:
 
     async def open(self) -> None:
         """Bind the component's socket and connect; raises `TransportError` when no node manager answers."""
-        self._socket = local_socket.bind(self.path, owner=f"another component {self.id}")
+        self._socket = local_socket.bind(
+            self.path, owner=f"another component {self.id}", advice="use another id for this one"
+        )
         self._sender = LocalSender(self._socket, self._counters, self._lost)
         loop = asyncio.get_running_loop()
         draining.attach(loop, self._socket, self._take, self._failed)
@@ -79,10 +81,7 @@ class LocalTransport:
                 await self.close()
                 if not isinstance(error, TimeoutError):
                     raise
-                raise TransportError(
-                    f"no node manager answers on {self._node}; "
-                    "start one with 'jauspy node-manager', or name its folder with --local-root"
-                ) from None
+                raise TransportError(self._silence()) from None
 
     async def close(self) -> None:
         """Say goodbye, and remove the component's socket."""
@@ -105,6 +104,15 @@ class LocalTransport:
             return
         self._counters["sent"] += 1
         self._sender.send(self._node, datagram)
+
+    def _silence(self) -> str:
+        """Why the node manager may not answer, and what to do."""
+        if (why := local_socket.refusal(Path(self._node))) is not None:
+            return why
+        return (
+            f"no node manager answers on {self._node}; start one with 'jauspy node-manager --local-root {self._root}', "
+            "or name the directory with the local sockets of the one that runs"
+        )
 
     def _lost(self, _path: str) -> None:
         if self.connected:

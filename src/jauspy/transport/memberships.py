@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import contextlib
+import errno
 import logging
+import os
 import socket
 from collections.abc import Sequence
 from typing import Final
@@ -17,7 +19,7 @@ _LOGGER = logging.getLogger(__name__)
 ALL: Final = "all"
 """Every interface of the machine that has an IPv4 address, but for the loopback interface."""
 WATCH_INTERVAL: Final = 5.0
-"""Seconds between two looks at the machine's interfaces."""
+"""Seconds between two looks at the machine's interfaces; a robot may be up before its network is."""
 
 
 def addresses(chosen: Sequence[str]) -> tuple[str, ...]:
@@ -51,6 +53,7 @@ class Memberships:
         self._group = group
         self._chosen = tuple(chosen)
         self._joined: set[str] = set()
+        self._told: set[str] = set()
         self.refresh()
 
     @property
@@ -59,14 +62,46 @@ class Memberships:
         return len(self._joined)
 
     def refresh(self) -> None:
-        """Join where an interface has come, leave where it has gone, try again where it did not work."""
-        self.current = addresses(self._chosen)
+        """Join everywhere, again: an interface that went and came back is a new one to the kernel."""
+        found = {each: addresses([each]) for each in self._chosen}
+        self.current = tuple(dict.fromkeys(address for own in found.values() for address in own))
         for gone in self._joined.difference(self.current):
             self._leave(gone)
-        for new in [each for each in self.current if each not in self._joined]:
-            if multicast.join(self._socket, self._group, [new]):
-                self._joined.add(new)
-                _LOGGER.debug("joined %s on %s", self._group, new)
+        for each, own in found.items():
+            if not own:
+                self._failed(each, os.strerror(errno.ENODEV))
+        for interface in self.current:
+            error = self._join(interface)
+            if error is None:
+                self._succeeded(interface)
+            else:
+                self._failed(interface, error.strerror)
+
+    def _join(self, interface: str) -> OSError | None:
+        membership = socket.inet_aton(self._group) + socket.inet_aton(interface)
+        try:
+            self._socket.setsockopt(socket.IPPROTO_IP, socket.IP_ADD_MEMBERSHIP, membership)
+        except OSError as error:
+            return None if error.errno == errno.EADDRINUSE else error  # in use: joined before
+        return None
+
+    def _succeeded(self, interface: str) -> None:
+        if interface not in self._joined:
+            level = logging.WARNING if interface in self._told else logging.DEBUG
+            _LOGGER.log(level, "joined %s on %s", self._group, interface)
+        self._joined.add(interface)
+        self._told.discard(interface)
+
+    def _failed(self, interface: str, reason: str | None) -> None:
+        self._joined.discard(interface)
+        if interface not in self._told:
+            self._told.add(interface)
+            _LOGGER.warning(
+                "no multicasts on interface %s: %s; is its network up? Trying again every %g s",
+                interface,
+                reason,
+                WATCH_INTERVAL,
+            )
 
     def _leave(self, interface: str) -> None:
         self._joined.discard(interface)

@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
-from importlib import import_module
 from typing import TYPE_CHECKING
+
+from jauspy.codec.lazy import exports, load
 
 if TYPE_CHECKING:
     from jauspy.messages.core.v1_0.types import (
         AllEventsRec as AllEventsRec,
         ComponentRec as ComponentRec,
         DateStamp as DateStamp,
+        DestinationID as DestinationID,
         ElementRec as ElementRec,
         EventTypeRec as EventTypeRec,
         QueriedComponentRec as QueriedComponentRec,
         QueriedNodeRec as QueriedNodeRec,
+        ReportEventRec as ReportEventRec,
         ServiceRec as ServiceRec,
+        SourceID as SourceID,
         SubsystemRec as SubsystemRec,
         TimeStamp as TimeStamp,
     )
@@ -90,84 +94,22 @@ if TYPE_CHECKING:
         SetTime as SetTime,
     )
 
-_MODULES = {
-    "AllEventsRec": "jauspy.messages.core.v1_0.types",
-    "CancelEvent": "jauspy.messages.core.v1_1.events",
-    "ClearEmergency": "jauspy.messages.core.v1_1.management",
-    "CommandEvent": "jauspy.messages.core.v1_1.events",
-    "ComponentRec": "jauspy.messages.core.v1_0.types",
-    "ConfirmControl": "jauspy.messages.core.v1_1.access_control",
-    "ConfirmElementRequest": "jauspy.messages.core.v1_1.list_manager",
-    "ConfirmEventRequest": "jauspy.messages.core.v1_1.events",
-    "CreateCommandEvent": "jauspy.messages.core.v1_1.events",
-    "CreateEvent": "jauspy.messages.core.v1_1.events",
-    "DateStamp": "jauspy.messages.core.v1_0.types",
-    "DeleteElement": "jauspy.messages.core.v1_1.list_manager",
-    "ElementRec": "jauspy.messages.core.v1_0.types",
-    "Event": "jauspy.messages.core.v1_1.events",
-    "EventTypeRec": "jauspy.messages.core.v1_0.types",
-    "QueriedComponentRec": "jauspy.messages.core.v1_0.types",
-    "QueriedNodeRec": "jauspy.messages.core.v1_0.types",
-    "QueryAuthority": "jauspy.messages.core.v1_1.access_control",
-    "QueryConfiguration": "jauspy.messages.core.v1_1.discovery",
-    "QueryControl": "jauspy.messages.core.v1_1.access_control",
-    "QueryElement": "jauspy.messages.core.v1_1.list_manager",
-    "QueryElementCount": "jauspy.messages.core.v1_1.list_manager",
-    "QueryElementList": "jauspy.messages.core.v1_1.list_manager",
-    "QueryEventTimeout": "jauspy.messages.core.v1_1.events",
-    "QueryEvents": "jauspy.messages.core.v1_1.events",
-    "QueryHeartbeatPulse": "jauspy.messages.core.v1_1.liveness",
-    "QueryIdentification": "jauspy.messages.core.v1_1.discovery",
-    "QueryServiceList": "jauspy.messages.core.v1_1.discovery",
-    "QueryServices": "jauspy.messages.core.v1_1.discovery",
-    "QueryStatus": "jauspy.messages.core.v1_1.management",
-    "QuerySubsystemList": "jauspy.messages.core.v1_1.discovery",
-    "QueryTime": "jauspy.messages.core.v1_1.time",
-    "QueryTimeout": "jauspy.messages.core.v1_1.access_control",
-    "RegisterServices": "jauspy.messages.core.v1_1.discovery",
-    "RejectControl": "jauspy.messages.core.v1_1.access_control",
-    "RejectElementRequest": "jauspy.messages.core.v1_1.list_manager",
-    "RejectEventRequest": "jauspy.messages.core.v1_1.events",
-    "ReleaseControl": "jauspy.messages.core.v1_1.access_control",
-    "ReportAuthority": "jauspy.messages.core.v1_1.access_control",
-    "ReportConfiguration": "jauspy.messages.core.v1_1.discovery",
-    "ReportControl": "jauspy.messages.core.v1_1.access_control",
-    "ReportElement": "jauspy.messages.core.v1_1.list_manager",
-    "ReportElementCount": "jauspy.messages.core.v1_1.list_manager",
-    "ReportElementList": "jauspy.messages.core.v1_1.list_manager",
-    "ReportEventTimeout": "jauspy.messages.core.v1_1.events",
-    "ReportEvents": "jauspy.messages.core.v1_1.events",
-    "ReportHeartbeatPulse": "jauspy.messages.core.v1_1.liveness",
-    "ReportIdentification": "jauspy.messages.core.v1_1.discovery",
-    "ReportServiceList": "jauspy.messages.core.v1_1.discovery",
-    "ReportServices": "jauspy.messages.core.v1_1.discovery",
-    "ReportStatus": "jauspy.messages.core.v1_1.management",
-    "ReportSubsystemList": "jauspy.messages.core.v1_1.discovery",
-    "ReportTime": "jauspy.messages.core.v1_1.time",
-    "ReportTimeout": "jauspy.messages.core.v1_1.access_control",
-    "RequestControl": "jauspy.messages.core.v1_1.access_control",
-    "Reset": "jauspy.messages.core.v1_1.management",
-    "Resume": "jauspy.messages.core.v1_1.management",
-    "ServiceRec": "jauspy.messages.core.v1_0.types",
-    "SetAuthority": "jauspy.messages.core.v1_1.access_control",
-    "SetElement": "jauspy.messages.core.v1_1.list_manager",
-    "SetEmergency": "jauspy.messages.core.v1_1.management",
-    "SetTime": "jauspy.messages.core.v1_1.time",
-    "Shutdown": "jauspy.messages.core.v1_1.management",
-    "Standby": "jauspy.messages.core.v1_1.management",
-    "SubsystemRec": "jauspy.messages.core.v1_0.types",
-    "TimeStamp": "jauspy.messages.core.v1_0.types",
-    "UpdateEvent": "jauspy.messages.core.v1_1.events",
-}
+_MODULES = exports({
+    "jauspy.messages.core.v1_0.types": "AllEventsRec ComponentRec DateStamp DestinationID ElementRec EventTypeRec QueriedComponentRec QueriedNodeRec ReportEventRec ServiceRec SourceID SubsystemRec TimeStamp",
+    "jauspy.messages.core.v1_1.access_control": "ConfirmControl QueryAuthority QueryControl QueryTimeout RejectControl ReleaseControl ReportAuthority ReportControl ReportTimeout RequestControl SetAuthority",
+    "jauspy.messages.core.v1_1.discovery": "QueryConfiguration QueryIdentification QueryServiceList QueryServices QuerySubsystemList RegisterServices ReportConfiguration ReportIdentification ReportServiceList ReportServices ReportSubsystemList",
+    "jauspy.messages.core.v1_1.events": "CancelEvent CommandEvent ConfirmEventRequest CreateCommandEvent CreateEvent Event QueryEventTimeout QueryEvents RejectEventRequest ReportEventTimeout ReportEvents UpdateEvent",
+    "jauspy.messages.core.v1_1.list_manager": "ConfirmElementRequest DeleteElement QueryElement QueryElementCount QueryElementList RejectElementRequest ReportElement ReportElementCount ReportElementList SetElement",
+    "jauspy.messages.core.v1_1.liveness": "QueryHeartbeatPulse ReportHeartbeatPulse",
+    "jauspy.messages.core.v1_1.management": "ClearEmergency QueryStatus ReportStatus Reset Resume SetEmergency Shutdown Standby",
+    "jauspy.messages.core.v1_1.time": "QueryTime ReportTime SetTime",
+})
 
-__all__ = ("AllEventsRec", "CancelEvent", "ClearEmergency", "CommandEvent", "ComponentRec", "ConfirmControl", "ConfirmElementRequest", "ConfirmEventRequest", "CreateCommandEvent", "CreateEvent", "DateStamp", "DeleteElement", "ElementRec", "Event", "EventTypeRec", "QueriedComponentRec", "QueriedNodeRec", "QueryAuthority", "QueryConfiguration", "QueryControl", "QueryElement", "QueryElementCount", "QueryElementList", "QueryEventTimeout", "QueryEvents", "QueryHeartbeatPulse", "QueryIdentification", "QueryServiceList", "QueryServices", "QueryStatus", "QuerySubsystemList", "QueryTime", "QueryTimeout", "RegisterServices", "RejectControl", "RejectElementRequest", "RejectEventRequest", "ReleaseControl", "ReportAuthority", "ReportConfiguration", "ReportControl", "ReportElement", "ReportElementCount", "ReportElementList", "ReportEventTimeout", "ReportEvents", "ReportHeartbeatPulse", "ReportIdentification", "ReportServiceList", "ReportServices", "ReportStatus", "ReportSubsystemList", "ReportTime", "ReportTimeout", "RequestControl", "Reset", "Resume", "ServiceRec", "SetAuthority", "SetElement", "SetEmergency", "SetTime", "Shutdown", "Standby", "SubsystemRec", "TimeStamp", "UpdateEvent")
+__all__ = sorted(_MODULES)
 
 
 def __getattr__(name: str) -> object:
-    if name not in _MODULES:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    value: object = getattr(import_module(_MODULES[name]), name)
-    globals()[name] = value
+    globals()[name] = value = load(name, _MODULES, __name__)
     return value
 
 

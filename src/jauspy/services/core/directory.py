@@ -1,8 +1,10 @@
-"""The components and services that Discovery knows of, in a bounded table."""
+"""The components and services that Discovery knows of, in a bounded table whose entries end by themselves."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
 from typing import Final, NamedTuple
 
 from jauspy.ids import ANY_COMPONENT, ANY_NODE, ANY_SUBSYSTEM, JausID
@@ -20,31 +22,60 @@ class Offer(NamedTuple):
     major: int
     minor: int
 
+    @property
+    def size(self) -> int:
+        """Bytes that it takes in a message: the URI, its length, two version numbers."""
+        return len(self.uri) + 3
+
+
+@dataclass(slots=True)
+class _Entry:
+    offers: tuple[Offer, ...]
+    until: float
+
 
 class Directory:
-    """Services by component. The component itself is in it, and is never pushed out."""
+    """Services by component, each until some time (seconds). The component itself stays, and is never pushed out."""
 
     def __init__(self) -> None:
-        self._offers: dict[JausID, tuple[Offer, ...]] = {}
+        self._entries: dict[JausID, _Entry] = {}
 
-    def register(self, id: JausID, offers: Iterable[Offer]) -> bool:
+    def register(self, id: JausID, offers: Iterable[Offer], until: float = math.inf) -> bool:
         """Replace what is known of a component; False when the table is full."""
-        if id not in self._offers and len(self._offers) > MAX_COMPONENTS:
+        if id not in self._entries and len(self._entries) > MAX_COMPONENTS:
             return False
-        self._offers[id] = tuple(dict.fromkeys(offers))[:MAX_SERVICES]
+        # A registration that is repeated keeps its place, see `matching`.
+        self._entries[id] = _Entry(tuple(dict.fromkeys(offers))[:MAX_SERVICES], until)
         return True
 
-    def forget(self, id: JausID) -> None:
-        """Remove a component; fine when it is not there."""
-        self._offers.pop(id, None)
+    def renew(self, id: JausID, until: float) -> None:
+        """Keep a component for longer; fine when it is not there."""
+        entry = self._entries.get(id)
+        if entry is not None:
+            entry.until = max(entry.until, until)
+
+    def expire(self, now: float) -> None:
+        """Forget those whose time is over."""
+        self._entries = {id: entry for id, entry in self._entries.items() if entry.until > now}
 
     def matching(self, subsystem: int, node: int, component: int) -> Iterator[tuple[JausID, tuple[Offer, ...]]]:
-        """The components that an id addresses, wildcards understood, in order of their ids."""
+        """The components that an id addresses, wildcards understood; those known for the longest time come first."""
         wanted = JausID(subsystem, node, component)
-        for each in sorted(self._offers):
-            if wanted.matches(each):
-                yield each, self._offers[each]
+        for id, entry in self._entries.items():
+            if wanted.matches(id):
+                yield id, entry.offers
 
     def all(self) -> Mapping[JausID, tuple[Offer, ...]]:
         """Everything, in order of the ids."""
-        return dict(self.matching(ANY_SUBSYSTEM, ANY_NODE, ANY_COMPONENT))
+        return dict(sorted(self.matching(ANY_SUBSYSTEM, ANY_NODE, ANY_COMPONENT)))
+
+
+def within(offers: Iterable[Offer], size: int) -> tuple[Offer, ...]:
+    """As many of the first offers as take up to `size` bytes together."""
+    kept: list[Offer] = []
+    for offer in offers:
+        size -= offer.size
+        if size < 0:
+            break
+        kept.append(offer)
+    return tuple(kept)

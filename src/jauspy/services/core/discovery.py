@@ -8,6 +8,7 @@ from itertools import groupby
 from operator import attrgetter
 from typing import TYPE_CHECKING, Any, Final
 
+from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages.core import (
     ComponentRec,
@@ -24,7 +25,7 @@ from jauspy.messages.core import (
     ServiceRec,
     SubsystemRec,
 )
-from jauspy.services.core.directory import Directory, Offer
+from jauspy.services.core.directory import Directory, Offer, within
 from jauspy.services.service import Service
 
 if TYPE_CHECKING:
@@ -33,13 +34,31 @@ if TYPE_CHECKING:
 SYSTEM, SUBSYSTEM, NODE, COMPONENT = 1, 2, 3, 4
 """The levels of a query (its field QueryType)."""
 
+LIFETIME: Final = 300.0
+"""Seconds that a registration lasts after Discovery last heard from the component. AS5710 has no renewal: components
+that look for services do it by asking now and then, others by registering again."""
+MAX_REGISTRATION: Final = 2048
+"""Bytes of services that one component may register."""
+MAX_REPORT: Final = 4000
+"""Bytes of services in one report: it fits one packet (4079), also inside an Event, so that every client takes it."""
+_RECORDS: Final = 8
+"""Bytes around the services of a component: the records of subsystem, node and component with their counts."""
+
 
 @dataclass(frozen=True, slots=True)
 class Identity:
-    """A name (at most 255 bytes), and the type number of AS5710: 10001 vehicle, 40001 node, 60001 component, ..."""
+    """A name (Latin-1, at most 255 bytes), and the type of AS5710: 10001 vehicle, 40001 node, 60001 component."""
 
     name: str
     type: int
+
+    def __post_init__(self) -> None:
+        try:
+            fits = len(self.name.encode("latin-1")) <= 255
+        except UnicodeEncodeError:
+            fits = False
+        if not fits:
+            raise ConfigError(f"identity {self.name!r}: a name on the wire is Latin-1 text of up to 255 bytes")
 
 
 DEFAULT_IDENTITIES: Final[Mapping[int, Identity]] = {
@@ -54,6 +73,8 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
     """Answers for its own component, and for those of the same subsystem that registered with it.
 
     `identities` by level: 1 system, 2 subsystem, 3 node, 4 component; what is not given has a default.
+    Registrations end `LIFETIME` seconds after the component last registered or asked. Reports name as many components
+    as fit one packet, this one first, then those known for the longest time; what is left out is counted.
     """
 
     def __init__(self, identities: Mapping[int, Identity] | None = None) -> None:
@@ -69,19 +90,29 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
         if source.subsystem != self.host.id.subsystem or source == self.host.id:
             self.host.count("foreign_registration", str(source))
             return
-        offers = (Offer(each.uri, each.major_version_number, each.minor_version_number) for each in msg.service_list)
-        if not self.directory.register(source, offers):
+        self._heard(source)
+        offers = [Offer(each.uri, each.major_version_number, each.minor_version_number) for each in msg.service_list]
+        kept = within(offers, MAX_REGISTRATION)
+        if len(kept) < len(offers):
+            self.host.count("registration_cut", f"{source} with {len(offers)} services")
+        if not self.directory.register(source, kept, self.host.now + LIFETIME):
             self.host.count("registration_dropped", str(source))
 
-    def report_identification(self, query: QueryIdentification) -> ReportIdentification | None:
+    def _heard(self, source: JausID) -> None:
+        self.directory.renew(source, self.host.now + LIFETIME)
+        self.directory.expire(self.host.now)
+
+    def report_identification(self, query: QueryIdentification, source: JausID) -> ReportIdentification | None:
         """Name and type at the level asked for; no answer for a reserved level."""
+        self._heard(source)
         identity = self.identities.get(int(query.query_type))
         if identity is None:
             return None
         return ReportIdentification(query_type=query.query_type, type=identity.type, identification=identity.name)
 
-    def report_configuration(self, query: QueryConfiguration) -> ReportConfiguration | None:
+    def report_configuration(self, query: QueryConfiguration, source: JausID) -> ReportConfiguration | None:
         """Nodes and components of the subsystem, or of this node alone; no answer for a reserved level."""
+        self._heard(source)
         if query.query_type not in (SUBSYSTEM, NODE):
             return None
         me = self.host.id
@@ -100,22 +131,25 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
             ]
         )
 
-    def report_subsystem_list(self) -> ReportSubsystemList:
+    def report_subsystem_list(self, source: JausID) -> ReportSubsystemList:
         """The own subsystem, and where to ask about it: here."""
+        self._heard(source)
         me = self.host.id
         record = SubsystemRec(subsystem_id=me.subsystem, node_id=me.node, component_id=me.component)
         return ReportSubsystemList(subsystem_list=[record])
 
-    def report_services(self, query: QueryServices) -> ReportServices:
+    def report_services(self, query: QueryServices, source: JausID) -> ReportServices:
         """The services of every component asked for that is known; wildcards (255) are understood."""
+        self._heard(source)
         found: dict[JausID, tuple[Offer, ...]] = {}
         for node in query.node_list:
             for component in node.component_list:
                 found |= self.directory.matching(self.host.id.subsystem, node.node_rec.node_id, component.component_id)
-        return ReportServices(node_list=_nodes(ReportServices, found))
+        return ReportServices(node_list=_nodes(ReportServices, self._fitting(found)))
 
-    def report_service_list(self, query: QueryServiceList) -> ReportServiceList:
+    def report_service_list(self, query: QueryServiceList, source: JausID) -> ReportServiceList:
         """As `report_services`, over subsystems; a search filter keeps the services whose URI contains it."""
+        self._heard(source)
         found: dict[JausID, tuple[Offer, ...]] = {}
         for subsystem in query.subsystem_list:
             for node in subsystem.node_list:
@@ -126,7 +160,7 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
                     for each, offers in matching:
                         wanted = _filtered(offers, component.search_filter)
                         found[each] = tuple(dict.fromkeys(found.get(each, ()) + wanted))
-        found = {each: offers for each, offers in found.items() if offers}
+        found = self._fitting({each: offers for each, offers in found.items() if offers})
         subsystems = groupby(sorted(found), key=attrgetter("subsystem"))
         return ReportServiceList(
             subsystem_list=[
@@ -137,6 +171,18 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
                 for number, ids in subsystems
             ]
         )
+
+    def _fitting(self, found: Mapping[JausID, tuple[Offer, ...]]) -> dict[JausID, tuple[Offer, ...]]:
+        """What fits `MAX_REPORT`: this component as far as possible, others with all of their services or not."""
+        left, kept = MAX_REPORT, {}
+        for each in sorted(found, key=lambda each: each != self.host.id):
+            offers = within(found[each], left - _RECORDS)
+            if each == self.host.id or (left >= _RECORDS and len(offers) == len(found[each])):
+                kept[each] = offers
+                left -= _RECORDS + sum(offer.size for offer in offers)
+        if sum(map(len, kept.values())) < sum(map(len, found.values())) or len(kept) < len(found):
+            self.host.count("report_cut", f"{len(found) - len(kept)} of {len(found)} components left out")
+        return kept
 
 
 def registration(host: Host) -> RegisterServices:

@@ -102,8 +102,10 @@ class Events(Service, urn="urn:jaus:jss:core:Events", private=True):
     def _refusal(self, msg: CreateEvent | UpdateEvent, source: JausID) -> int | None:
         """Why the event cannot be set up as asked for: a response code, None when it can."""
         query = self.host.read(msg.query_message)
-        if query is None or not 0x2000 <= query.CODE < 0x4000:
+        if query is None or not self.host.is_query(query):
             return NOT_SUPPORTED
+        if msg.event_type not in tuple(CreateEvent.EventType):
+            return INVALID_SETUP
         if msg.event_type == PERIODIC and msg.requested_periodic_rate <= 0:
             return INVALID_SETUP
         is_new = isinstance(msg, CreateEvent) and self._find(msg, source) is None

@@ -79,13 +79,13 @@ class LocalPoseSensor(Service, urn="urn:jaus:jss:mobility:LocalPoseSensor"):
             roll=pose.roll,
             pitch=pose.pitch,
             yaw=pose.yaw,
-            time_stamp=time_stamp(self.host.utc_now()),
+            time_stamp=time_stamp(self.host.utc_time),
         )
 
     def report_local_pose_ext(self) -> ReportLocalPoseExt:
         """As `report_local_pose`, with the time since 1970."""
         pose = self.pose
-        seconds, nanoseconds = epoch_seconds(self.host.utc_now())
+        seconds, nanoseconds = epoch_seconds(self.host.utc_time)
         return ReportLocalPoseExt(
             x=pose.x,
             y=pose.y,

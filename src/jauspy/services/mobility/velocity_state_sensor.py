@@ -32,13 +32,13 @@ class VelocityStateSensor(Service, urn="urn:jaus:jss:mobility:VelocityStateSenso
             roll_rate=twist.wx,
             pitch_rate=twist.wy,
             yaw_rate=twist.wz,
-            time_stamp=time_stamp(self.host.utc_now()),
+            time_stamp=time_stamp(self.host.utc_time),
         )
 
     def report_velocity_state_ext(self) -> ReportVelocityStateExt:
         """As `report_velocity_state`, always in the vehicle's frame, with the speed and the time since 1970."""
         twist = jaus_twist(self._drive.twist())
-        seconds, nanoseconds = epoch_seconds(self.host.utc_now())
+        seconds, nanoseconds = epoch_seconds(self.host.utc_time)
         return ReportVelocityStateExt(
             velocity_var=VelocityVehicleXYZRec(velocity_x=twist.vx, velocity_y=twist.vy, velocity_z=twist.vz),
             report_velocity_state_ext_rec=ReportVelocityStateExtRec(

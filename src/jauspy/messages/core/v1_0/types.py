@@ -27,23 +27,10 @@ class QueriedNodeRec(rt.Struct):
 
     @classmethod
     def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("node_id", "NodeID", rt.Number("B", rt.Values(QueriedNodeRec.NodeID, ((1, 254),)))),
-            ),
+        return rt.composite(
+            cls, None,
+            ("NodeID", rt.Number("B", rt.Values(QueriedNodeRec.NodeID, ((1, 254),)))),
         )
-
-    @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
-        node_id_ = data[at]
-        at += 1
-        node_id_ = _E_QueriedNodeRec_NodeID.get(node_id_, node_id_)
-        return cls(node_id_), at
-
-    def _write(self, out: bytearray) -> None:
-        node_id_ = self.node_id
-        out += _S_B.pack(node_id_)
 
 
 @dataclass(slots=True, repr=False)
@@ -63,23 +50,10 @@ class QueriedComponentRec(rt.Struct):
 
     @classmethod
     def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("component_id", "ComponentID", rt.Number("B", rt.Values(QueriedComponentRec.ComponentID, ((1, 254),)))),
-            ),
+        return rt.composite(
+            cls, None,
+            ("ComponentID", rt.Number("B", rt.Values(QueriedComponentRec.ComponentID, ((1, 254),)))),
         )
-
-    @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
-        component_id_ = data[at]
-        at += 1
-        component_id_ = _E_QueriedComponentRec_ComponentID.get(component_id_, component_id_)
-        return cls(component_id_), at
-
-    def _write(self, out: bytearray) -> None:
-        component_id_ = self.component_id
-        out += _S_B.pack(component_id_)
 
 
 @dataclass(slots=True, repr=False)
@@ -97,37 +71,12 @@ class ServiceRec(rt.Struct):
 
     @classmethod
     def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("uri", "URI", rt.Text(count=rt.Count("B", 0, 255))),
-                rt.Slot("major_version_number", "MajorVersionNumber", rt.Number("B")),
-                rt.Slot("minor_version_number", "MinorVersionNumber", rt.Number("B")),
-            ),
+        return rt.composite(
+            cls, None,
+            ("URI", rt.Text(count=rt.Count("B", 0, 255))),
+            ("MajorVersionNumber", rt.Number("B")),
+            ("MinorVersionNumber", rt.Number("B")),
         )
-
-    @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
-        size = len(data)
-        uri_end = data[at]
-        at += 1
-        uri_end += at
-        if uri_end > size:
-            raise rt.Reject
-        uri_ = data[at:uri_end].decode("latin-1")
-        at = uri_end
-        major_version_number_, minor_version_number_ = _S_2B.unpack_from(data, at)
-        at += 2
-        return cls(uri_, major_version_number_, minor_version_number_), at
-
-    def _write(self, out: bytearray) -> None:
-        uri_ = self.uri
-        uri_raw = uri_.encode("latin-1")
-        out.append(len(uri_raw))
-        out += uri_raw
-        major_version_number_ = self.major_version_number
-        minor_version_number_ = self.minor_version_number
-        out += _S_2B.pack(major_version_number_, minor_version_number_)
 
 
 @dataclass(slots=True, repr=False)
@@ -143,24 +92,11 @@ class ComponentRec(rt.Struct):
 
     @classmethod
     def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("component_id", "ComponentID", rt.Number("B")),
-                rt.Slot("instance_id", "InstanceID", rt.Number("B")),
-            ),
+        return rt.composite(
+            cls, None,
+            ("ComponentID", rt.Number("B")),
+            ("InstanceID", rt.Number("B")),
         )
-
-    @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
-        component_id_, instance_id_ = _S_2B.unpack_from(data, at)
-        at += 2
-        return cls(component_id_, instance_id_), at
-
-    def _write(self, out: bytearray) -> None:
-        component_id_ = self.component_id
-        instance_id_ = self.instance_id
-        out += _S_2B.pack(component_id_, instance_id_)
 
 
 @dataclass(slots=True, repr=False)
@@ -178,26 +114,12 @@ class SubsystemRec(rt.Struct):
 
     @classmethod
     def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("subsystem_id", "SubsystemID", rt.Number("H")),
-                rt.Slot("node_id", "NodeID", rt.Number("B")),
-                rt.Slot("component_id", "ComponentID", rt.Number("B")),
-            ),
+        return rt.composite(
+            cls, None,
+            ("SubsystemID", rt.Number("H")),
+            ("NodeID", rt.Number("B")),
+            ("ComponentID", rt.Number("B")),
         )
-
-    @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
-        subsystem_id_, node_id_, component_id_ = _S_H2B.unpack_from(data, at)
-        at += 4
-        return cls(subsystem_id_, node_id_, component_id_), at
-
-    def _write(self, out: bytearray) -> None:
-        subsystem_id_ = self.subsystem_id
-        node_id_ = self.node_id
-        component_id_ = self.component_id
-        out += _S_H2B.pack(subsystem_id_, node_id_, component_id_)
 
 
 @dataclass(slots=True, repr=False)
@@ -217,25 +139,22 @@ class EventTypeRec(rt.Struct):
 
     @classmethod
     def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("event_type", "EventType", rt.Number("B", rt.Values(EventTypeRec.EventType))),
-            ),
+        return rt.composite(
+            cls, None,
+            ("EventType", rt.Number("B", rt.Values(EventTypeRec.EventType))),
         )
 
     @classmethod
     def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        self = rt.new(cls)
         event_type_ = data[at]
-        at += 1
-        event_type_ = _E_EventTypeRec_EventType[event_type_]
-        return cls(event_type_), at
+        self.event_type = _E_EventTypeRec_EventType[event_type_]
+        return self, at + 1
 
     def _write(self, out: bytearray) -> None:
         event_type_ = self.event_type
-        if event_type_ not in _E_EventTypeRec_EventType:
-            raise rt.Reject
-        out += _S_B.pack(event_type_)
+        if event_type_ not in _E_EventTypeRec_EventType: raise rt.Reject
+        out.append(event_type_)
 
 
 @dataclass(slots=True, repr=False)
@@ -249,26 +168,52 @@ class AllEventsRec(rt.Struct):
 
     @classmethod
     def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("all_events", "AllEvents", rt.Number("B", rt.Values(None, ((0, 0),)))),
-            ),
+        return rt.composite(
+            cls, None,
+            ("AllEvents", rt.Number("B", rt.Values(None, ((0, 0),)))),
         )
 
     @classmethod
     def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        self = rt.new(cls)
         all_events_ = data[at]
-        at += 1
-        if all_events_ > 0:
-            raise rt.Reject
-        return cls(all_events_), at
+        if all_events_ > 0: raise rt.Reject
+        self.all_events = all_events_
+        return self, at + 1
 
     def _write(self, out: bytearray) -> None:
         all_events_ = self.all_events
-        if not 0 <= all_events_ <= 0:
-            raise rt.Reject
-        out += _S_B.pack(all_events_)
+        if not 0 <= all_events_ <= 0: raise rt.Reject
+        out.append(all_events_)
+
+
+@dataclass(slots=True, repr=False)
+class ReportEventRec(rt.Struct):
+    """ReportEventRec.
+
+    event_type: EventType. When the report is sent
+    event_id: Identifies the event; chosen by the service
+    query_message: JAUS MESSAGE. The query, with its message id, whose report is wanted
+    """
+
+    class EventType(IntEnum):
+        """Values of EventType."""
+
+        PERIODIC = 0
+        EVERY_CHANGE = 1
+
+    event_type: ReportEventRec.EventType | int
+    event_id: int
+    query_message: rt.Message | bytes
+
+    @classmethod
+    def _layout(cls) -> rt.Item:
+        return rt.composite(
+            cls, None,
+            ("EventType", rt.Number("B", rt.Values(ReportEventRec.EventType))),
+            ("EventID", rt.Number("B")),
+            ("QueryMessage", rt.Blob(rt.Count("I", 0, 2147483647), _registry)),
+        )
 
 
 @dataclass(slots=True, repr=False)
@@ -300,28 +245,21 @@ class ElementRec(rt.Struct):
 
         @classmethod
         def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
-            size = len(data)
+            self = rt.new(cls)
             format = data[at]
-            at += 1
-            (data_end,) = _S_H.unpack_from(data, at)
-            at += 2
-            data_end += at
-            if data_end > size:
-                raise rt.Reject
-            chunk = data[at:data_end]
-            content: rt.Message | bytes = chunk
-            if format == 0:
-                content = _registry.nested(chunk, depth)
-            return cls(_E_ElementRec_ElementDataFormat[format], content), data_end
+            self.format = _E_ElementRec_ElementDataFormat[format]
+            (data_end_,) = _S_H.unpack_from(data, at + 1)
+            data_end_ += at + 3
+            self.data = _registry.nested(data[at + 3:data_end_], depth) if format in {0} else data[at + 3:data_end_]
+            return self, data_end_
 
         def _write(self, out: bytearray) -> None:
             format = self.format
-            if format not in _E_ElementRec_ElementDataFormat:
-                raise rt.Reject
-            raw = rt.message_bytes(self.data) if format == 0 else rt.plain_bytes(self.data)
+            if format not in _E_ElementRec_ElementDataFormat: raise rt.Reject
             out.append(format)
-            out += _S_H.pack(len(raw))
-            out += raw
+            data_raw_ = rt.message_bytes(self.data) if format in {0} else rt.plain_bytes(self.data)
+            out += _S_H.pack(len(data_raw_))
+            out += data_raw_
 
     element_uid: int
     previous_uid: int
@@ -330,32 +268,13 @@ class ElementRec(rt.Struct):
 
     @classmethod
     def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("element_uid", "ElementUID", rt.Number("H")),
-                rt.Slot("previous_uid", "PreviousUID", rt.Number("H")),
-                rt.Slot("next_uid", "NextUID", rt.Number("H")),
-                rt.Slot("element_data", "ElementData", ElementRec.ElementData.layout()),
-            ),
+        return rt.composite(
+            cls, None,
+            ("ElementUID", rt.Number("H")),
+            ("PreviousUID", rt.Number("H")),
+            ("NextUID", rt.Number("H")),
+            ("ElementData", ElementRec.ElementData.layout()),
         )
-
-    @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
-        element_uid_, previous_uid_, next_uid_ = _S_3H.unpack_from(data, at)
-        at += 6
-        element_data_, at = ElementRec.ElementData._read(data, at, depth)
-        return cls(element_uid_, previous_uid_, next_uid_, element_data_), at
-
-    def _write(self, out: bytearray) -> None:
-        element_uid_ = self.element_uid
-        previous_uid_ = self.previous_uid
-        next_uid_ = self.next_uid
-        out += _S_3H.pack(element_uid_, previous_uid_, next_uid_)
-        element_data_ = self.element_data
-        if type(element_data_) is not ElementRec.ElementData:
-            raise rt.Reject
-        element_data_._write(out)
 
 
 @dataclass(slots=True, repr=False)
@@ -416,12 +335,58 @@ class DateStamp(rt.Struct):
         )
 
 
-_E_QueriedNodeRec_NodeID = {member.value: member for member in QueriedNodeRec.NodeID}
-_S_B = rt.Packer("<B")
-_E_QueriedComponentRec_ComponentID = {member.value: member for member in QueriedComponentRec.ComponentID}
-_S_2B = rt.Packer("<2B")
-_S_H2B = rt.Packer("<H2B")
-_E_EventTypeRec_EventType = {member.value: member for member in EventTypeRec.EventType}
+@dataclass(slots=True, repr=False)
+class SourceID(rt.Struct):
+    """SourceID.
+
+    component_id: bits 0..7. Component number.
+    node_id: bits 8..15. Node number.
+    subsystem_id: bits 16..31. Subsystem number.
+    """
+
+    component_id: int
+    node_id: int
+    subsystem_id: int
+
+    @classmethod
+    def _layout(cls) -> rt.Item:
+        return rt.Bits(
+            cls,
+            "I",
+            (
+                rt.Bit("component_id", 0, 0xFF, rt.Values(None, ((1, 255),))),
+                rt.Bit("node_id", 8, 0xFF, rt.Values(None, ((1, 255),))),
+                rt.Bit("subsystem_id", 16, 0xFFFF, rt.Values(None, ((1, 65535),))),
+            ),
+        )
+
+
+@dataclass(slots=True, repr=False)
+class DestinationID(rt.Struct):
+    """DestinationID.
+
+    component_id: bits 0..7. Component number.
+    node_id: bits 8..15. Node number.
+    subsystem_id: bits 16..31. Subsystem number.
+    """
+
+    component_id: int
+    node_id: int
+    subsystem_id: int
+
+    @classmethod
+    def _layout(cls) -> rt.Item:
+        return rt.Bits(
+            cls,
+            "I",
+            (
+                rt.Bit("component_id", 0, 0xFF, rt.Values(None, ((1, 255),))),
+                rt.Bit("node_id", 8, 0xFF, rt.Values(None, ((1, 255),))),
+                rt.Bit("subsystem_id", 16, 0xFFFF, rt.Values(None, ((1, 65535),))),
+            ),
+        )
+
+
+_E_EventTypeRec_EventType = rt.members(EventTypeRec.EventType)
+_E_ElementRec_ElementDataFormat = rt.members(ElementRec.ElementDataFormat)
 _S_H = rt.Packer("<H")
-_E_ElementRec_ElementDataFormat = {member.value: member for member in ElementRec.ElementDataFormat}
-_S_3H = rt.Packer("<3H")

@@ -2,403 +2,96 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from enum import IntEnum
-from typing import ClassVar, Self
-
-from jauspy.codec import runtime as rt
+from jauspy.messages.core.v1_0 import access_control as core_v1_0_access_control
 
 
-@dataclass(slots=True, repr=False)
-class RequestControl(rt.Message):
-    """RequestControl (0x000D): Asks for exclusive control, or renews it.
+class RequestControl(core_v1_0_access_control.RequestControl):
+    """RequestControl (0x000D): Asks for exclusive control, or renews it."""
 
-    authority_code: 0..255. Authority; the higher code wins, 0 is the lowest
-    """
-
-    CODE: ClassVar[int] = 0x000D
-    NAME: ClassVar[str] = "RequestControl"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:AccessControl"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = True
-
-    authority_code: int
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("authority_code", "AuthorityCode", rt.Number("B", rt.Values(None, ((0, 255),)))),
-            ),
-        )
-
-    @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        code, authority_code_ = _S_HB.unpack(data)
-        if code != 0x000D:
-            raise rt.Reject
-        return cls(authority_code_)
-
-    def _pack(self) -> bytes:
-        authority_code_ = self.authority_code
-        return _S_HB.pack(0x000D, authority_code_)
+    __slots__ = ()
+    SERVICE = "urn:jaus:jss:core:AccessControl"
+    VERSION = "1.1"
 
 
-@dataclass(slots=True, repr=False)
-class ReleaseControl(rt.Message):
+class ReleaseControl(core_v1_0_access_control.ReleaseControl):
     """ReleaseControl (0x000E): Gives up exclusive control."""
 
-    CODE: ClassVar[int] = 0x000E
-    NAME: ClassVar[str] = "ReleaseControl"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:AccessControl"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = True
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.Composite(cls, ())
-
-    @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        code, = _S_H.unpack(data)
-        if code != 0x000E:
-            raise rt.Reject
-        return cls()
-
-    def _pack(self) -> bytes:
-        return _S_H.pack(0x000E)
+    __slots__ = ()
+    SERVICE = "urn:jaus:jss:core:AccessControl"
+    VERSION = "1.1"
 
 
-@dataclass(slots=True, repr=False)
-class QueryControl(rt.Message):
+class QueryControl(core_v1_0_access_control.QueryControl):
     """QueryControl (0x200D): Asks who controls the component."""
 
-    CODE: ClassVar[int] = 0x200D
-    NAME: ClassVar[str] = "QueryControl"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:AccessControl"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.Composite(cls, ())
-
-    @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        code, = _S_H.unpack(data)
-        if code != 0x200D:
-            raise rt.Reject
-        return cls()
-
-    def _pack(self) -> bytes:
-        return _S_H.pack(0x200D)
+    __slots__ = ()
+    SERVICE = "urn:jaus:jss:core:AccessControl"
+    VERSION = "1.1"
 
 
-@dataclass(slots=True, repr=False)
-class QueryAuthority(rt.Message):
+class QueryAuthority(core_v1_0_access_control.QueryAuthority):
     """QueryAuthority (0x2001): Asks for the authority of the component."""
 
-    CODE: ClassVar[int] = 0x2001
-    NAME: ClassVar[str] = "QueryAuthority"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:AccessControl"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.Composite(cls, ())
-
-    @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        code, = _S_H.unpack(data)
-        if code != 0x2001:
-            raise rt.Reject
-        return cls()
-
-    def _pack(self) -> bytes:
-        return _S_H.pack(0x2001)
+    __slots__ = ()
+    SERVICE = "urn:jaus:jss:core:AccessControl"
+    VERSION = "1.1"
 
 
-@dataclass(slots=True, repr=False)
-class SetAuthority(rt.Message):
-    """SetAuthority (0x0001): Sets the authority of the controlling client.
+class SetAuthority(core_v1_0_access_control.SetAuthority):
+    """SetAuthority (0x0001): Sets the authority of the controlling client."""
 
-    authority_code: 0..255. Authority; the higher code wins, 0 is the lowest
-    """
-
-    CODE: ClassVar[int] = 0x0001
-    NAME: ClassVar[str] = "SetAuthority"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:AccessControl"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = True
-
-    authority_code: int
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("authority_code", "AuthorityCode", rt.Number("B", rt.Values(None, ((0, 255),)))),
-            ),
-        )
-
-    @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        code, authority_code_ = _S_HB.unpack(data)
-        if code != 0x0001:
-            raise rt.Reject
-        return cls(authority_code_)
-
-    def _pack(self) -> bytes:
-        authority_code_ = self.authority_code
-        return _S_HB.pack(0x0001, authority_code_)
+    __slots__ = ()
+    SERVICE = "urn:jaus:jss:core:AccessControl"
+    VERSION = "1.1"
 
 
-@dataclass(slots=True, repr=False)
-class QueryTimeout(rt.Message):
+class QueryTimeout(core_v1_0_access_control.QueryTimeout):
     """QueryTimeout (0x2003): Asks after how long control ends unless it is renewed."""
 
-    CODE: ClassVar[int] = 0x2003
-    NAME: ClassVar[str] = "QueryTimeout"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:AccessControl"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.Composite(cls, ())
-
-    @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        code, = _S_H.unpack(data)
-        if code != 0x2003:
-            raise rt.Reject
-        return cls()
-
-    def _pack(self) -> bytes:
-        return _S_H.pack(0x2003)
+    __slots__ = ()
+    SERVICE = "urn:jaus:jss:core:AccessControl"
+    VERSION = "1.1"
 
 
-@dataclass(slots=True, repr=False)
-class ReportControl(rt.Message):
-    """ReportControl (0x400D): Tells who controls the component.
+class ReportControl(core_v1_0_access_control.ReportControl):
+    """ReportControl (0x400D): Tells who controls the component."""
 
-    subsystem_id: Subsystem of the controlling client
-    node_id: Node of the controlling client
-    component_id: Component of the controlling client
-    authority_code: 0..255. Authority; the higher code wins, 0 is the lowest
-    """
-
-    CODE: ClassVar[int] = 0x400D
-    NAME: ClassVar[str] = "ReportControl"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:AccessControl"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
-
-    subsystem_id: int
-    node_id: int
-    component_id: int
-    authority_code: int
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("subsystem_id", "SubsystemID", rt.Number("H")),
-                rt.Slot("node_id", "NodeID", rt.Number("B")),
-                rt.Slot("component_id", "ComponentID", rt.Number("B")),
-                rt.Slot("authority_code", "AuthorityCode", rt.Number("B", rt.Values(None, ((0, 255),)))),
-            ),
-        )
-
-    @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        code, subsystem_id_, node_id_, component_id_, authority_code_ = _S_2H3B.unpack(data)
-        if code != 0x400D:
-            raise rt.Reject
-        return cls(subsystem_id_, node_id_, component_id_, authority_code_)
-
-    def _pack(self) -> bytes:
-        subsystem_id_ = self.subsystem_id
-        node_id_ = self.node_id
-        component_id_ = self.component_id
-        authority_code_ = self.authority_code
-        return _S_2H3B.pack(0x400D, subsystem_id_, node_id_, component_id_, authority_code_)
+    __slots__ = ()
+    SERVICE = "urn:jaus:jss:core:AccessControl"
+    VERSION = "1.1"
 
 
-@dataclass(slots=True, repr=False)
-class RejectControl(rt.Message):
+class RejectControl(core_v1_0_access_control.RejectControl):
     """RejectControl (0x0010): Tells a client that it has lost or released control, or that releasing is not
     possible.
-
-    response_code: ResponseCode. Whether control is released, or cannot be
     """
 
-    CODE: ClassVar[int] = 0x0010
-    NAME: ClassVar[str] = "RejectControl"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:AccessControl"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
-
-    class ResponseCode(IntEnum):
-        """Values of ResponseCode."""
-
-        CONTROL_RELEASED = 0
-        NOT_AVAILABLE = 1
-
-    response_code: RejectControl.ResponseCode | int
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("response_code", "ResponseCode", rt.Number("B", rt.Values(RejectControl.ResponseCode))),
-            ),
-        )
-
-    @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        code, response_code_ = _S_HB.unpack(data)
-        if code != 0x0010:
-            raise rt.Reject
-        return cls(_E_RejectControl_ResponseCode[response_code_])
-
-    def _pack(self) -> bytes:
-        response_code_ = self.response_code
-        if response_code_ not in _E_RejectControl_ResponseCode:
-            raise rt.Reject
-        return _S_HB.pack(0x0010, response_code_)
+    __slots__ = ()
+    SERVICE = "urn:jaus:jss:core:AccessControl"
+    VERSION = "1.1"
 
 
-@dataclass(slots=True, repr=False)
-class ConfirmControl(rt.Message):
-    """ConfirmControl (0x000F): Answers a request for control.
+class ConfirmControl(core_v1_0_access_control.ConfirmControl):
+    """ConfirmControl (0x000F): Answers a request for control."""
 
-    response_code: ResponseCode. Whether control is granted, and if not, why
-    """
-
-    CODE: ClassVar[int] = 0x000F
-    NAME: ClassVar[str] = "ConfirmControl"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:AccessControl"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
-
-    class ResponseCode(IntEnum):
-        """Values of ResponseCode."""
-
-        CONTROL_ACCEPTED = 0
-        NOT_AVAILABLE = 1
-        INSUFFICIENT_AUTHORITY = 2
-
-    response_code: ConfirmControl.ResponseCode | int
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("response_code", "ResponseCode", rt.Number("B", rt.Values(ConfirmControl.ResponseCode))),
-            ),
-        )
-
-    @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        code, response_code_ = _S_HB.unpack(data)
-        if code != 0x000F:
-            raise rt.Reject
-        return cls(_E_ConfirmControl_ResponseCode[response_code_])
-
-    def _pack(self) -> bytes:
-        response_code_ = self.response_code
-        if response_code_ not in _E_ConfirmControl_ResponseCode:
-            raise rt.Reject
-        return _S_HB.pack(0x000F, response_code_)
+    __slots__ = ()
+    SERVICE = "urn:jaus:jss:core:AccessControl"
+    VERSION = "1.1"
 
 
-@dataclass(slots=True, repr=False)
-class ReportAuthority(rt.Message):
-    """ReportAuthority (0x4001): Tells the authority of the component.
+class ReportAuthority(core_v1_0_access_control.ReportAuthority):
+    """ReportAuthority (0x4001): Tells the authority of the component."""
 
-    authority_code: 0..255. Authority; the higher code wins, 0 is the lowest
-    """
-
-    CODE: ClassVar[int] = 0x4001
-    NAME: ClassVar[str] = "ReportAuthority"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:AccessControl"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
-
-    authority_code: int
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("authority_code", "AuthorityCode", rt.Number("B", rt.Values(None, ((0, 255),)))),
-            ),
-        )
-
-    @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        code, authority_code_ = _S_HB.unpack(data)
-        if code != 0x4001:
-            raise rt.Reject
-        return cls(authority_code_)
-
-    def _pack(self) -> bytes:
-        authority_code_ = self.authority_code
-        return _S_HB.pack(0x4001, authority_code_)
+    __slots__ = ()
+    SERVICE = "urn:jaus:jss:core:AccessControl"
+    VERSION = "1.1"
 
 
-@dataclass(slots=True, repr=False)
-class ReportTimeout(rt.Message):
-    """ReportTimeout (0x4003): Tells after how long control ends unless it is renewed.
+class ReportTimeout(core_v1_0_access_control.ReportTimeout):
+    """ReportTimeout (0x4003): Tells after how long control ends unless it is renewed."""
 
-    timeout: Timeout or 1..255 in second. Time after the last renewal; 0 means that there is no timeout
-    """
-
-    CODE: ClassVar[int] = 0x4003
-    NAME: ClassVar[str] = "ReportTimeout"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:AccessControl"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
-
-    class Timeout(IntEnum):
-        """Values of Timeout."""
-
-        TIMEOUT_FEATURE_DISABLED = 0
-
-    timeout: ReportTimeout.Timeout | int
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("timeout", "Timeout", rt.Number("B", rt.Values(ReportTimeout.Timeout, ((1, 255),)), "second")),
-            ),
-        )
-
-    @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        code, timeout_ = _S_HB.unpack(data)
-        if code != 0x4003:
-            raise rt.Reject
-        return cls(_E_ReportTimeout_Timeout.get(timeout_, timeout_))
-
-    def _pack(self) -> bytes:
-        timeout_ = self.timeout
-        return _S_HB.pack(0x4003, timeout_)
+    __slots__ = ()
+    SERVICE = "urn:jaus:jss:core:AccessControl"
+    VERSION = "1.1"
 
 
-_S_HB = rt.Packer("<HB")
-_S_H = rt.Packer("<H")
-_S_2H3B = rt.Packer("<2H3B")
-_E_RejectControl_ResponseCode = {member.value: member for member in RejectControl.ResponseCode}
-_E_ConfirmControl_ResponseCode = {member.value: member for member in ConfirmControl.ResponseCode}
-_E_ReportTimeout_Timeout = {member.value: member for member in ReportTimeout.Timeout}

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import ClassVar, Self
+from typing import Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages import registry as _registry
+from jauspy.messages.core.v1_0 import events as core_v1_0_events
 from jauspy.messages.core.v1_0 import types as core_v1_0_types
 
 
@@ -21,11 +22,11 @@ class CreateEvent(rt.Message):
     query_message: JAUS MESSAGE. The query, with its message id, whose report is wanted
     """
 
-    CODE: ClassVar[int] = 0x01F0
-    NAME: ClassVar[str] = "CreateEvent"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Events"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = True
+    CODE = 0x01F0
+    NAME = "CreateEvent"
+    SERVICE = "urn:jaus:jss:core:Events"
+    VERSION = "1.1"
+    IS_COMMAND = True
 
     class EventType(IntEnum):
         """Values of EventType."""
@@ -40,59 +41,43 @@ class CreateEvent(rt.Message):
 
     @classmethod
     def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("request_id", "RequestID", rt.Number("B")),
-                rt.Slot("event_type", "EventType", rt.Number("B", rt.Values(CreateEvent.EventType))),
-                rt.Slot("requested_periodic_rate", "RequestedPeriodicRate", rt.Real("H", rt.Scaling(0.0, 1092.0, 65535), "hertz")),
-                rt.Slot("query_message", "QueryMessage", rt.Blob(rt.Count("I", 0, 2147483647), _registry)),
-            ),
+        return rt.composite(
+            cls, None,
+            ("RequestID", rt.Number("B")),
+            ("EventType", rt.Number("B", rt.Values(CreateEvent.EventType))),
+            ("RequestedPeriodicRate", rt.real("H", 0.0, 1092.0, "hertz")),
+            ("QueryMessage", rt.Blob(rt.Count("I", 0, 2147483647), _registry)),
         )
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        if data[0] != 0xF0 or data[1] != 0x01:
-            raise rt.Reject
-        at = 2
+        if data[0] != 0xF0 or data[1] != 0x01: raise rt.Reject
         size = len(data)
-        request_id_, event_type_, requested_periodic_rate_ = _S_2BH.unpack_from(data, at)
-        at += 4
-        event_type_ = _E_CreateEvent_EventType[event_type_]
-        requested_periodic_rate_ = requested_periodic_rate_ * 0.016662851911192492
-        (query_message_end,) = _S_I.unpack_from(data, at)
-        at += 4
-        if query_message_end > 2147483647:
-            raise rt.Reject
-        query_message_end += at
-        if query_message_end > size:
-            raise rt.Reject
-        query_message_ = _registry.nested(data[at:query_message_end], depth)
-        at = query_message_end
-        if at != len(data):
-            raise rt.Reject
-        return cls(request_id_, event_type_, requested_periodic_rate_, query_message_)
+        self = rt.new(cls)
+        self.request_id, event_type_, requested_periodic_rate_ = _S_2BH.unpack_from(data, 2)
+        self.event_type = _E_CreateEvent_EventType[event_type_]
+        self.requested_periodic_rate = requested_periodic_rate_ * 0.016662851911192492
+        (query_message_end_,) = _S_I.unpack_from(data, 6)
+        if query_message_end_ > 2147483647: raise rt.Reject
+        query_message_end_ += 10
+        self.query_message = _registry.nested(data[10:query_message_end_], depth)
+        if query_message_end_ != size: raise rt.Reject
+        return self
 
     def _pack(self) -> bytes:
         out = bytearray(b"\xf0\x01")
-        request_id_ = self.request_id
         event_type_ = self.event_type
-        if event_type_ not in _E_CreateEvent_EventType:
-            raise rt.Reject
+        if event_type_ not in _E_CreateEvent_EventType: raise rt.Reject
         requested_periodic_rate_ = self.requested_periodic_rate
-        if not 0.0 <= requested_periodic_rate_ <= 1092.0:
-            raise rt.Reject
-        requested_periodic_rate_pos = requested_periodic_rate_ * 60.01373626373626 + 0.5
-        requested_periodic_rate_raw = int(requested_periodic_rate_pos)
-        if not 1.52587890625e-05 < requested_periodic_rate_pos - requested_periodic_rate_raw < 0.9999847412109375:
-            requested_periodic_rate_raw = rt.exact_raw(requested_periodic_rate_, _R_3)
-        out += _S_2BH.pack(request_id_, event_type_, requested_periodic_rate_raw)
-        query_message_ = self.query_message
-        query_message_raw = rt.message_bytes(query_message_)
-        if len(query_message_raw) > 2147483647:
-            raise rt.Reject
-        out += _S_I.pack(len(query_message_raw))
-        out += query_message_raw
+        if not 0.0 <= requested_periodic_rate_ <= 1092.0: raise rt.Reject
+        near = requested_periodic_rate_ * 60.01373626373626 + 0.5
+        requested_periodic_rate_raw_ = int(near)
+        if not 1.52587890625e-05 < near - requested_periodic_rate_raw_ < 0.9999847412109375: requested_periodic_rate_raw_ = rt.exact_raw(requested_periodic_rate_, _R_3)
+        out += _S_2BH.pack(self.request_id, event_type_, requested_periodic_rate_raw_)
+        query_message_raw_ = rt.message_bytes(self.query_message)
+        if len(query_message_raw_) > 2147483647: raise rt.Reject
+        out += _S_I.pack(len(query_message_raw_))
+        out += query_message_raw_
         return bytes(out)
 
 
@@ -105,11 +90,11 @@ class CreateCommandEvent(rt.Message):
     command_message: JAUS MESSAGE. The command, with its message id
     """
 
-    CODE: ClassVar[int] = 0x01F6
-    NAME: ClassVar[str] = "CreateCommandEvent"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Events"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = True
+    CODE = 0x01F6
+    NAME = "CreateCommandEvent"
+    SERVICE = "urn:jaus:jss:core:Events"
+    VERSION = "1.1"
+    IS_COMMAND = True
 
     request_id: int
     maximum_allowed_duration: int
@@ -117,47 +102,33 @@ class CreateCommandEvent(rt.Message):
 
     @classmethod
     def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("request_id", "RequestID", rt.Number("B")),
-                rt.Slot("maximum_allowed_duration", "MaximumAllowedDuration", rt.Number("I", rt.ANY, "second")),
-                rt.Slot("command_message", "CommandMessage", rt.Blob(rt.Count("I", 0, 2147483647), _registry)),
-            ),
+        return rt.composite(
+            cls, None,
+            ("RequestID", rt.Number("B")),
+            ("MaximumAllowedDuration", rt.Number("I", rt.ANY, "second")),
+            ("CommandMessage", rt.Blob(rt.Count("I", 0, 2147483647), _registry)),
         )
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        if data[0] != 0xF6 or data[1] != 0x01:
-            raise rt.Reject
-        at = 2
+        if data[0] != 0xF6 or data[1] != 0x01: raise rt.Reject
         size = len(data)
-        request_id_, maximum_allowed_duration_ = _S_BI.unpack_from(data, at)
-        at += 5
-        (command_message_end,) = _S_I.unpack_from(data, at)
-        at += 4
-        if command_message_end > 2147483647:
-            raise rt.Reject
-        command_message_end += at
-        if command_message_end > size:
-            raise rt.Reject
-        command_message_ = _registry.nested(data[at:command_message_end], depth)
-        at = command_message_end
-        if at != len(data):
-            raise rt.Reject
-        return cls(request_id_, maximum_allowed_duration_, command_message_)
+        self = rt.new(cls)
+        self.request_id, self.maximum_allowed_duration = _S_BI.unpack_from(data, 2)
+        (command_message_end_,) = _S_I.unpack_from(data, 7)
+        if command_message_end_ > 2147483647: raise rt.Reject
+        command_message_end_ += 11
+        self.command_message = _registry.nested(data[11:command_message_end_], depth)
+        if command_message_end_ != size: raise rt.Reject
+        return self
 
     def _pack(self) -> bytes:
         out = bytearray(b"\xf6\x01")
-        request_id_ = self.request_id
-        maximum_allowed_duration_ = self.maximum_allowed_duration
-        out += _S_BI.pack(request_id_, maximum_allowed_duration_)
-        command_message_ = self.command_message
-        command_message_raw = rt.message_bytes(command_message_)
-        if len(command_message_raw) > 2147483647:
-            raise rt.Reject
-        out += _S_I.pack(len(command_message_raw))
-        out += command_message_raw
+        out += _S_BI.pack(self.request_id, self.maximum_allowed_duration)
+        command_message_raw_ = rt.message_bytes(self.command_message)
+        if len(command_message_raw_) > 2147483647: raise rt.Reject
+        out += _S_I.pack(len(command_message_raw_))
+        out += command_message_raw_
         return bytes(out)
 
 
@@ -172,11 +143,11 @@ class UpdateEvent(rt.Message):
     query_message: JAUS MESSAGE. The query, with its message id, whose report is wanted
     """
 
-    CODE: ClassVar[int] = 0x01F1
-    NAME: ClassVar[str] = "UpdateEvent"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Events"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = True
+    CODE = 0x01F1
+    NAME = "UpdateEvent"
+    SERVICE = "urn:jaus:jss:core:Events"
+    VERSION = "1.1"
+    IS_COMMAND = True
 
     class EventType(IntEnum):
         """Values of EventType."""
@@ -192,236 +163,72 @@ class UpdateEvent(rt.Message):
 
     @classmethod
     def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("request_id", "RequestID", rt.Number("B")),
-                rt.Slot("event_type", "EventType", rt.Number("B", rt.Values(UpdateEvent.EventType))),
-                rt.Slot("requested_periodic_rate", "RequestedPeriodicRate", rt.Real("H", rt.Scaling(0.0, 1092.0, 65535), "hertz")),
-                rt.Slot("event_id", "EventID", rt.Number("B")),
-                rt.Slot("query_message", "QueryMessage", rt.Blob(rt.Count("I", 0, 2147483647), _registry)),
-            ),
+        return rt.composite(
+            cls, None,
+            ("RequestID", rt.Number("B")),
+            ("EventType", rt.Number("B", rt.Values(UpdateEvent.EventType))),
+            ("RequestedPeriodicRate", rt.real("H", 0.0, 1092.0, "hertz")),
+            ("EventID", rt.Number("B")),
+            ("QueryMessage", rt.Blob(rt.Count("I", 0, 2147483647), _registry)),
         )
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        if data[0] != 0xF1 or data[1] != 0x01:
-            raise rt.Reject
-        at = 2
+        if data[0] != 0xF1 or data[1] != 0x01: raise rt.Reject
         size = len(data)
-        request_id_, event_type_, requested_periodic_rate_, event_id_ = _S_2BHB.unpack_from(data, at)
-        at += 5
-        event_type_ = _E_UpdateEvent_EventType[event_type_]
-        requested_periodic_rate_ = requested_periodic_rate_ * 0.016662851911192492
-        (query_message_end,) = _S_I.unpack_from(data, at)
-        at += 4
-        if query_message_end > 2147483647:
-            raise rt.Reject
-        query_message_end += at
-        if query_message_end > size:
-            raise rt.Reject
-        query_message_ = _registry.nested(data[at:query_message_end], depth)
-        at = query_message_end
-        if at != len(data):
-            raise rt.Reject
-        return cls(request_id_, event_type_, requested_periodic_rate_, event_id_, query_message_)
+        self = rt.new(cls)
+        self.request_id, event_type_, requested_periodic_rate_, self.event_id = _S_2BHB.unpack_from(data, 2)
+        self.event_type = _E_UpdateEvent_EventType[event_type_]
+        self.requested_periodic_rate = requested_periodic_rate_ * 0.016662851911192492
+        (query_message_end_,) = _S_I.unpack_from(data, 7)
+        if query_message_end_ > 2147483647: raise rt.Reject
+        query_message_end_ += 11
+        self.query_message = _registry.nested(data[11:query_message_end_], depth)
+        if query_message_end_ != size: raise rt.Reject
+        return self
 
     def _pack(self) -> bytes:
         out = bytearray(b"\xf1\x01")
-        request_id_ = self.request_id
         event_type_ = self.event_type
-        if event_type_ not in _E_UpdateEvent_EventType:
-            raise rt.Reject
+        if event_type_ not in _E_UpdateEvent_EventType: raise rt.Reject
         requested_periodic_rate_ = self.requested_periodic_rate
-        if not 0.0 <= requested_periodic_rate_ <= 1092.0:
-            raise rt.Reject
-        requested_periodic_rate_pos = requested_periodic_rate_ * 60.01373626373626 + 0.5
-        requested_periodic_rate_raw = int(requested_periodic_rate_pos)
-        if not 1.52587890625e-05 < requested_periodic_rate_pos - requested_periodic_rate_raw < 0.9999847412109375:
-            requested_periodic_rate_raw = rt.exact_raw(requested_periodic_rate_, _R_3)
-        event_id_ = self.event_id
-        out += _S_2BHB.pack(request_id_, event_type_, requested_periodic_rate_raw, event_id_)
-        query_message_ = self.query_message
-        query_message_raw = rt.message_bytes(query_message_)
-        if len(query_message_raw) > 2147483647:
-            raise rt.Reject
-        out += _S_I.pack(len(query_message_raw))
-        out += query_message_raw
+        if not 0.0 <= requested_periodic_rate_ <= 1092.0: raise rt.Reject
+        near = requested_periodic_rate_ * 60.01373626373626 + 0.5
+        requested_periodic_rate_raw_ = int(near)
+        if not 1.52587890625e-05 < near - requested_periodic_rate_raw_ < 0.9999847412109375: requested_periodic_rate_raw_ = rt.exact_raw(requested_periodic_rate_, _R_3)
+        out += _S_2BHB.pack(self.request_id, event_type_, requested_periodic_rate_raw_, self.event_id)
+        query_message_raw_ = rt.message_bytes(self.query_message)
+        if len(query_message_raw_) > 2147483647: raise rt.Reject
+        out += _S_I.pack(len(query_message_raw_))
+        out += query_message_raw_
         return bytes(out)
 
 
-@dataclass(slots=True, repr=False)
-class CancelEvent(rt.Message):
-    """CancelEvent (0x01F2): Ends an event.
+class CancelEvent(core_v1_0_events.CancelEvent):
+    """CancelEvent (0x01F2): Ends an event."""
 
-    request_id: Repeated in the answer, to match it with its request
-    event_id: Identifies the event; chosen by the service
-    """
-
-    CODE: ClassVar[int] = 0x01F2
-    NAME: ClassVar[str] = "CancelEvent"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Events"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = True
-
-    request_id: int
-    event_id: int
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("request_id", "RequestID", rt.Number("B")),
-                rt.Slot("event_id", "EventID", rt.Number("B")),
-            ),
-        )
-
-    @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        code, request_id_, event_id_ = _S_H2B.unpack(data)
-        if code != 0x01F2:
-            raise rt.Reject
-        return cls(request_id_, event_id_)
-
-    def _pack(self) -> bytes:
-        request_id_ = self.request_id
-        event_id_ = self.event_id
-        return _S_H2B.pack(0x01F2, request_id_, event_id_)
+    __slots__ = ()
+    SERVICE = "urn:jaus:jss:core:Events"
+    VERSION = "1.1"
 
 
-@dataclass(slots=True, repr=False)
-class QueryEvents(rt.Message):
-    """QueryEvents (0x21F0): Asks for the events of the component, selected by message, type or identifier.
+class QueryEvents(core_v1_0_events.QueryEvents):
+    """QueryEvents (0x21F0): Asks for the events of the component, selected by message, type or identifier."""
 
-    query_events_var: How to select the events
-    """
-
-    CODE: ClassVar[int] = 0x21F0
-    NAME: ClassVar[str] = "QueryEvents"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Events"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
-
-    EventTypeRec = core_v1_0_types.EventTypeRec
-    AllEventsRec = core_v1_0_types.AllEventsRec
-
-    @dataclass(slots=True, repr=False)
-    class MessageIDRec(rt.Struct):
-        """Selects by message.
-
-        message_code: Message id of the query of the events
-        """
-
-        message_code: int
-
-        @classmethod
-        def _layout(cls) -> rt.Item:
-            return rt.Composite(
-                cls,
-                (
-                    rt.Slot("message_code", "MessageCode", rt.Number("H")),
-                ),
-            )
-
-        @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
-            (message_code_,) = _S_H.unpack_from(data, at)
-            at += 2
-            return cls(message_code_), at
-
-        def _write(self, out: bytearray) -> None:
-            message_code_ = self.message_code
-            out += _S_H.pack(message_code_)
-
-    @dataclass(slots=True, repr=False)
-    class EventIDRec(rt.Struct):
-        """Selects one event.
-
-        event_id: Identifies the event; chosen by the service
-        """
-
-        event_id: int
-
-        @classmethod
-        def _layout(cls) -> rt.Item:
-            return rt.Composite(
-                cls,
-                (
-                    rt.Slot("event_id", "EventID", rt.Number("B")),
-                ),
-            )
-
-        @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
-            event_id_ = data[at]
-            at += 1
-            return cls(event_id_), at
-
-        def _write(self, out: bytearray) -> None:
-            event_id_ = self.event_id
-            out += _S_B.pack(event_id_)
-
-    query_events_var: QueryEvents.MessageIDRec | core_v1_0_types.EventTypeRec | QueryEvents.EventIDRec | core_v1_0_types.AllEventsRec
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("query_events_var", "QueryEventsVar", rt.Union.of("B", message_id_rec=QueryEvents.MessageIDRec, event_type_rec=core_v1_0_types.EventTypeRec, event_id_rec=QueryEvents.EventIDRec, all_events_rec=core_v1_0_types.AllEventsRec)),
-            ),
-        )
-
-    @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        if data[0] != 0xF0 or data[1] != 0x21:
-            raise rt.Reject
-        at = 2
-        tag = data[at]
-        at += 1
-        query_events_var_: QueryEvents.MessageIDRec | core_v1_0_types.EventTypeRec | QueryEvents.EventIDRec | core_v1_0_types.AllEventsRec
-        if tag == 0:
-            query_events_var_, at = QueryEvents.MessageIDRec._read(data, at, depth)
-        elif tag == 1:
-            query_events_var_, at = core_v1_0_types.EventTypeRec._read(data, at, depth)
-        elif tag == 2:
-            query_events_var_, at = QueryEvents.EventIDRec._read(data, at, depth)
-        elif tag == 3:
-            query_events_var_, at = core_v1_0_types.AllEventsRec._read(data, at, depth)
-        else:
-            raise rt.Reject
-        if at != len(data):
-            raise rt.Reject
-        return cls(query_events_var_)
-
-    def _pack(self) -> bytes:
-        out = bytearray(b"\xf0\x21")
-        query_events_var_ = self.query_events_var
-        query_events_var_kind = type(query_events_var_)
-        if query_events_var_kind is QueryEvents.MessageIDRec:
-            out.append(0)
-        elif query_events_var_kind is core_v1_0_types.EventTypeRec:
-            out.append(1)
-        elif query_events_var_kind is QueryEvents.EventIDRec:
-            out.append(2)
-        elif query_events_var_kind is core_v1_0_types.AllEventsRec:
-            out.append(3)
-        else:
-            raise rt.Reject
-        query_events_var_._write(out)
-        return bytes(out)
+    __slots__ = ()
+    SERVICE = "urn:jaus:jss:core:Events"
+    VERSION = "1.1"
 
 
 @dataclass(slots=True, repr=False)
 class QueryEventTimeout(rt.Message):
     """QueryEventTimeout (0x21F2): Asks after how long events end unless they are renewed."""
 
-    CODE: ClassVar[int] = 0x21F2
-    NAME: ClassVar[str] = "QueryEventTimeout"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Events"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
+    CODE = 0x21F2
+    NAME = "QueryEventTimeout"
+    SERVICE = "urn:jaus:jss:core:Events"
+    VERSION = "1.1"
+    IS_COMMAND = False
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -429,147 +236,29 @@ class QueryEventTimeout(rt.Message):
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
+        self = rt.new(cls)
         code, = _S_H.unpack(data)
-        if code != 0x21F2:
-            raise rt.Reject
-        return cls()
+        if code != 0x21F2: raise rt.Reject
+        return self
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x21F2)
 
 
-@dataclass(slots=True, repr=False)
-class ConfirmEventRequest(rt.Message):
-    """ConfirmEventRequest (0x01F3): Answers a request about an event that has been carried out.
+class ConfirmEventRequest(core_v1_0_events.ConfirmEventRequest):
+    """ConfirmEventRequest (0x01F3): Answers a request about an event that has been carried out."""
 
-    request_id: Repeated in the answer, to match it with its request
-    event_id: Identifies the event; chosen by the service
-    confirmed_periodic_rate: 0..1092 hertz. Rate that will be kept, in hertz; 0 for events on change
-    """
-
-    CODE: ClassVar[int] = 0x01F3
-    NAME: ClassVar[str] = "ConfirmEventRequest"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Events"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
-
-    request_id: int
-    event_id: int
-    confirmed_periodic_rate: float
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("request_id", "RequestID", rt.Number("B")),
-                rt.Slot("event_id", "EventID", rt.Number("B")),
-                rt.Slot("confirmed_periodic_rate", "ConfirmedPeriodicRate", rt.Real("H", rt.Scaling(0.0, 1092.0, 65535), "hertz")),
-            ),
-        )
-
-    @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        code, request_id_, event_id_, confirmed_periodic_rate_ = _S_H2BH.unpack(data)
-        if code != 0x01F3:
-            raise rt.Reject
-        return cls(request_id_, event_id_, confirmed_periodic_rate_ * 0.016662851911192492)
-
-    def _pack(self) -> bytes:
-        request_id_ = self.request_id
-        event_id_ = self.event_id
-        confirmed_periodic_rate_ = self.confirmed_periodic_rate
-        if not 0.0 <= confirmed_periodic_rate_ <= 1092.0:
-            raise rt.Reject
-        confirmed_periodic_rate_pos = confirmed_periodic_rate_ * 60.01373626373626 + 0.5
-        confirmed_periodic_rate_raw = int(confirmed_periodic_rate_pos)
-        if not 1.52587890625e-05 < confirmed_periodic_rate_pos - confirmed_periodic_rate_raw < 0.9999847412109375:
-            confirmed_periodic_rate_raw = rt.exact_raw(confirmed_periodic_rate_, _R_3)
-        return _S_H2BH.pack(0x01F3, request_id_, event_id_, confirmed_periodic_rate_raw)
+    __slots__ = ()
+    SERVICE = "urn:jaus:jss:core:Events"
+    VERSION = "1.1"
 
 
-@dataclass(slots=True, repr=False)
-class RejectEventRequest(rt.Message):
-    """RejectEventRequest (0x01F4): Answers a request about an event that has been refused, and why.
+class RejectEventRequest(core_v1_0_events.RejectEventRequest):
+    """RejectEventRequest (0x01F4): Answers a request about an event that has been refused, and why."""
 
-    request_id: Repeated in the answer, to match it with its request
-    response_code: ResponseCode, optional. The reason
-    error_message: up to 80 characters, optional. An explanation for people
-    """
-
-    CODE: ClassVar[int] = 0x01F4
-    NAME: ClassVar[str] = "RejectEventRequest"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Events"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
-
-    class ResponseCode(IntEnum):
-        """Values of ResponseCode."""
-
-        PERIODIC_NOT_SUPPORTED = 1
-        EVERY_CHANGE_NOT_SUPPORTED = 2
-        CONNECTION_REFUSED = 3
-        INVALID_EVENT_SETUP = 4
-        MESSAGE_NOT_SUPPORTED = 5
-        INVALID_EVENT_ID = 6
-
-    request_id: int
-    response_code: RejectEventRequest.ResponseCode | int | None = None
-    error_message: str | None = None
-    reserved_presence: int = 0
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("request_id", "RequestID", rt.Number("B")),
-                rt.Slot("response_code", "ResponseCode", rt.Number("B", rt.Values(RejectEventRequest.ResponseCode)), optional=True),
-                rt.Slot("error_message", "ErrorMessage", rt.Text(80), optional=True),
-            ),
-            "B",
-        )
-
-    @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        code, mask = _S_HB.unpack_from(data)
-        if code != 0x01F4:
-            raise rt.Reject
-        raw = iter(_M_RejectEventRequest[mask & 0x3].unpack(data)).__next__
-        request_id_ = raw()
-        if mask & 1:
-            response_code_ = raw()
-            response_code_ = _E_RejectEventRequest_ResponseCode[response_code_]
-        else:
-            response_code_ = None
-        if mask & 2:
-            error_message_ = raw()
-            error_message_ = error_message_.rstrip(b"\0").decode("latin-1")
-        else:
-            error_message_ = None
-        return cls(request_id_, response_code_, error_message_, mask & 0xFC)
-
-    def _pack(self) -> bytes:
-        mask = self.reserved_presence
-        if mask & 0x3:
-            raise rt.Reject
-        raw: list[int | float | bytes] = []
-        request_id_ = self.request_id
-        raw.append(request_id_)
-        response_code_ = self.response_code
-        if response_code_ is not None:
-            mask |= 1
-            if response_code_ not in _E_RejectEventRequest_ResponseCode:
-                raise rt.Reject
-            raw.append(response_code_)
-        error_message_ = self.error_message
-        if error_message_ is not None:
-            mask |= 2
-            error_message_raw = error_message_.encode("latin-1")
-            if len(error_message_raw) > 80:
-                raise rt.Reject
-            raw.append(error_message_raw)
-        return _M_RejectEventRequest_pack[mask & 0x3].pack(0x01F4, mask, *raw)
+    __slots__ = ()
+    SERVICE = "urn:jaus:jss:core:Events"
+    VERSION = "1.1"
 
 
 @dataclass(slots=True, repr=False)
@@ -579,132 +268,61 @@ class ReportEvents(rt.Message):
     event_list: 0..255 items. The events
     """
 
-    CODE: ClassVar[int] = 0x41F0
-    NAME: ClassVar[str] = "ReportEvents"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Events"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
+    CODE = 0x41F0
+    NAME = "ReportEvents"
+    SERVICE = "urn:jaus:jss:core:Events"
+    VERSION = "1.1"
+    IS_COMMAND = False
 
-    class EventType(IntEnum):
-        """Values of EventType."""
+    ReportEventRec = core_v1_0_types.ReportEventRec
 
-        PERIODIC = 0
-        EVERY_CHANGE = 1
-
-    @dataclass(slots=True, repr=False)
-    class ReportEventRec(rt.Struct):
-        """One event.
-
-        event_type: EventType. When the report is sent
-        event_id: Identifies the event; chosen by the service
-        query_message: JAUS MESSAGE. The query, with its message id, whose report is wanted
-        """
-
-        event_type: ReportEvents.EventType | int
-        event_id: int
-        query_message: rt.Message | bytes
-
-        @classmethod
-        def _layout(cls) -> rt.Item:
-            return rt.Composite(
-                cls,
-                (
-                    rt.Slot("event_type", "EventType", rt.Number("B", rt.Values(ReportEvents.EventType))),
-                    rt.Slot("event_id", "EventID", rt.Number("B")),
-                    rt.Slot("query_message", "QueryMessage", rt.Blob(rt.Count("I", 0, 2147483647), _registry)),
-                ),
-            )
-
-        @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
-            size = len(data)
-            event_type_, event_id_ = _S_2B.unpack_from(data, at)
-            at += 2
-            event_type_ = _E_ReportEvents_EventType[event_type_]
-            (query_message_end,) = _S_I.unpack_from(data, at)
-            at += 4
-            if query_message_end > 2147483647:
-                raise rt.Reject
-            query_message_end += at
-            if query_message_end > size:
-                raise rt.Reject
-            query_message_ = _registry.nested(data[at:query_message_end], depth)
-            at = query_message_end
-            return cls(event_type_, event_id_, query_message_), at
-
-        def _write(self, out: bytearray) -> None:
-            event_type_ = self.event_type
-            if event_type_ not in _E_ReportEvents_EventType:
-                raise rt.Reject
-            event_id_ = self.event_id
-            out += _S_2B.pack(event_type_, event_id_)
-            query_message_ = self.query_message
-            query_message_raw = rt.message_bytes(query_message_)
-            if len(query_message_raw) > 2147483647:
-                raise rt.Reject
-            out += _S_I.pack(len(query_message_raw))
-            out += query_message_raw
-
-    event_list: list[ReportEvents.ReportEventRec]
+    event_list: list[core_v1_0_types.ReportEventRec]
 
     @classmethod
     def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("event_list", "EventList", rt.Repeat(rt.Count("B", 0, 255), ReportEvents.ReportEventRec.layout())),
-            ),
+        return rt.composite(
+            cls, None,
+            ("EventList", rt.Repeat(rt.Count("B", 0, 255), core_v1_0_types.ReportEventRec.layout())),
         )
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        if data[0] != 0xF0 or data[1] != 0x41:
-            raise rt.Reject
-        at = 2
+        if data[0] != 0xF0 or data[1] != 0x41: raise rt.Reject
         size = len(data)
-        event_list_count = data[at]
-        at += 1
-        if event_list_count * 6 > size - at:
-            raise rt.Reject
+        self = rt.new(cls)
+        event_list_count_ = data[2]
+        if event_list_count_ * 6 > size - 3: raise rt.Reject
+        at = 3
         event_list_ = []
-        for _ in range(event_list_count):
-            event_list_item_event_type_, event_list_item_event_id_ = _S_2B.unpack_from(data, at)
-            at += 2
-            (event_list_item_query_message_end,) = _S_I.unpack_from(data, at)
-            at += 4
-            if event_list_item_query_message_end > 2147483647:
-                raise rt.Reject
-            event_list_item_query_message_end += at
-            if event_list_item_query_message_end > size:
-                raise rt.Reject
-            event_list_item_query_message_ = _registry.nested(data[at:event_list_item_query_message_end], depth)
-            at = event_list_item_query_message_end
-            event_list_item_ = ReportEvents.ReportEventRec(_E_ReportEvents_EventType[event_list_item_event_type_], event_list_item_event_id_, event_list_item_query_message_)
-            event_list_.append(event_list_item_)
-        if at != len(data):
-            raise rt.Reject
-        return cls(event_list_)
+        for _ in range(event_list_count_):
+            item_ = rt.new(core_v1_0_types.ReportEventRec)
+            event_type_ = data[at]
+            item_.event_id = data[at + 1]
+            item_.event_type = _E_ReportEventRec_EventType[event_type_]
+            (query_message_end_,) = _S_I.unpack_from(data, at + 2)
+            if query_message_end_ > 2147483647: raise rt.Reject
+            query_message_end_ += at + 6
+            item_.query_message = _registry.nested(data[at + 6:query_message_end_], depth)
+            at = query_message_end_
+            event_list_.append(item_)
+        self.event_list = event_list_
+        if at != size: raise rt.Reject
+        return self
 
     def _pack(self) -> bytes:
         out = bytearray(b"\xf0\x41")
         event_list_ = self.event_list
-        if type(event_list_) is not list:
-            raise rt.Reject
+        if type(event_list_) is not list: raise rt.Reject
         out.append(len(event_list_))
-        for event_list_item_ in event_list_:
-            if type(event_list_item_) is not ReportEvents.ReportEventRec:
-                raise rt.Reject
-            event_list_item_event_type_ = event_list_item_.event_type
-            if event_list_item_event_type_ not in _E_ReportEvents_EventType:
-                raise rt.Reject
-            event_list_item_event_id_ = event_list_item_.event_id
-            out += _S_2B.pack(event_list_item_event_type_, event_list_item_event_id_)
-            event_list_item_query_message_ = event_list_item_.query_message
-            event_list_item_query_message_raw = rt.message_bytes(event_list_item_query_message_)
-            if len(event_list_item_query_message_raw) > 2147483647:
-                raise rt.Reject
-            out += _S_I.pack(len(event_list_item_query_message_raw))
-            out += event_list_item_query_message_raw
+        for item_ in event_list_:
+            if type(item_) is not core_v1_0_types.ReportEventRec: raise rt.Reject
+            event_type_ = item_.event_type
+            if event_type_ not in _E_ReportEventRec_EventType: raise rt.Reject
+            out += _S_2B.pack(event_type_, item_.event_id)
+            query_message_raw_ = rt.message_bytes(item_.query_message)
+            if len(query_message_raw_) > 2147483647: raise rt.Reject
+            out += _S_I.pack(len(query_message_raw_))
+            out += query_message_raw_
         return bytes(out)
 
 
@@ -717,11 +335,11 @@ class Event(rt.Message):
     report_message: JAUS MESSAGE. The report, with its message id
     """
 
-    CODE: ClassVar[int] = 0x41F1
-    NAME: ClassVar[str] = "Event"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Events"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
+    CODE = 0x41F1
+    NAME = "Event"
+    SERVICE = "urn:jaus:jss:core:Events"
+    VERSION = "1.1"
+    IS_COMMAND = False
 
     event_id: int
     sequence_number: int
@@ -729,47 +347,34 @@ class Event(rt.Message):
 
     @classmethod
     def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("event_id", "EventID", rt.Number("B")),
-                rt.Slot("sequence_number", "SequenceNumber", rt.Number("B")),
-                rt.Slot("report_message", "ReportMessage", rt.Blob(rt.Count("I", 0, 2147483647), _registry)),
-            ),
+        return rt.composite(
+            cls, None,
+            ("EventID", rt.Number("B")),
+            ("SequenceNumber", rt.Number("B")),
+            ("ReportMessage", rt.Blob(rt.Count("I", 0, 2147483647), _registry)),
         )
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        if data[0] != 0xF1 or data[1] != 0x41:
-            raise rt.Reject
-        at = 2
+        if data[0] != 0xF1 or data[1] != 0x41: raise rt.Reject
         size = len(data)
-        event_id_, sequence_number_ = _S_2B.unpack_from(data, at)
-        at += 2
-        (report_message_end,) = _S_I.unpack_from(data, at)
-        at += 4
-        if report_message_end > 2147483647:
-            raise rt.Reject
-        report_message_end += at
-        if report_message_end > size:
-            raise rt.Reject
-        report_message_ = _registry.nested(data[at:report_message_end], depth)
-        at = report_message_end
-        if at != len(data):
-            raise rt.Reject
-        return cls(event_id_, sequence_number_, report_message_)
+        self = rt.new(cls)
+        self.event_id = data[2]
+        self.sequence_number = data[3]
+        (report_message_end_,) = _S_I.unpack_from(data, 4)
+        if report_message_end_ > 2147483647: raise rt.Reject
+        report_message_end_ += 8
+        self.report_message = _registry.nested(data[8:report_message_end_], depth)
+        if report_message_end_ != size: raise rt.Reject
+        return self
 
     def _pack(self) -> bytes:
         out = bytearray(b"\xf1\x41")
-        event_id_ = self.event_id
-        sequence_number_ = self.sequence_number
-        out += _S_2B.pack(event_id_, sequence_number_)
-        report_message_ = self.report_message
-        report_message_raw = rt.message_bytes(report_message_)
-        if len(report_message_raw) > 2147483647:
-            raise rt.Reject
-        out += _S_I.pack(len(report_message_raw))
-        out += report_message_raw
+        out += _S_2B.pack(self.event_id, self.sequence_number)
+        report_message_raw_ = rt.message_bytes(self.report_message)
+        if len(report_message_raw_) > 2147483647: raise rt.Reject
+        out += _S_I.pack(len(report_message_raw_))
+        out += report_message_raw_
         return bytes(out)
 
 
@@ -781,11 +386,11 @@ class CommandEvent(rt.Message):
     command_result: CommandResult. How the command ended
     """
 
-    CODE: ClassVar[int] = 0x41F6
-    NAME: ClassVar[str] = "CommandEvent"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Events"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
+    CODE = 0x41F6
+    NAME = "CommandEvent"
+    SERVICE = "urn:jaus:jss:core:Events"
+    VERSION = "1.1"
+    IS_COMMAND = False
 
     class CommandResult(IntEnum):
         """Values of CommandResult."""
@@ -798,27 +403,24 @@ class CommandEvent(rt.Message):
 
     @classmethod
     def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("event_id", "EventID", rt.Number("B")),
-                rt.Slot("command_result", "CommandResult", rt.Number("B", rt.Values(CommandEvent.CommandResult))),
-            ),
+        return rt.composite(
+            cls, None,
+            ("EventID", rt.Number("B")),
+            ("CommandResult", rt.Number("B", rt.Values(CommandEvent.CommandResult))),
         )
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        code, event_id_, command_result_ = _S_H2B.unpack(data)
-        if code != 0x41F6:
-            raise rt.Reject
-        return cls(event_id_, _E_CommandEvent_CommandResult[command_result_])
+        self = rt.new(cls)
+        code, self.event_id, command_result_ = _S_H2B.unpack(data)
+        if code != 0x41F6: raise rt.Reject
+        self.command_result = _E_CommandEvent_CommandResult[command_result_]
+        return self
 
     def _pack(self) -> bytes:
-        event_id_ = self.event_id
         command_result_ = self.command_result
-        if command_result_ not in _E_CommandEvent_CommandResult:
-            raise rt.Reject
-        return _S_H2B.pack(0x41F6, event_id_, command_result_)
+        if command_result_ not in _E_CommandEvent_CommandResult: raise rt.Reject
+        return _S_H2B.pack(0x41F6, self.event_id, command_result_)
 
 
 @dataclass(slots=True, repr=False)
@@ -828,11 +430,11 @@ class ReportEventTimeout(rt.Message):
     timeout: Timeout or 1..255 in minute. Time after the last renewal; 0 means that there is no timeout
     """
 
-    CODE: ClassVar[int] = 0x41F2
-    NAME: ClassVar[str] = "ReportEventTimeout"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Events"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
+    CODE = 0x41F2
+    NAME = "ReportEventTimeout"
+    SERVICE = "urn:jaus:jss:core:Events"
+    VERSION = "1.1"
+    IS_COMMAND = False
 
     class Timeout(IntEnum):
         """Values of Timeout."""
@@ -843,41 +445,34 @@ class ReportEventTimeout(rt.Message):
 
     @classmethod
     def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("timeout", "Timeout", rt.Number("B", rt.Values(ReportEventTimeout.Timeout, ((1, 255),)), "minute")),
-            ),
+        return rt.composite(
+            cls, None,
+            ("Timeout", rt.Number("B", rt.Values(ReportEventTimeout.Timeout, ((1, 255),)), "minute")),
         )
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
+        self = rt.new(cls)
         code, timeout_ = _S_HB.unpack(data)
-        if code != 0x41F2:
-            raise rt.Reject
-        return cls(_E_ReportEventTimeout_Timeout.get(timeout_, timeout_))
+        if code != 0x41F2: raise rt.Reject
+        self.timeout = _E_ReportEventTimeout_Timeout.get(timeout_, timeout_)
+        return self
 
     def _pack(self) -> bytes:
-        timeout_ = self.timeout
-        return _S_HB.pack(0x41F2, timeout_)
+        return _S_HB.pack(0x41F2, self.timeout)
 
 
-_E_CreateEvent_EventType = {member.value: member for member in CreateEvent.EventType}
+_E_CreateEvent_EventType = rt.members(CreateEvent.EventType)
 _S_2BH = rt.Packer("<2BH")
 _S_I = rt.Packer("<I")
 _R_3 = rt.Scaling(0.0, 1092.0, 65535)
 _S_BI = rt.Packer("<BI")
-_E_UpdateEvent_EventType = {member.value: member for member in UpdateEvent.EventType}
+_E_UpdateEvent_EventType = rt.members(UpdateEvent.EventType)
 _S_2BHB = rt.Packer("<2BHB")
-_S_H2B = rt.Packer("<H2B")
 _S_H = rt.Packer("<H")
-_S_B = rt.Packer("<B")
-_S_H2BH = rt.Packer("<H2BH")
-_S_HB = rt.Packer("<HB")
-_M_RejectEventRequest = rt.Masks("3x", ((0, "B"), (1, "B"), (2, "80s")))
-_E_RejectEventRequest_ResponseCode = {member.value: member for member in RejectEventRequest.ResponseCode}
-_M_RejectEventRequest_pack = rt.Masks("HB", ((0, "B"), (1, "B"), (2, "80s")))
-_E_ReportEvents_EventType = {member.value: member for member in ReportEvents.EventType}
+_E_ReportEventRec_EventType = rt.members(core_v1_0_types.ReportEventRec.EventType)
 _S_2B = rt.Packer("<2B")
-_E_CommandEvent_CommandResult = {member.value: member for member in CommandEvent.CommandResult}
-_E_ReportEventTimeout_Timeout = {member.value: member for member in ReportEventTimeout.Timeout}
+_E_CommandEvent_CommandResult = rt.members(CommandEvent.CommandResult)
+_S_H2B = rt.Packer("<H2B")
+_E_ReportEventTimeout_Timeout = rt.members(ReportEventTimeout.Timeout)
+_S_HB = rt.Packer("<HB")

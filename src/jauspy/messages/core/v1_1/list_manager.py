@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import ClassVar, Self
+from typing import Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages import registry as _registry
@@ -15,21 +15,21 @@ from jauspy.messages.core.v1_0 import types as core_v1_0_types
 class SetElement(rt.Message):
     """SetElement (0x041A): Inserts elements into the list, or replaces them.
 
-    request_id_rec: Which request is answered
+    request_id_rec: The number of the request
     element_list: 0..255 items. The elements
     """
 
-    CODE: ClassVar[int] = 0x041A
-    NAME: ClassVar[str] = "SetElement"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:ListManager"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = True
+    CODE = 0x041A
+    NAME = "SetElement"
+    SERVICE = "urn:jaus:jss:core:ListManager"
+    VERSION = "1.1"
+    IS_COMMAND = True
 
     ElementRec = core_v1_0_types.ElementRec
 
     @dataclass(slots=True, repr=False)
     class RequestIDRec(rt.Struct):
-        """Which request is answered.
+        """The number of the request.
 
         request_id: Repeated in the answer, to match it with its request
         """
@@ -38,82 +38,57 @@ class SetElement(rt.Message):
 
         @classmethod
         def _layout(cls) -> rt.Item:
-            return rt.Composite(
-                cls,
-                (
-                    rt.Slot("request_id", "RequestID", rt.Number("B")),
-                ),
+            return rt.composite(
+                cls, None,
+                ("RequestID", rt.Number("B")),
             )
-
-        @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
-            request_id_ = data[at]
-            at += 1
-            return cls(request_id_), at
-
-        def _write(self, out: bytearray) -> None:
-            request_id_ = self.request_id
-            out += _S_B.pack(request_id_)
 
     request_id_rec: SetElement.RequestIDRec
     element_list: list[core_v1_0_types.ElementRec]
 
     @classmethod
     def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("request_id_rec", "RequestIDRec", SetElement.RequestIDRec.layout()),
-                rt.Slot("element_list", "ElementList", rt.Repeat(rt.Count("B", 0, 255), core_v1_0_types.ElementRec.layout())),
-            ),
+        return rt.composite(
+            cls, None,
+            ("RequestIDRec", SetElement.RequestIDRec.layout()),
+            ("ElementList", rt.Repeat(rt.Count("B", 0, 255), core_v1_0_types.ElementRec.layout())),
         )
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        if data[0] != 0x1A or data[1] != 0x04:
-            raise rt.Reject
-        at = 2
+        if data[0] != 0x1A or data[1] != 0x04: raise rt.Reject
         size = len(data)
-        request_id_rec_request_id_ = data[at]
-        at += 1
-        request_id_rec_ = SetElement.RequestIDRec(request_id_rec_request_id_)
-        element_list_count = data[at]
-        at += 1
-        if element_list_count * 9 > size - at:
-            raise rt.Reject
+        self = rt.new(cls)
+        request_id_ = data[2]
+        self.request_id_rec = SetElement.RequestIDRec(request_id_)
+        element_list_count_ = data[3]
+        if element_list_count_ * 9 > size - 4: raise rt.Reject
+        at = 4
         element_list_ = []
-        for _ in range(element_list_count):
-            element_list_item_element_uid_, element_list_item_previous_uid_, element_list_item_next_uid_ = _S_3H.unpack_from(data, at)
+        for _ in range(element_list_count_):
+            item_ = rt.new(core_v1_0_types.ElementRec)
+            item_.element_uid, item_.previous_uid, item_.next_uid = _S_3H.unpack_from(data, at)
             at += 6
-            element_list_item_element_data_, at = core_v1_0_types.ElementRec.ElementData._read(data, at, depth)
-            element_list_item_ = core_v1_0_types.ElementRec(element_list_item_element_uid_, element_list_item_previous_uid_, element_list_item_next_uid_, element_list_item_element_data_)
-            element_list_.append(element_list_item_)
-        if at != len(data):
-            raise rt.Reject
-        return cls(request_id_rec_, element_list_)
+            item_.element_data, at = core_v1_0_types.ElementRec.ElementData._read(data, at, depth)
+            element_list_.append(item_)
+        self.element_list = element_list_
+        if at != size: raise rt.Reject
+        return self
 
     def _pack(self) -> bytes:
         out = bytearray(b"\x1a\x04")
         request_id_rec_ = self.request_id_rec
-        if type(request_id_rec_) is not SetElement.RequestIDRec:
-            raise rt.Reject
-        request_id_rec_request_id_ = request_id_rec_.request_id
-        out += _S_B.pack(request_id_rec_request_id_)
+        if type(request_id_rec_) is not SetElement.RequestIDRec: raise rt.Reject
+        out.append(request_id_rec_.request_id)
         element_list_ = self.element_list
-        if type(element_list_) is not list:
-            raise rt.Reject
+        if type(element_list_) is not list: raise rt.Reject
         out.append(len(element_list_))
-        for element_list_item_ in element_list_:
-            if type(element_list_item_) is not core_v1_0_types.ElementRec:
-                raise rt.Reject
-            element_list_item_element_uid_ = element_list_item_.element_uid
-            element_list_item_previous_uid_ = element_list_item_.previous_uid
-            element_list_item_next_uid_ = element_list_item_.next_uid
-            out += _S_3H.pack(element_list_item_element_uid_, element_list_item_previous_uid_, element_list_item_next_uid_)
-            element_list_item_element_data_ = element_list_item_.element_data
-            if type(element_list_item_element_data_) is not core_v1_0_types.ElementRec.ElementData:
-                raise rt.Reject
-            element_list_item_element_data_._write(out)
+        for item_ in element_list_:
+            if type(item_) is not core_v1_0_types.ElementRec: raise rt.Reject
+            out += _S_3H.pack(item_.element_uid, item_.previous_uid, item_.next_uid)
+            element_data_ = item_.element_data
+            if type(element_data_) is not core_v1_0_types.ElementRec.ElementData: raise rt.Reject
+            element_data_._write(out)
         return bytes(out)
 
 
@@ -121,19 +96,19 @@ class SetElement(rt.Message):
 class DeleteElement(rt.Message):
     """DeleteElement (0x041B): Deletes elements from the list.
 
-    request_id_rec: Which request is answered
+    request_id_rec: The number of the request
     delete_element_list: 0..255 items. The elements to delete
     """
 
-    CODE: ClassVar[int] = 0x041B
-    NAME: ClassVar[str] = "DeleteElement"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:ListManager"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = True
+    CODE = 0x041B
+    NAME = "DeleteElement"
+    SERVICE = "urn:jaus:jss:core:ListManager"
+    VERSION = "1.1"
+    IS_COMMAND = True
 
     @dataclass(slots=True, repr=False)
     class RequestIDRec(rt.Struct):
-        """Which request is answered.
+        """The number of the request.
 
         request_id: Repeated in the answer, to match it with its request
         """
@@ -142,22 +117,10 @@ class DeleteElement(rt.Message):
 
         @classmethod
         def _layout(cls) -> rt.Item:
-            return rt.Composite(
-                cls,
-                (
-                    rt.Slot("request_id", "RequestID", rt.Number("B")),
-                ),
+            return rt.composite(
+                cls, None,
+                ("RequestID", rt.Number("B")),
             )
-
-        @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
-            request_id_ = data[at]
-            at += 1
-            return cls(request_id_), at
-
-        def _write(self, out: bytearray) -> None:
-            request_id_ = self.request_id
-            out += _S_B.pack(request_id_)
 
     @dataclass(slots=True, repr=False)
     class DeleteElementRec(rt.Struct):
@@ -170,72 +133,46 @@ class DeleteElement(rt.Message):
 
         @classmethod
         def _layout(cls) -> rt.Item:
-            return rt.Composite(
-                cls,
-                (
-                    rt.Slot("element_uid", "ElementUID", rt.Number("H")),
-                ),
+            return rt.composite(
+                cls, None,
+                ("ElementUID", rt.Number("H")),
             )
-
-        @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
-            (element_uid_,) = _S_H.unpack_from(data, at)
-            at += 2
-            return cls(element_uid_), at
-
-        def _write(self, out: bytearray) -> None:
-            element_uid_ = self.element_uid
-            out += _S_H.pack(element_uid_)
 
     request_id_rec: DeleteElement.RequestIDRec
     delete_element_list: list[DeleteElement.DeleteElementRec]
 
     @classmethod
     def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("request_id_rec", "RequestIDRec", DeleteElement.RequestIDRec.layout()),
-                rt.Slot("delete_element_list", "DeleteElementList", rt.Repeat(rt.Count("B", 0, 255), DeleteElement.DeleteElementRec.layout())),
-            ),
+        return rt.composite(
+            cls, None,
+            ("RequestIDRec", DeleteElement.RequestIDRec.layout()),
+            ("DeleteElementList", rt.Repeat(rt.Count("B", 0, 255), DeleteElement.DeleteElementRec.layout())),
         )
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        if data[0] != 0x1B or data[1] != 0x04:
-            raise rt.Reject
-        at = 2
+        if data[0] != 0x1B or data[1] != 0x04: raise rt.Reject
         size = len(data)
-        request_id_rec_request_id_ = data[at]
-        at += 1
-        request_id_rec_ = DeleteElement.RequestIDRec(request_id_rec_request_id_)
-        delete_element_list_count = data[at]
-        at += 1
-        delete_element_list_end = at + delete_element_list_count * 2
-        if delete_element_list_end > size:
-            raise rt.Reject
-        delete_element_list_ = [DeleteElement.DeleteElementRec(delete_element_list_item_element_uid_) for (delete_element_list_item_element_uid_,) in _S_H.iter_unpack(data[at:delete_element_list_end])]
-        at = delete_element_list_end
-        if at != len(data):
-            raise rt.Reject
-        return cls(request_id_rec_, delete_element_list_)
+        self = rt.new(cls)
+        request_id_ = data[2]
+        self.request_id_rec = DeleteElement.RequestIDRec(request_id_)
+        delete_element_list_count_ = data[3]
+        delete_element_list_end_ = 4 + delete_element_list_count_ * 2
+        self.delete_element_list = [DeleteElement.DeleteElementRec(element_uid_) for (element_uid_,) in _S_H.iter_unpack(data[4:delete_element_list_end_])]
+        if delete_element_list_end_ != size: raise rt.Reject
+        return self
 
     def _pack(self) -> bytes:
         out = bytearray(b"\x1b\x04")
         request_id_rec_ = self.request_id_rec
-        if type(request_id_rec_) is not DeleteElement.RequestIDRec:
-            raise rt.Reject
-        request_id_rec_request_id_ = request_id_rec_.request_id
-        out += _S_B.pack(request_id_rec_request_id_)
+        if type(request_id_rec_) is not DeleteElement.RequestIDRec: raise rt.Reject
+        out.append(request_id_rec_.request_id)
         delete_element_list_ = self.delete_element_list
-        if type(delete_element_list_) is not list:
-            raise rt.Reject
+        if type(delete_element_list_) is not list: raise rt.Reject
         out.append(len(delete_element_list_))
-        for delete_element_list_item_ in delete_element_list_:
-            if type(delete_element_list_item_) is not DeleteElement.DeleteElementRec:
-                raise rt.Reject
-            delete_element_list_item_element_uid_ = delete_element_list_item_.element_uid
-            out += _S_H.pack(delete_element_list_item_element_uid_)
+        for item_ in delete_element_list_:
+            if type(item_) is not DeleteElement.DeleteElementRec: raise rt.Reject
+            out += _S_H.pack(item_.element_uid)
         return bytes(out)
 
 
@@ -246,44 +183,41 @@ class QueryElement(rt.Message):
     element_uid: Identifies the element
     """
 
-    CODE: ClassVar[int] = 0x241A
-    NAME: ClassVar[str] = "QueryElement"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:ListManager"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
+    CODE = 0x241A
+    NAME = "QueryElement"
+    SERVICE = "urn:jaus:jss:core:ListManager"
+    VERSION = "1.1"
+    IS_COMMAND = False
 
     element_uid: int
 
     @classmethod
     def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("element_uid", "ElementUID", rt.Number("H")),
-            ),
+        return rt.composite(
+            cls, None,
+            ("ElementUID", rt.Number("H")),
         )
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        code, element_uid_ = _S_2H.unpack(data)
-        if code != 0x241A:
-            raise rt.Reject
-        return cls(element_uid_)
+        self = rt.new(cls)
+        code, self.element_uid = _S_2H.unpack(data)
+        if code != 0x241A: raise rt.Reject
+        return self
 
     def _pack(self) -> bytes:
-        element_uid_ = self.element_uid
-        return _S_2H.pack(0x241A, element_uid_)
+        return _S_2H.pack(0x241A, self.element_uid)
 
 
 @dataclass(slots=True, repr=False)
 class QueryElementList(rt.Message):
     """QueryElementList (0x241B): Asks for the identifiers of all elements."""
 
-    CODE: ClassVar[int] = 0x241B
-    NAME: ClassVar[str] = "QueryElementList"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:ListManager"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
+    CODE = 0x241B
+    NAME = "QueryElementList"
+    SERVICE = "urn:jaus:jss:core:ListManager"
+    VERSION = "1.1"
+    IS_COMMAND = False
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -291,10 +225,10 @@ class QueryElementList(rt.Message):
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
+        self = rt.new(cls)
         code, = _S_H.unpack(data)
-        if code != 0x241B:
-            raise rt.Reject
-        return cls()
+        if code != 0x241B: raise rt.Reject
+        return self
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x241B)
@@ -304,11 +238,11 @@ class QueryElementList(rt.Message):
 class QueryElementCount(rt.Message):
     """QueryElementCount (0x241C): Asks for the number of elements."""
 
-    CODE: ClassVar[int] = 0x241C
-    NAME: ClassVar[str] = "QueryElementCount"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:ListManager"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
+    CODE = 0x241C
+    NAME = "QueryElementCount"
+    SERVICE = "urn:jaus:jss:core:ListManager"
+    VERSION = "1.1"
+    IS_COMMAND = False
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -316,10 +250,10 @@ class QueryElementCount(rt.Message):
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
+        self = rt.new(cls)
         code, = _S_H.unpack(data)
-        if code != 0x241C:
-            raise rt.Reject
-        return cls()
+        if code != 0x241C: raise rt.Reject
+        return self
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x241C)
@@ -332,33 +266,30 @@ class ConfirmElementRequest(rt.Message):
     request_id: Repeated in the answer, to match it with its request
     """
 
-    CODE: ClassVar[int] = 0x041C
-    NAME: ClassVar[str] = "ConfirmElementRequest"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:ListManager"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
+    CODE = 0x041C
+    NAME = "ConfirmElementRequest"
+    SERVICE = "urn:jaus:jss:core:ListManager"
+    VERSION = "1.1"
+    IS_COMMAND = False
 
     request_id: int
 
     @classmethod
     def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("request_id", "RequestID", rt.Number("B")),
-            ),
+        return rt.composite(
+            cls, None,
+            ("RequestID", rt.Number("B")),
         )
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        code, request_id_ = _S_HB.unpack(data)
-        if code != 0x041C:
-            raise rt.Reject
-        return cls(request_id_)
+        self = rt.new(cls)
+        code, self.request_id = _S_HB.unpack(data)
+        if code != 0x041C: raise rt.Reject
+        return self
 
     def _pack(self) -> bytes:
-        request_id_ = self.request_id
-        return _S_HB.pack(0x041C, request_id_)
+        return _S_HB.pack(0x041C, self.request_id)
 
 
 @dataclass(slots=True, repr=False)
@@ -369,11 +300,11 @@ class RejectElementRequest(rt.Message):
     response_code: ResponseCode. The reason
     """
 
-    CODE: ClassVar[int] = 0x041D
-    NAME: ClassVar[str] = "RejectElementRequest"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:ListManager"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
+    CODE = 0x041D
+    NAME = "RejectElementRequest"
+    SERVICE = "urn:jaus:jss:core:ListManager"
+    VERSION = "1.1"
+    IS_COMMAND = False
 
     class ResponseCode(IntEnum):
         """Values of ResponseCode."""
@@ -391,27 +322,24 @@ class RejectElementRequest(rt.Message):
 
     @classmethod
     def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("request_id", "RequestID", rt.Number("B")),
-                rt.Slot("response_code", "ResponseCode", rt.Number("B", rt.Values(RejectElementRequest.ResponseCode))),
-            ),
+        return rt.composite(
+            cls, None,
+            ("RequestID", rt.Number("B")),
+            ("ResponseCode", rt.Number("B", rt.Values(RejectElementRequest.ResponseCode))),
         )
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        code, request_id_, response_code_ = _S_H2B.unpack(data)
-        if code != 0x041D:
-            raise rt.Reject
-        return cls(request_id_, _E_RejectElementRequest_ResponseCode[response_code_])
+        self = rt.new(cls)
+        code, self.request_id, response_code_ = _S_H2B.unpack(data)
+        if code != 0x041D: raise rt.Reject
+        self.response_code = _E_RejectElementRequest_ResponseCode[response_code_]
+        return self
 
     def _pack(self) -> bytes:
-        request_id_ = self.request_id
         response_code_ = self.response_code
-        if response_code_ not in _E_RejectElementRequest_ResponseCode:
-            raise rt.Reject
-        return _S_H2B.pack(0x041D, request_id_, response_code_)
+        if response_code_ not in _E_RejectElementRequest_ResponseCode: raise rt.Reject
+        return _S_H2B.pack(0x041D, self.request_id, response_code_)
 
 
 @dataclass(slots=True, repr=False)
@@ -424,11 +352,11 @@ class ReportElement(rt.Message):
     element_data: What the element carries
     """
 
-    CODE: ClassVar[int] = 0x441A
-    NAME: ClassVar[str] = "ReportElement"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:ListManager"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
+    CODE = 0x441A
+    NAME = "ReportElement"
+    SERVICE = "urn:jaus:jss:core:ListManager"
+    VERSION = "1.1"
+    IS_COMMAND = False
 
     class ElementDataFormat(IntEnum):
         """Values of ElementDataFormat."""
@@ -449,28 +377,21 @@ class ReportElement(rt.Message):
 
         @classmethod
         def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
-            size = len(data)
+            self = rt.new(cls)
             format = data[at]
-            at += 1
-            (data_end,) = _S_H.unpack_from(data, at)
-            at += 2
-            data_end += at
-            if data_end > size:
-                raise rt.Reject
-            chunk = data[at:data_end]
-            content: rt.Message | bytes = chunk
-            if format == 0:
-                content = _registry.nested(chunk, depth)
-            return cls(_E_ReportElement_ElementDataFormat[format], content), data_end
+            self.format = _E_ReportElement_ElementDataFormat[format]
+            (data_end_,) = _S_H.unpack_from(data, at + 1)
+            data_end_ += at + 3
+            self.data = _registry.nested(data[at + 3:data_end_], depth) if format in {0} else data[at + 3:data_end_]
+            return self, data_end_
 
         def _write(self, out: bytearray) -> None:
             format = self.format
-            if format not in _E_ReportElement_ElementDataFormat:
-                raise rt.Reject
-            raw = rt.message_bytes(self.data) if format == 0 else rt.plain_bytes(self.data)
+            if format not in _E_ReportElement_ElementDataFormat: raise rt.Reject
             out.append(format)
-            out += _S_H.pack(len(raw))
-            out += raw
+            data_raw_ = rt.message_bytes(self.data) if format in {0} else rt.plain_bytes(self.data)
+            out += _S_H.pack(len(data_raw_))
+            out += data_raw_
 
     element_uid: int
     previous_uid: int
@@ -479,37 +400,30 @@ class ReportElement(rt.Message):
 
     @classmethod
     def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("element_uid", "ElementUID", rt.Number("H")),
-                rt.Slot("previous_uid", "PreviousUID", rt.Number("H")),
-                rt.Slot("next_uid", "NextUID", rt.Number("H")),
-                rt.Slot("element_data", "ElementData", ReportElement.ElementData.layout()),
-            ),
+        return rt.composite(
+            cls, None,
+            ("ElementUID", rt.Number("H")),
+            ("PreviousUID", rt.Number("H")),
+            ("NextUID", rt.Number("H")),
+            ("ElementData", ReportElement.ElementData.layout()),
         )
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        if data[0] != 0x1A or data[1] != 0x44:
-            raise rt.Reject
-        at = 2
-        element_uid_, previous_uid_, next_uid_ = _S_3H.unpack_from(data, at)
-        at += 6
-        element_data_, at = ReportElement.ElementData._read(data, at, depth)
-        if at != len(data):
-            raise rt.Reject
-        return cls(element_uid_, previous_uid_, next_uid_, element_data_)
+        if data[0] != 0x1A or data[1] != 0x44: raise rt.Reject
+        size = len(data)
+        self = rt.new(cls)
+        self.element_uid, self.previous_uid, self.next_uid = _S_3H.unpack_from(data, 2)
+        at = 8
+        self.element_data, at = ReportElement.ElementData._read(data, at, depth)
+        if at != size: raise rt.Reject
+        return self
 
     def _pack(self) -> bytes:
         out = bytearray(b"\x1a\x44")
-        element_uid_ = self.element_uid
-        previous_uid_ = self.previous_uid
-        next_uid_ = self.next_uid
-        out += _S_3H.pack(element_uid_, previous_uid_, next_uid_)
+        out += _S_3H.pack(self.element_uid, self.previous_uid, self.next_uid)
         element_data_ = self.element_data
-        if type(element_data_) is not ReportElement.ElementData:
-            raise rt.Reject
+        if type(element_data_) is not ReportElement.ElementData: raise rt.Reject
         element_data_._write(out)
         return bytes(out)
 
@@ -521,11 +435,11 @@ class ReportElementList(rt.Message):
     element_list: 0..65535 items. The elements
     """
 
-    CODE: ClassVar[int] = 0x441B
-    NAME: ClassVar[str] = "ReportElementList"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:ListManager"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
+    CODE = 0x441B
+    NAME = "ReportElementList"
+    SERVICE = "urn:jaus:jss:core:ListManager"
+    VERSION = "1.1"
+    IS_COMMAND = False
 
     @dataclass(slots=True, repr=False)
     class ElementListRec(rt.Struct):
@@ -538,62 +452,39 @@ class ReportElementList(rt.Message):
 
         @classmethod
         def _layout(cls) -> rt.Item:
-            return rt.Composite(
-                cls,
-                (
-                    rt.Slot("element_uid", "ElementUID", rt.Number("H")),
-                ),
+            return rt.composite(
+                cls, None,
+                ("ElementUID", rt.Number("H")),
             )
-
-        @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
-            (element_uid_,) = _S_H.unpack_from(data, at)
-            at += 2
-            return cls(element_uid_), at
-
-        def _write(self, out: bytearray) -> None:
-            element_uid_ = self.element_uid
-            out += _S_H.pack(element_uid_)
 
     element_list: list[ReportElementList.ElementListRec]
 
     @classmethod
     def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("element_list", "ElementList", rt.Repeat(rt.Count("H", 0, 65535), ReportElementList.ElementListRec.layout())),
-            ),
+        return rt.composite(
+            cls, None,
+            ("ElementList", rt.Repeat(rt.Count("H", 0, 65535), ReportElementList.ElementListRec.layout())),
         )
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        if data[0] != 0x1B or data[1] != 0x44:
-            raise rt.Reject
-        at = 2
+        if data[0] != 0x1B or data[1] != 0x44: raise rt.Reject
         size = len(data)
-        (element_list_count,) = _S_H.unpack_from(data, at)
-        at += 2
-        element_list_end = at + element_list_count * 2
-        if element_list_end > size:
-            raise rt.Reject
-        element_list_ = [ReportElementList.ElementListRec(element_list_item_element_uid_) for (element_list_item_element_uid_,) in _S_H.iter_unpack(data[at:element_list_end])]
-        at = element_list_end
-        if at != len(data):
-            raise rt.Reject
-        return cls(element_list_)
+        self = rt.new(cls)
+        (element_list_count_,) = _S_H.unpack_from(data, 2)
+        element_list_end_ = 4 + element_list_count_ * 2
+        self.element_list = [ReportElementList.ElementListRec(element_uid_) for (element_uid_,) in _S_H.iter_unpack(data[4:element_list_end_])]
+        if element_list_end_ != size: raise rt.Reject
+        return self
 
     def _pack(self) -> bytes:
         out = bytearray(b"\x1b\x44")
         element_list_ = self.element_list
-        if type(element_list_) is not list:
-            raise rt.Reject
+        if type(element_list_) is not list: raise rt.Reject
         out += _S_H.pack(len(element_list_))
-        for element_list_item_ in element_list_:
-            if type(element_list_item_) is not ReportElementList.ElementListRec:
-                raise rt.Reject
-            element_list_item_element_uid_ = element_list_item_.element_uid
-            out += _S_H.pack(element_list_item_element_uid_)
+        for item_ in element_list_:
+            if type(item_) is not ReportElementList.ElementListRec: raise rt.Reject
+            out += _S_H.pack(item_.element_uid)
         return bytes(out)
 
 
@@ -604,40 +495,36 @@ class ReportElementCount(rt.Message):
     element_count: Number of elements
     """
 
-    CODE: ClassVar[int] = 0x441C
-    NAME: ClassVar[str] = "ReportElementCount"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:ListManager"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
+    CODE = 0x441C
+    NAME = "ReportElementCount"
+    SERVICE = "urn:jaus:jss:core:ListManager"
+    VERSION = "1.1"
+    IS_COMMAND = False
 
     element_count: int
 
     @classmethod
     def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("element_count", "ElementCount", rt.Number("H")),
-            ),
+        return rt.composite(
+            cls, None,
+            ("ElementCount", rt.Number("H")),
         )
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        code, element_count_ = _S_2H.unpack(data)
-        if code != 0x441C:
-            raise rt.Reject
-        return cls(element_count_)
+        self = rt.new(cls)
+        code, self.element_count = _S_2H.unpack(data)
+        if code != 0x441C: raise rt.Reject
+        return self
 
     def _pack(self) -> bytes:
-        element_count_ = self.element_count
-        return _S_2H.pack(0x441C, element_count_)
+        return _S_2H.pack(0x441C, self.element_count)
 
 
-_S_B = rt.Packer("<B")
 _S_3H = rt.Packer("<3H")
 _S_H = rt.Packer("<H")
 _S_2H = rt.Packer("<2H")
 _S_HB = rt.Packer("<HB")
-_E_RejectElementRequest_ResponseCode = {member.value: member for member in RejectElementRequest.ResponseCode}
+_E_RejectElementRequest_ResponseCode = rt.members(RejectElementRequest.ResponseCode)
 _S_H2B = rt.Packer("<H2B")
-_E_ReportElement_ElementDataFormat = {member.value: member for member in ReportElement.ElementDataFormat}
+_E_ReportElement_ElementDataFormat = rt.members(ReportElement.ElementDataFormat)

@@ -2,60 +2,22 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import ClassVar, Self
-
-from jauspy.codec import runtime as rt
+from jauspy.messages.core.v1_0 import liveliness as core_v1_0_liveliness
 
 
-@dataclass(slots=True, repr=False)
-class QueryHeartbeatPulse(rt.Message):
+class QueryHeartbeatPulse(core_v1_0_liveliness.QueryHeartbeatPulse):
     """QueryHeartbeatPulse (0x2202): Asks for a sign of life."""
 
-    CODE: ClassVar[int] = 0x2202
-    NAME: ClassVar[str] = "QueryHeartbeatPulse"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Liveness"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.Composite(cls, ())
-
-    @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        code, = _S_H.unpack(data)
-        if code != 0x2202:
-            raise rt.Reject
-        return cls()
-
-    def _pack(self) -> bytes:
-        return _S_H.pack(0x2202)
+    __slots__ = ()
+    SERVICE = "urn:jaus:jss:core:Liveness"
+    VERSION = "1.1"
 
 
-@dataclass(slots=True, repr=False)
-class ReportHeartbeatPulse(rt.Message):
+class ReportHeartbeatPulse(core_v1_0_liveliness.ReportHeartbeatPulse):
     """ReportHeartbeatPulse (0x4202): The sign of life."""
 
-    CODE: ClassVar[int] = 0x4202
-    NAME: ClassVar[str] = "ReportHeartbeatPulse"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Liveness"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.Composite(cls, ())
-
-    @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        code, = _S_H.unpack(data)
-        if code != 0x4202:
-            raise rt.Reject
-        return cls()
-
-    def _pack(self) -> bytes:
-        return _S_H.pack(0x4202)
+    __slots__ = ()
+    SERVICE = "urn:jaus:jss:core:Liveness"
+    VERSION = "1.1"
 
 
-_S_H = rt.Packer("<H")

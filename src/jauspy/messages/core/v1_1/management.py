@@ -2,279 +2,70 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from enum import IntEnum
-from typing import ClassVar, Self
-
-from jauspy.codec import runtime as rt
+from jauspy.messages.core.v1_0 import management as core_v1_0_management
 
 
-@dataclass(slots=True, repr=False)
-class Shutdown(rt.Message):
+class Shutdown(core_v1_0_management.Shutdown):
     """Shutdown (0x0002): Makes the component release its resources and stop."""
 
-    CODE: ClassVar[int] = 0x0002
-    NAME: ClassVar[str] = "Shutdown"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Management"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = True
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.Composite(cls, ())
-
-    @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        code, = _S_H.unpack(data)
-        if code != 0x0002:
-            raise rt.Reject
-        return cls()
-
-    def _pack(self) -> bytes:
-        return _S_H.pack(0x0002)
+    __slots__ = ()
+    SERVICE = "urn:jaus:jss:core:Management"
+    VERSION = "1.1"
 
 
-@dataclass(slots=True, repr=False)
-class Standby(rt.Message):
+class Standby(core_v1_0_management.Standby):
     """Standby (0x0003): Moves the component from Ready to Standby."""
 
-    CODE: ClassVar[int] = 0x0003
-    NAME: ClassVar[str] = "Standby"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Management"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = True
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.Composite(cls, ())
-
-    @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        code, = _S_H.unpack(data)
-        if code != 0x0003:
-            raise rt.Reject
-        return cls()
-
-    def _pack(self) -> bytes:
-        return _S_H.pack(0x0003)
+    __slots__ = ()
+    SERVICE = "urn:jaus:jss:core:Management"
+    VERSION = "1.1"
 
 
-@dataclass(slots=True, repr=False)
-class Resume(rt.Message):
+class Resume(core_v1_0_management.Resume):
     """Resume (0x0004): Moves the component from Standby to Ready."""
 
-    CODE: ClassVar[int] = 0x0004
-    NAME: ClassVar[str] = "Resume"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Management"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = True
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.Composite(cls, ())
-
-    @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        code, = _S_H.unpack(data)
-        if code != 0x0004:
-            raise rt.Reject
-        return cls()
-
-    def _pack(self) -> bytes:
-        return _S_H.pack(0x0004)
+    __slots__ = ()
+    SERVICE = "urn:jaus:jss:core:Management"
+    VERSION = "1.1"
 
 
-@dataclass(slots=True, repr=False)
-class Reset(rt.Message):
+class Reset(core_v1_0_management.Reset):
     """Reset (0x0005): Makes the component initialise again."""
 
-    CODE: ClassVar[int] = 0x0005
-    NAME: ClassVar[str] = "Reset"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Management"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = True
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.Composite(cls, ())
-
-    @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        code, = _S_H.unpack(data)
-        if code != 0x0005:
-            raise rt.Reject
-        return cls()
-
-    def _pack(self) -> bytes:
-        return _S_H.pack(0x0005)
+    __slots__ = ()
+    SERVICE = "urn:jaus:jss:core:Management"
+    VERSION = "1.1"
 
 
-@dataclass(slots=True, repr=False)
-class SetEmergency(rt.Message):
-    """SetEmergency (0x0006): Puts the component into the Emergency state; needs no control.
+class SetEmergency(core_v1_0_management.SetEmergency):
+    """SetEmergency (0x0006): Puts the component into the Emergency state; needs no control."""
 
-    emergency_code: EmergencyCode. The kind of emergency
-    """
-
-    CODE: ClassVar[int] = 0x0006
-    NAME: ClassVar[str] = "SetEmergency"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Management"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = True
-
-    class EmergencyCode(IntEnum):
-        """Values of EmergencyCode."""
-
-        STOP = 1
-
-    emergency_code: SetEmergency.EmergencyCode | int
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("emergency_code", "EmergencyCode", rt.Number("H", rt.Values(SetEmergency.EmergencyCode))),
-            ),
-        )
-
-    @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        code, emergency_code_ = _S_2H.unpack(data)
-        if code != 0x0006:
-            raise rt.Reject
-        return cls(_E_SetEmergency_EmergencyCode[emergency_code_])
-
-    def _pack(self) -> bytes:
-        emergency_code_ = self.emergency_code
-        if emergency_code_ not in _E_SetEmergency_EmergencyCode:
-            raise rt.Reject
-        return _S_2H.pack(0x0006, emergency_code_)
+    __slots__ = ()
+    SERVICE = "urn:jaus:jss:core:Management"
+    VERSION = "1.1"
 
 
-@dataclass(slots=True, repr=False)
-class ClearEmergency(rt.Message):
-    """ClearEmergency (0x0007): Ends the emergency that the same client has set.
+class ClearEmergency(core_v1_0_management.ClearEmergency):
+    """ClearEmergency (0x0007): Ends the emergency that the same client has set."""
 
-    emergency_code: EmergencyCode. The kind of emergency
-    """
-
-    CODE: ClassVar[int] = 0x0007
-    NAME: ClassVar[str] = "ClearEmergency"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Management"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = True
-
-    class EmergencyCode(IntEnum):
-        """Values of EmergencyCode."""
-
-        STOP = 1
-
-    emergency_code: ClearEmergency.EmergencyCode | int
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("emergency_code", "EmergencyCode", rt.Number("H", rt.Values(ClearEmergency.EmergencyCode))),
-            ),
-        )
-
-    @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        code, emergency_code_ = _S_2H.unpack(data)
-        if code != 0x0007:
-            raise rt.Reject
-        return cls(_E_ClearEmergency_EmergencyCode[emergency_code_])
-
-    def _pack(self) -> bytes:
-        emergency_code_ = self.emergency_code
-        if emergency_code_ not in _E_ClearEmergency_EmergencyCode:
-            raise rt.Reject
-        return _S_2H.pack(0x0007, emergency_code_)
+    __slots__ = ()
+    SERVICE = "urn:jaus:jss:core:Management"
+    VERSION = "1.1"
 
 
-@dataclass(slots=True, repr=False)
-class QueryStatus(rt.Message):
+class QueryStatus(core_v1_0_management.QueryStatus):
     """QueryStatus (0x2002): Asks for the state of the component."""
 
-    CODE: ClassVar[int] = 0x2002
-    NAME: ClassVar[str] = "QueryStatus"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Management"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.Composite(cls, ())
-
-    @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        code, = _S_H.unpack(data)
-        if code != 0x2002:
-            raise rt.Reject
-        return cls()
-
-    def _pack(self) -> bytes:
-        return _S_H.pack(0x2002)
+    __slots__ = ()
+    SERVICE = "urn:jaus:jss:core:Management"
+    VERSION = "1.1"
 
 
-@dataclass(slots=True, repr=False)
-class ReportStatus(rt.Message):
-    """ReportStatus (0x4002): Tells the state of the component.
+class ReportStatus(core_v1_0_management.ReportStatus):
+    """ReportStatus (0x4002): Tells the state of the component."""
 
-    status: Status. The state of the component
-    reserved: Sent as 0, ignored when received
-    """
-
-    CODE: ClassVar[int] = 0x4002
-    NAME: ClassVar[str] = "ReportStatus"
-    SERVICE: ClassVar[str] = "urn:jaus:jss:core:Management"
-    VERSION: ClassVar[str] = "1.1"
-    IS_COMMAND: ClassVar[bool] = False
-
-    class Status(IntEnum):
-        """Values of Status."""
-
-        INITIALIZE = 0
-        READY = 1
-        STANDBY = 2
-        SHUTDOWN = 3
-        FAILURE = 4
-        EMERGENCY = 5
-
-    status: ReportStatus.Status | int
-    reserved: int
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.Composite(
-            cls,
-            (
-                rt.Slot("status", "Status", rt.Number("B", rt.Values(ReportStatus.Status))),
-                rt.Slot("reserved", "Reserved", rt.Number("I")),
-            ),
-        )
-
-    @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        code, status_, reserved_ = _S_HBI.unpack(data)
-        if code != 0x4002:
-            raise rt.Reject
-        return cls(_E_ReportStatus_Status[status_], reserved_)
-
-    def _pack(self) -> bytes:
-        status_ = self.status
-        if status_ not in _E_ReportStatus_Status:
-            raise rt.Reject
-        reserved_ = self.reserved
-        return _S_HBI.pack(0x4002, status_, reserved_)
+    __slots__ = ()
+    SERVICE = "urn:jaus:jss:core:Management"
+    VERSION = "1.1"
 
 
-_S_H = rt.Packer("<H")
-_E_SetEmergency_EmergencyCode = {member.value: member for member in SetEmergency.EmergencyCode}
-_S_2H = rt.Packer("<2H")
-_E_ClearEmergency_EmergencyCode = {member.value: member for member in ClearEmergency.EmergencyCode}
-_E_ReportStatus_Status = {member.value: member for member in ReportStatus.Status}
-_S_HBI = rt.Packer("<HBI")

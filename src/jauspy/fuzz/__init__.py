@@ -1,0 +1,1 @@
+"""Fuzzing: bytes that nobody would send on purpose, and what must hold for them all the same."""

@@ -1,0 +1,195 @@
+"""Ways to make bytes worse: some know what they hit, some do not."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from random import Random
+from typing import Final
+
+from jauspy.codec.items import Choice, Composite, Formatted, Number, Repeat, Union
+from jauspy.codec.wire import FLOATS
+from jauspy.fuzz.seeds import Seed
+from jauspy.fuzz.spots import Spot
+
+LARGEST: Final = 65536
+"""Bytes of the largest input: more does not fit into a datagram."""
+
+_FLOATS: Final = tuple(
+    bytes.fromhex(text)
+    for text in ("0000807f", "000080ff", "0000c07f", "0100807f", "ffff7f7f", "00000080", "01000000")  # inf, NaN, edges
+)
+_DOUBLES: Final = tuple(
+    bytes.fromhex(text)[::-1]
+    for text in ("7ff0000000000000", "fff0000000000000", "7ff8000000000000", "7fefffffffffffff", "8000000000000000")
+)
+
+Change = Callable[[Random, bytearray, Spot, Sequence[Seed]], None]
+
+
+def mutate(rng: Random, seed: Seed, others: Sequence[Seed]) -> bytes:
+    """The seed's bytes, changed one to four times; the message id stays."""
+    data = bytearray(seed.data)
+    for _ in range(rng.choice((1, 1, 1, 2, 2, 3, 4))):
+        whole = len(data) == len(seed.data)  # else the spots are no longer where they were
+        if seed.spots and whole and rng.random() < 0.7:
+            spot = rng.choice(seed.spots)
+            rng.choice(_INFORMED[spot.kind])(rng, data, spot, others)
+        else:
+            rng.choice(_BLIND)(rng, data, others)
+    if rng.random() < 0.003:
+        _grow(rng, data)
+    return bytes(data[:LARGEST])
+
+
+def _put(data: bytearray, spot: Spot, value: int) -> None:
+    size = spot.size
+    data[spot.at : spot.at + size] = (value & ((1 << 8 * size) - 1)).to_bytes(size, "little")
+
+
+def _get(data: bytearray, spot: Spot) -> int:
+    return int.from_bytes(data[spot.at : spot.at + spot.size], "little")
+
+
+# --- numbers ----------------------------------------------------------------------------------------------------------
+
+
+def _edge(rng: Random, data: bytearray, spot: Spot, _: Sequence[Seed]) -> None:
+    top = (1 << 8 * spot.size) - 1
+    _put(data, spot, rng.choice((0, 1, top, top - 1, top >> 1, (top >> 1) + 1)))
+
+
+def _step(rng: Random, data: bytearray, spot: Spot, _: Sequence[Seed]) -> None:
+    _put(data, spot, _get(data, spot) + rng.choice((-2, -1, 1, 2)))
+
+
+def _limit(rng: Random, data: bytearray, spot: Spot, others: Sequence[Seed]) -> None:
+    """One beside an allowed value, or a special float."""
+    item = spot.item
+    if not isinstance(item, Number):
+        _edge(rng, data, spot, others)
+    elif item.code in FLOATS:
+        data[spot.at : spot.at + spot.size] = rng.choice(_FLOATS if item.code == "f" else _DOUBLES)
+    else:
+        known = [member.value for member in item.values.enum or ()]
+        known += [round(end) for interval in item.values.intervals for end in interval]
+        _put(data, spot, rng.choice(known or [0]) + rng.choice((-1, 0, 1)))
+
+
+# --- counts -----------------------------------------------------------------------------------------------------------
+
+
+def _lie(rng: Random, data: bytearray, spot: Spot, _: Sequence[Seed]) -> None:
+    """A count that does not fit what follows."""
+    count, top = _get(data, spot), (1 << 8 * spot.size) - 1
+    choices = [0, count + 1, count - 1, top, top >> 1, count << 8]
+    if isinstance(spot.item, Repeat):
+        choices += [spot.item.count.maximum, spot.item.count.maximum + 1, spot.item.count.minimum - 1]
+    _put(data, spot, rng.choice(choices))
+
+
+def _repeat(rng: Random, data: bytearray, spot: Spot, _: Sequence[Seed]) -> None:
+    """An element twice, or left out; the count is right."""
+    if len(spot.cuts) < 2:
+        return
+    number = rng.randrange(len(spot.cuts) - 1)
+    start, end = spot.cuts[number : number + 2]
+    by_element = isinstance(spot.item, Repeat)
+    if rng.random() < 0.5:
+        times = rng.choice((1, 1, 2, 7))
+        _put(data, spot, _get(data, spot) + times * (1 if by_element else end - start))
+        data[end:end] = data[start:end] * times
+    else:
+        _put(data, spot, _get(data, spot) - (1 if by_element else end - start))
+        del data[start:end]
+
+
+def _nest(rng: Random, data: bytearray, spot: Spot, others: Sequence[Seed]) -> None:
+    """Another message, or this one, into a field of bytes; the count is right."""
+    if isinstance(spot.item, Repeat) or len(spot.cuts) != 2:
+        return
+    inner = bytes(data) if rng.random() < 0.2 else rng.choice(others).data
+    _put(data, spot, len(inner))
+    data[spot.cuts[0] : spot.cuts[1]] = inner
+
+
+# --- tags and presence vectors ----------------------------------------------------------------------------------------
+
+
+def _retag(rng: Random, data: bytearray, spot: Spot, _: Sequence[Seed]) -> None:
+    known = [0]
+    if isinstance(spot.item, Union):
+        known = [*range(len(spot.item.arms) + 1)]
+    elif isinstance(spot.item, Choice):
+        known = list(spot.item.items)
+    elif isinstance(spot.item, Formatted):
+        known = [member.value for member in spot.item.formats.enum or ()]
+    _put(data, spot, rng.choice([*known, 255]))
+
+
+def _presence(rng: Random, data: bytearray, spot: Spot, _: Sequence[Seed]) -> None:
+    mask, top = _get(data, spot), (1 << 8 * spot.size) - 1
+    choices = [0, top, mask ^ 1 << rng.randrange(8 * spot.size)]
+    if isinstance(spot.item, Composite):
+        choices += [top & ~spot.item.undefined, mask | spot.item.undefined]
+    _put(data, spot, rng.choice(choices))
+
+
+def _cut_here(rng: Random, data: bytearray, spot: Spot, _: Sequence[Seed]) -> None:
+    del data[spot.at + rng.randint(0, spot.size) :]
+
+
+_INFORMED: Final[dict[str, tuple[Change, ...]]] = {
+    "number": (_edge, _step, _limit, _limit, _cut_here),
+    "count": (_lie, _lie, _step, _repeat, _repeat, _nest, _cut_here),
+    "tag": (_retag, _retag, _edge, _cut_here),
+    "presence": (_presence, _presence, _presence, _cut_here),
+}
+
+
+# --- blind ------------------------------------------------------------------------------------------------------------
+
+
+def _flip(rng: Random, data: bytearray, _: Sequence[Seed]) -> None:
+    if len(data) > 2:
+        data[rng.randrange(2, len(data))] ^= 1 << rng.randrange(8)
+
+
+def _byte(rng: Random, data: bytearray, _: Sequence[Seed]) -> None:
+    if len(data) > 2:
+        data[rng.randrange(2, len(data))] = rng.choice((0, 1, 127, 128, 255, rng.randrange(256)))
+
+
+def _truncate(rng: Random, data: bytearray, _: Sequence[Seed]) -> None:
+    del data[rng.randint(2, len(data)) :]
+
+
+def _append(rng: Random, data: bytearray, _: Sequence[Seed]) -> None:
+    data += rng.randbytes(rng.choice((1, 1, 2, 4, 16)))
+
+
+def _block(rng: Random, data: bytearray, _: Sequence[Seed]) -> None:
+    """Leave a block out, or have it twice."""
+    start = rng.randint(2, len(data))
+    end = min(len(data), start + rng.choice((1, 2, 4, 16)))
+    if rng.random() < 0.5:
+        del data[start:end]
+    else:
+        data[end:end] = data[start:end]
+
+
+def _splice(rng: Random, data: bytearray, others: Sequence[Seed]) -> None:
+    """Our head, the tail of another."""
+    tail = rng.choice(others).data
+    data[rng.randint(2, len(data)) :] = tail[rng.randint(min(2, len(tail)), len(tail)) :]
+
+
+_BLIND: Final = (_flip, _flip, _byte, _byte, _truncate, _append, _block, _splice)
+
+
+def _grow(rng: Random, data: bytearray) -> None:
+    """Up to the largest input, with zeros or with a part again and again: lists of lists of next to nothing."""
+    size = rng.choice((1024, 4096, 16384, LARGEST))
+    start = rng.randint(2, len(data))
+    part = bytes(data[start : start + rng.choice((1, 2, 3, 8))]) or b"\0"
+    pattern = rng.choice((b"\0", b"\xff", b"\1\0", part))
+    data[start:start] = (pattern * size)[:size]

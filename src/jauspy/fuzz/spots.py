@@ -1,0 +1,152 @@
+"""Where in the bytes of a message its counts, tags, presence vectors, numbers and lists are."""
+
+from __future__ import annotations
+
+import math
+from contextlib import suppress
+from dataclasses import dataclass
+from typing import Literal
+
+from jauspy.codec.base import Message
+from jauspy.codec.items import (
+    Bits,
+    Blob,
+    Choice,
+    Composite,
+    Count,
+    Formatted,
+    Grid,
+    Item,
+    Number,
+    Real,
+    Repeat,
+    Text,
+    Union,
+)
+from jauspy.codec.wire import SIZES
+
+Kind = Literal["number", "count", "tag", "presence"]
+
+
+@dataclass(frozen=True, slots=True)
+class Spot:
+    """`size` bytes at `at`. `cuts` are the borders between the elements that a count counts, both ends included."""
+
+    kind: Kind
+    at: int
+    size: int
+    item: Item | None = None
+    cuts: tuple[int, ...] = ()
+    nested: bool = False
+
+
+class _OutOfData(Exception):
+    """The bytes end before the message does."""
+
+
+def spots_of(layout: Item, data: bytes) -> tuple[Spot, ...]:
+    """The spots of a message, as far as it can be read; messages inside it included."""
+    scanner = _Scanner(data)
+    with suppress(_OutOfData):
+        scanner.item(layout, 2)
+    return tuple(scanner.spots)
+
+
+class _Scanner:
+    def __init__(self, data: bytes) -> None:
+        self.data = data
+        self.spots: list[Spot] = []
+
+    def _add(self, kind: Kind, at: int, code: str, item: Item | None = None) -> int:
+        """Note a number; returns its value."""
+        size = SIZES[code]
+        if at + size > len(self.data):
+            raise _OutOfData
+        self.spots.append(Spot(kind, at, size, item))
+        return int.from_bytes(self.data[at : at + size], "little")
+
+    def item(self, item: Item, at: int) -> int:
+        """Note what is in an item; returns where it ends."""
+        match item:
+            case Composite():
+                return self._composite(item, at)
+            case Number() | Real() | Bits():
+                self._add("number", at, item.code, item)
+                return at + SIZES[item.code]
+            case Choice():
+                chosen = self._add("tag", at, "B", item)
+                if chosen not in item.items:
+                    raise _OutOfData
+                return self.item(item.items[chosen], at + 1)
+            case Formatted():
+                chosen = self._add("tag", at, "B", item)
+                return self._bytes(item.count, at + 1, nested=chosen in item.nested_formats)
+            case Text(count=None):
+                return at + item.length
+            case Text():
+                assert item.count is not None
+                return self._bytes(item.count, at, nested=False)
+            case Blob():
+                return self._bytes(item.count, at, nested=item.nested is not None)
+            case Repeat():
+                return self._repeat(item, at)
+            case Union():
+                tag = self._add("tag", at, item.code, item)
+                if tag >= len(item.arms):
+                    raise _OutOfData
+                return self._composite(list(item.arms.values())[tag], at + SIZES[item.code])
+            case Grid():
+                for _ in range(math.prod(item.sizes)):
+                    at = self.item(item.item, at)
+                return at
+            case _:
+                raise TypeError(item)
+
+    def _composite(self, item: Composite, at: int) -> int:
+        mask = 0
+        if item.presence:
+            mask = self._add("presence", at, item.presence, item)
+            at += SIZES[item.presence]
+        bit = 1
+        for slot in item.slots:
+            if not slot.optional or mask & bit:
+                at = self.item(slot.item, at)
+            bit <<= slot.optional
+        return at
+
+    def _counted(self, count: Count, at: int, cuts: list[int], *, nested: bool = False) -> None:
+        self.spots.append(Spot("count", at, SIZES[count.code], None, tuple(cuts), nested))
+
+    def _bytes(self, count: Count, at: int, *, nested: bool) -> int:
+        size = self._add("count", at, count.code)
+        self.spots.pop()
+        start = at + SIZES[count.code]
+        end = min(start + size, len(self.data))
+        self._counted(count, at, [start, end], nested=nested)
+        if nested:
+            self._message(start, end)
+        return start + size
+
+    def _message(self, start: int, end: int) -> None:
+        """The spots of a message inside the message."""
+        from jauspy.messages import registry  # noqa: PLC0415 - what messages inside messages are looked up in
+
+        found = registry.nested(self.data[start:end], 0)
+        if isinstance(found, Message):
+            for spot in spots_of(type(found).layout(), self.data[start:end]):
+                cuts = tuple(cut + start for cut in spot.cuts)
+                self.spots.append(Spot(spot.kind, spot.at + start, spot.size, spot.item, cuts, spot.nested))
+
+    def _repeat(self, item: Repeat, at: int) -> int:
+        total = self._add("count", at, item.count.code)
+        place = len(self.spots) - 1
+        start = at
+        at += SIZES[item.count.code]
+        cuts = [at]
+        for _ in range(total):
+            at = self.item(item.item, at)
+            if at > len(self.data):
+                raise _OutOfData
+            cuts.append(at)
+        self.spots[place] = Spot("count", start, SIZES[item.count.code], item, tuple(cuts))
+        return at

@@ -1,0 +1,61 @@
+"""urn:jaus:jss:core:Liveliness 1.0. Generated from schemas/; do not edit."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Self
+
+from jauspy.codec import runtime as rt
+
+
+@dataclass(slots=True, repr=False)
+class QueryHeartbeatPulse(rt.Message):
+    """QueryHeartbeatPulse (0x2202): Asks for a sign of life."""
+
+    CODE = 0x2202
+    NAME = "QueryHeartbeatPulse"
+    SERVICE = "urn:jaus:jss:core:Liveliness"
+    VERSION = "1.0"
+    IS_COMMAND = False
+
+    @classmethod
+    def _layout(cls) -> rt.Item:
+        return rt.Composite(cls, ())
+
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        self = rt.new(cls)
+        code, = _S_H.unpack(data)
+        if code != 0x2202: raise rt.Reject
+        return self
+
+    def _pack(self) -> bytes:
+        return _S_H.pack(0x2202)
+
+
+@dataclass(slots=True, repr=False)
+class ReportHeartbeatPulse(rt.Message):
+    """ReportHeartbeatPulse (0x4202): The sign of life."""
+
+    CODE = 0x4202
+    NAME = "ReportHeartbeatPulse"
+    SERVICE = "urn:jaus:jss:core:Liveliness"
+    VERSION = "1.0"
+    IS_COMMAND = False
+
+    @classmethod
+    def _layout(cls) -> rt.Item:
+        return rt.Composite(cls, ())
+
+    @classmethod
+    def _unpack(cls, data: bytes, depth: int) -> Self:
+        self = rt.new(cls)
+        code, = _S_H.unpack(data)
+        if code != 0x4202: raise rt.Reject
+        return self
+
+    def _pack(self) -> bytes:
+        return _S_H.pack(0x4202)
+
+
+_S_H = rt.Packer("<H")

@@ -1,0 +1,23 @@
+"""urn:jaus:jss:manipulator:ManipulatorJointPositionListDriver 2.0. Generated from schemas/; do not edit."""
+
+from __future__ import annotations
+
+from jauspy.messages.manipulator.v1_0 import manipulator_joint_position_driver as manipulator_v1_0_manipulator_joint_position_driver
+
+
+class QueryCommandedJointPositions(manipulator_v1_0_manipulator_joint_position_driver.QueryCommandedJointPositions):
+    """QueryCommandedJointPositions (0x2608): Asks for the commanded position of each joint."""
+
+    __slots__ = ()
+    SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointPositionListDriver"
+    VERSION = "2.0"
+
+
+class ReportCommandedJointPositions(manipulator_v1_0_manipulator_joint_position_driver.ReportCommandedJointPositions):
+    """ReportCommandedJointPositions (0x4608): Tells the commanded position of each joint."""
+
+    __slots__ = ()
+    SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointPositionListDriver"
+    VERSION = "2.0"
+
+

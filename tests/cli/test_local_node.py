@@ -1,0 +1,79 @@
+"""A robot's node manager: one's own, or somebody else's that may end."""
+
+import asyncio
+from collections.abc import Callable
+from pathlib import Path
+
+import psutil
+import pytest
+
+from jauspy.cli import local_node
+from jauspy.node import NodeConfig, NodeManager
+from jauspy.protocol import junior
+from jauspy.transport import local_socket
+
+
+@pytest.fixture(autouse=True)
+def quick(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(local_node, "RESTART_DELAY", 0.05)
+
+
+def is_there(root: Path) -> bool:
+    return local_socket.is_alive(root / junior.SOCKET_NAME)
+
+
+async def until(condition: Callable[[], bool]) -> None:
+    async with asyncio.timeout(20):
+        while not condition():
+            await asyncio.sleep(0.02)
+
+
+def children() -> list[psutil.Process]:
+    return psutil.Process().children()
+
+
+async def test_one_that_was_running_is_replaced_when_it_ends(
+    root: Path, free_port: int, capsys: pytest.CaptureFixture[str]
+) -> None:
+    other = NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root))
+    await other.open()
+    async with local_node.node_manager(root, free_port) as node:
+        assert node.where == f"was running, local sockets in {root}"
+        assert children() == []
+        await other.close()
+        await until(lambda: is_there(root))
+        await until(lambda: "starting one" in capsys.readouterr().err)
+        assert len(children()) == 1
+        children()[0].kill()
+        await until(lambda: not is_there(root))
+        await until(lambda: is_there(root))
+    assert children() == []
+    assert list(root.iterdir()) == []
+
+
+async def test_a_child_is_stopped_even_when_its_keeper_never_ran(root: Path, free_port: int) -> None:
+    async with local_node.node_manager(root, free_port) as node:
+        assert node.where == f"UDP port {free_port}, local sockets in {root}"
+        assert len(children()) == 1
+    assert children() == []
+
+
+async def test_what_is_wrong_with_the_next_one_is_told_once(
+    root: Path, free_port: int, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The port is taken, so none can be started; when it is free, one is."""
+    with_port = NodeManager(NodeConfig(address="127.0.0.1", port=free_port, local_root=root / "elsewhere"))
+    other = NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root))
+    await with_port.open()
+    await other.open()
+    told = ""
+    async with local_node.node_manager(root, free_port):
+        await other.close()
+        async with asyncio.timeout(20):
+            while "--port" not in told:
+                told += capsys.readouterr().err
+                await asyncio.sleep(0.02)
+        await with_port.close()
+        await until(lambda: is_there(root))
+        told += capsys.readouterr().err
+    assert told.count("Error") == 1

@@ -1,0 +1,71 @@
+"""The command as a whole: help, wrong use, errors."""
+
+import subprocess
+import sys
+
+import pytest
+from typer.testing import CliRunner
+
+from jauspy import __version__
+from jauspy.cli.main import VERBS, app
+from jauspy.errors import ConfigError
+
+
+def run(*arguments, status=0):
+    result = CliRunner().invoke(app, list(arguments))
+    assert result.exit_code == status, result.output
+    return result
+
+
+@pytest.mark.parametrize("verb", sorted(VERBS))
+def test_every_verb_has_help_with_an_example(verb):
+    text = run(verb, "--help").output
+    assert f"jauspy {verb} " in text.partition("Example")[2]
+
+
+def test_help_lists_the_verbs():
+    text = run("--help").output
+    assert all(verb in text for verb in VERBS)
+
+
+def test_help_imports_nothing_heavy():
+    code = (
+        "import sys\nfrom jauspy.cli.main import app\napp(['--help'], standalone_mode=False)\n"
+        "print([m for m in ('asyncio', 'construct', 'dpkt', 'lxml', 'mujoco', 'pydantic', 'yaml') if m in sys.modules])"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.splitlines()[-1] == "[]"
+
+
+def test_version():
+    assert run("--version").output == f"jauspy {__version__}\n"
+
+
+@pytest.mark.parametrize(
+    "arguments", [["fly"], ["query"], ["decode", "--nonsense", "00"], ["up", "inc1", "--port", "0"]]
+)
+def test_wrong_use_is_status_2(arguments):
+    run(*arguments, status=2)
+
+
+def test_errors_are_one_sentence_unless_debugged():
+    assert run("query", "101.1", "QueryStatus", status=1).stderr.startswith("Error: '101.1' is not a JAUS id")
+    result = CliRunner().invoke(app, ["--debug", "query", "101.1", "QueryStatus"])
+    assert isinstance(result.exception, ConfigError)
+
+
+def test_a_command_is_no_query():
+    assert "use `jauspy send`" in run("query", "101.1.1", "Resume", status=1).stderr
+
+
+def test_a_query_is_not_sent():
+    assert "use `jauspy query`" in run("send", "101.1.1", "QueryStatus", status=1).stderr
+
+
+@pytest.mark.parametrize("verb", ["query", "send"])
+def test_ids_of_nobody_are_refused(verb):
+    assert "101.1.0 is nobody's id" in run(verb, "101.1.0", "QueryStatus", status=1).stderr
+
+
+def test_control_of_many_is_refused():
+    assert "one component at a time" in run("send", "101.1.255", "Resume", "--control", "9", status=1).stderr

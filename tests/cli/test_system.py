@@ -1,0 +1,180 @@
+"""Robot, client verbs and demo as processes, and that none of them stays behind."""
+
+import json
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import psutil
+import pytest
+
+JAUSPY = [sys.executable, "-m", "jauspy.cli.main"]
+
+
+def jauspy(*arguments, status=0):
+    done = subprocess.run([*JAUSPY, *arguments], capture_output=True, text=True, check=False, timeout=60)
+    assert done.returncode == status, done.stderr
+    assert "Traceback" not in done.stderr
+    return done
+
+
+def start(*arguments):
+    return subprocess.Popen([*JAUSPY, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+
+def wait_for(process, text):
+    """Read lines until one has `text`; the processes below it that run by then."""
+    for line in process.stdout:
+        if text in line:
+            return psutil.Process(process.pid).children(recursive=True)
+    pytest.fail(f"{text!r} was never printed: {process.stderr.read()}")
+
+
+def assert_gone(processes):
+    _, alive = psutil.wait_procs(processes, timeout=10)
+    assert not alive
+
+
+@pytest.fixture
+def robot(free_port, local_root):
+    process = start("up", "inc1", "--backend", "kinematic", "--port", str(free_port), "--local-root", str(local_root))
+    process.family = wait_for(process, "stop it")
+    yield process
+    process.kill()
+    process.communicate()
+    assert_gone(process.family)
+
+
+def test_list_query_and_send(robot, local_root, free_port):
+    local, udp = f"local:{local_root}", f"udp://127.0.0.1:{free_port}"
+    [found] = [json.loads(line) for line in jauspy("ls", "--json", "--connect", udp).stdout.splitlines()]
+    assert found["subsystem"] == 101
+    [component] = found["nodes"][0]["components"]
+    assert {"urn": "urn:jaus:jss:mobility:PrimitiveDriver", "version": "1.1"} in component["services"]
+    to = component["id"]
+
+    tree = jauspy("ls", "--connect", local).stdout
+    assert "mobility:PrimitiveDriver  1.1" in tree
+
+    status = json.loads(jauspy("query", to, "QueryStatus", "--connect", udp).stdout)
+    assert (status["message"], status["source"], status["fields"]["status"]) == ("ReportStatus", to, "STANDBY")
+
+    effort = "propulsive_linear_effort_x=60"
+    jauspy("send", to, "SetWrenchEffort", effort, "--control", "200", "--hold", "0.5", "--connect", local)
+    pose = json.loads(jauspy("query", to, "querylocalpose", "presence_vector=1", "--connect", local).stdout)
+    assert list(pose["fields"]) == ["x"]
+    assert pose["fields"]["x"] > 0.05
+
+    nobody = jauspy("query", "101.1.99", "QueryStatus", "--timeout", "0.3", "--connect", udp, status=1)
+    assert "101.1.99 was sent QueryStatus" in nobody.stderr
+
+
+def test_verbs_run_side_by_side_and_a_wildcard_names_who_answered(robot, local_root, free_port):
+    for where in (f"local:{local_root}", f"udp://127.0.0.1:{free_port}"):
+        asked = [start("query", "101.255.255", "QueryStatus", "--timeout", "1", "--connect", where) for _ in range(3)]
+        for each in asked:
+            out, err = each.communicate(timeout=20)
+            assert err == ""
+            assert [json.loads(line)["source"] for line in out.splitlines()] == ["101.1.102"]
+
+
+def test_send_says_what_speaks_against_an_effect(robot, local_root):
+    where = ("--connect", f"local:{local_root}")
+    effort = ("SetWrenchEffort", "propulsive_linear_effort_x=40")
+    assert "that is nobody: use --control" in jauspy("send", "101.1.102", *effort, *where).stderr
+    assert "does not answer" in jauspy("send", "101.1.99", "Resume", "--timeout", "0.3", *where).stderr
+    emergency = ("Emergency", "emergency_code=STOP")
+    assert jauspy("send", "101.1.102", f"Set{emergency[0]}", emergency[1], *where).stderr == ""
+    other = jauspy("send", "101.1.102", f"Clear{emergency[0]}", emergency[1], "--id", "42.1.77", *where).stderr
+    assert "still in EMERGENCY: whoever set it must clear it, and you are 42.1.77" in other
+    assert jauspy("send", "101.1.102", f"Clear{emergency[0]}", emergency[1], *where).stderr == ""
+
+
+def test_losing_control_while_holding_it_is_a_failure(robot, local_root):
+    where = ("--connect", f"local:{local_root}")
+    effort = ("SetWrenchEffort", "propulsive_linear_effort_x=10")
+    weak = start("send", "101.1.102", *effort, "--control", "100", "--hold", "30", *where)
+    for _ in range(20):
+        report = json.loads(jauspy("query", "101.1.102", "QueryControl", *where).stdout)
+        if report["fields"]["authority_code"] == 100:
+            break
+    jauspy("send", "101.1.102", "Resume", "--control", "200", *where)
+    _, err = weak.communicate(timeout=10)
+    assert weak.returncode == 1
+    assert err.startswith("Error: control of 101.1.102 was lost: 101.1.102 took it back")
+
+
+@pytest.mark.parametrize(("number", "status"), [(signal.SIGINT, 130), (signal.SIGTERM, 0)])
+def test_up_stops_in_order_and_leaves_nothing(robot, local_root, number, status):
+    assert len(robot.family) == 1
+    robot.send_signal(number)
+    _, err = robot.communicate(timeout=20)
+    assert (robot.returncode, err) == (status, "")
+    assert_gone(robot.family)
+    assert not list(local_root.iterdir())
+
+
+def test_a_killed_up_leaves_no_process(robot):
+    robot.kill()
+    robot.wait()
+    assert_gone(robot.family)
+
+
+def test_up_uses_the_node_manager_that_runs(robot, local_root):
+    copy = Path(local_root) / "other.toml"
+    source = Path(__file__).parents[2] / "src" / "jauspy" / "robots" / "inc1.toml"
+    copy.write_text(source.read_text().replace("subsystem = 101", "subsystem = 102"))
+    second = start("up", str(copy), "--backend", "kinematic", "--local-root", str(local_root))
+    assert wait_for(second, "node manager: was running") == []
+    second.terminate()
+    second.communicate(timeout=20)
+    copy.unlink()
+
+
+def test_a_dead_node_manager_is_started_again(robot, local_root):
+    robot.family[0].kill()
+    assert "node manager" in robot.stderr.readline()
+    found = jauspy("ls", "--connect", f"local:{local_root}", "--timeout", "4", "--json").stdout
+    assert json.loads(found)["subsystem"] == 101
+    robot.family += psutil.Process(robot.pid).children()
+
+
+def test_up_without_a_node_manager_says_what_to_do(local_root):
+    done = jauspy(
+        "up", "inc1", "--backend", "kinematic", "--no-node-manager", "--local-root", str(local_root), status=1
+    )
+    assert "jauspy node-manager" in done.stderr
+
+
+def test_an_unknown_robot_lists_the_known(local_root):
+    assert "known are: inc1" in jauspy("up", "nobody", "--local-root", str(local_root), status=1).stderr
+
+
+def test_the_demo(free_port):
+    text = jauspy("demo", "--backend", "kinematic", "--port", str(free_port)).stdout
+    for step in ("Discover subsystem 101", "Take control", "Resume", "Turn 90 degrees", "Standby", "Release", "Done"):
+        assert step in text
+    assert "final pose" in text
+    assert "0 without answer" in text
+    assert "\x1b" not in text
+
+
+@pytest.mark.parametrize(("number", "status"), [(signal.SIGINT, 130), (signal.SIGTERM, 1), (signal.SIGKILL, -9)])
+def test_a_stopped_demo_leaves_no_process(free_port, local_root, monkeypatch, number, status):
+    monkeypatch.setenv("TMPDIR", str(local_root))  # nobody can clean up after SIGKILL
+    demo = start("demo", "--backend", "kinematic", "--port", str(free_port))
+    family = wait_for(demo, "Drive 2 m forward")
+    assert len(family) == 2
+    demo.send_signal(number)
+    _, err = demo.communicate(timeout=20)
+    assert (demo.returncode, err) == (status, "")
+    assert_gone(family)
+    assert number == signal.SIGKILL or not list(local_root.iterdir())
+
+
+def test_a_taken_port_names_who_has_it(robot, free_port):
+    err = jauspy("demo", "--backend", "kinematic", "--port", str(free_port), status=1).stderr
+    assert f"UDP port {free_port} is used by process {robot.family[0].pid}" in err
+    assert f"make demo PORT={free_port + 1}" in err
+    assert len(err.splitlines()) == 1

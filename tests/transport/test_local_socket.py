@@ -1,0 +1,108 @@
+"""Unix sockets by name: who is alive, who is dead, and what a person is told who cannot have one."""
+
+import os
+import socket
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+
+from jauspy.errors import TransportError
+from jauspy.transport import local_socket
+
+
+@contextmanager
+def listening(path: Path, kind: socket.SocketKind = socket.SOCK_DGRAM) -> Iterator[None]:
+    with socket.socket(socket.AF_UNIX, kind) as sock:
+        sock.bind(str(path))
+        yield
+
+
+@contextmanager
+def without_rights(root: Path) -> Iterator[None]:
+    """As a user who is stopped by permissions, which root is not."""
+    if os.geteuid():
+        yield
+        return
+    root.chmod(0o755)
+    os.seteuid(65534)
+    try:
+        yield
+    finally:
+        os.seteuid(0)
+
+
+def test_alive_dead_and_neither(root: Path) -> None:
+    path = root / "x"
+    states = []
+    with listening(path):
+        states.append((local_socket.is_alive(path), local_socket.is_dead(path)))
+    states.append((local_socket.is_alive(path), local_socket.is_dead(path)))
+    path.unlink()
+    states.append((local_socket.is_alive(path), local_socket.is_dead(path)))
+    assert states == [(True, False), (False, True), (False, True)]
+
+
+def test_what_cannot_be_found_out_is_neither_alive_nor_dead(root: Path) -> None:
+    file = root / "file"
+    file.touch()
+    for path in (file / "JuniorRTE", root / ("x" * 200)):
+        assert (local_socket.is_alive(path), local_socket.is_dead(path)) == (False, False)
+
+
+def test_a_socket_that_this_user_may_not_use_is_neither_and_is_said_so(root: Path) -> None:
+    path = root / "x"
+    with listening(path):
+        path.chmod(0)
+        with without_rights(root):
+            assert (local_socket.is_alive(path), local_socket.is_dead(path)) == (False, False)
+            with pytest.raises(TransportError, match=rf"^this user may not use {path}; run as its owner"):
+                local_socket.bind(path, owner="a node manager")
+    assert path.is_socket()
+
+
+def test_a_file_instead_of_a_directory(root: Path) -> None:
+    file = root / "file"
+    file.touch()
+    with pytest.raises(TransportError, match=rf"^{file} is no directory, so it has no local sockets; choose another"):
+        local_socket.bind(file / "JuniorRTE", owner="a node manager")
+
+
+def test_a_socket_of_another_kind_is_left_alone(root: Path) -> None:
+    path = root / "x"
+    with listening(path, socket.SOCK_STREAM), pytest.raises(TransportError, match="is a socket of another kind"):
+        local_socket.bind(path, owner="a node manager")
+    assert path.is_socket()
+
+
+def test_whoever_is_there_already_is_named_with_what_to_do(root: Path) -> None:
+    path = root / "x"
+    with listening(path):
+        with pytest.raises(TransportError) as caught:
+            local_socket.bind(path, owner="a node manager")
+        assert str(caught.value) == (
+            f"a node manager is already running on {path}; stop it, or choose another directory for the local sockets"
+        )
+        with pytest.raises(TransportError, match="stop it, or use another id"):
+            local_socket.bind(path, owner="another component", advice="use another id")
+
+
+def test_no_hint_names_an_option_that_only_some_callers_have(root: Path) -> None:
+    file = root / "file"
+    file.touch()
+    for path in (root / ("x" * 200), file, file / "x"):
+        with pytest.raises(TransportError) as caught:
+            local_socket.bind(path, owner="a node manager")
+        assert "--" not in str(caught.value)
+
+
+def test_only_dead_sockets_are_cleaned_up(root: Path) -> None:
+    file, alive, dead = root / "file", root / "alive", root / "dead"
+    file.touch()
+    with listening(alive):
+        with listening(dead):
+            pass
+        for path in (file, alive, dead, root / "nothing"):
+            local_socket.clean_up(path)
+        assert sorted(root.iterdir()) == [alive, file]
