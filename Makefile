@@ -9,13 +9,14 @@ BIN := $(VENV)/bin
 PORT = 3794
 PYTEST_ARGS ?=
 CASES ?= 200000
+SECONDS ?= 600
 
 .DEFAULT_GOAL := help
-.PHONY: help setup dev demo test check lint types imports unit wheel-test bench fuzz format generate clean
+.PHONY: help setup dev demo test check lint types imports unit wheel-test bench fuzz soak format generate clean
 
 help:
 	@sed -n 's/^# //p' Makefile | head -3
-	@echo "others: lint types imports unit wheel-test bench fuzz format generate clean (see CONTRIBUTING.md)"
+	@echo "others: lint types imports unit wheel-test bench fuzz soak format generate clean (see CONTRIBUTING.md)"
 
 $(VENV)/.installed: pyproject.toml tools/setup_venv.sh
 	@PYTHON=$(PYTHON) tools/setup_venv.sh $(VENV) user

@@ -1,5 +1,6 @@
 """`jauspy node-manager` as a process."""
 
+import json
 import os
 import signal
 import socket
@@ -81,3 +82,86 @@ def test_the_mode_of_the_socket(free_port, local_root):
         mode = stat.S_IMODE((local_root / "JuniorRTE").stat().st_mode)
         process.terminate()
     assert mode == 0o600
+
+
+def run(*arguments):
+    return subprocess.run([*COMMAND, *arguments], capture_output=True, text=True, check=False, timeout=30)
+
+
+def test_the_printed_configuration_is_valid(tmp_path):
+    first = run("--print-config", "--port", "4000", "--metrics", "127.0.0.1:9794")
+    file = tmp_path / "nm.toml"
+    file.write_text(first.stdout)
+    again = run("--config", str(file), "--print-config")
+    assert (first.returncode, again.returncode) == (0, 0)
+    assert again.stdout == first.stdout
+    assert "\nport = 4000\n" in first.stdout
+
+
+def test_a_wrong_file_names_file_key_and_fix(tmp_path):
+    file = tmp_path / "nm.toml"
+    file.write_text("prot = 3795\n")
+    done = run("--config", str(file))
+    assert done.returncode == 1
+    assert f"{file}: is no configuration of a node manager" in done.stderr
+    assert "prot = 3795: there is no such key; known here are: address," in done.stderr
+
+
+def test_the_status_of_the_running_one(node_manager, free_port, local_root):
+    told = run("--status", "--local-root", str(local_root))
+    assert told.stdout.startswith(f"node manager, process {node_manager.pid}, up ")
+    assert f"0.0.0.0:{free_port}" in told.stdout
+    assert json.loads(run("--status", "--json", "--local-root", str(local_root)).stdout)["pid"] == node_manager.pid
+
+
+def test_no_status_where_none_runs(local_root):
+    done = run("--status", "--local-root", str(local_root))
+    assert done.returncode == 1
+    assert f"no node manager tells its status at {local_root}" in done.stderr
+
+
+def test_sighup_reads_the_file_again_and_a_bad_one_changes_nothing(free_port, local_root, tmp_path):
+    file = tmp_path / "nm.toml"
+    file.write_text(f'port = {free_port}\nlocal_root = "{local_root}"\n')
+    with subprocess.Popen(
+        [*COMMAND, "--config", str(file)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    ) as process:
+        assert "ready" in process.stdout.readline()
+        file.write_text(file.read_text() + "rate_limit = -1\n")
+        process.send_signal(signal.SIGHUP)
+        assert "the configuration stays as it was" in process.stderr.readline()
+        assert "rate_limit = -1" in process.stderr.readline()
+        file.write_text(file.read_text().replace("-1", "5") + "multicast_ttl = 2\n")
+        process.send_signal(signal.SIGHUP)
+        assert "read again; after a restart: multicast_ttl" in process.stderr.readline()
+        process.send_signal(signal.SIGTERM)
+        assert process.wait(20) == 0
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("", "has no [gateway]"),
+        ("[gateway]\nsubsystem = 102", "gateway.subsystem = 102: the robot is subsystem 101"),
+    ],
+)
+def test_a_robot_takes_only_its_own_gateway(tmp_path, local_root, text, told):
+    file = tmp_path / "gateway.toml"
+    file.write_text(text)
+    command = [*COMMAND[:-1], "up", "inc1", "--gateway", str(file), "--local-root", str(local_root)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=30)
+    assert done.returncode == 1
+    assert told in done.stderr
+
+
+def test_a_robot_behind_a_gateway(tmp_path, local_root, free_port):
+    file = tmp_path / "gateway.toml"
+    file.write_text(f'port = {free_port}\n[gateway]\nsubsystem = 101\n[[gateway.rules]]\nsource = "42.*.*"\n')
+    command = [*COMMAND[:-1], "up", "inc1", "--backend", "kinematic", "--gateway", str(file)]
+    with subprocess.Popen(
+        [*command, "--local-root", str(local_root)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    ) as process:
+        lines = [process.stdout.readline() for _ in range(3)]
+        assert f"UDP port {free_port}" in lines[2]
+        process.send_signal(signal.SIGTERM)
+        assert process.wait(20) == 0

@@ -10,7 +10,7 @@ import pytest
 from jauspy.codec.base import Message
 from jauspy.component import Component
 from jauspy.component.shell import MAX_PER_WAKEUP
-from jauspy.errors import EncodeError, TransportError
+from jauspy.errors import EncodeError, ProtocolError, ResponseTimeout, TransportError
 from jauspy.ids import EVERYONE, JausID
 from jauspy.messages.core import (
     QueryControl,
@@ -22,7 +22,8 @@ from jauspy.messages.core import (
     RequestControl,
     ServiceRec,
 )
-from jauspy.protocol.header import Ack, Packet
+from jauspy.protocol.delivery import Delivery
+from jauspy.protocol.header import Ack, DataFlag, Packet
 from jauspy.protocol.judp import pack, unpack
 from jauspy.services.core import AccessControl, Liveness
 from jauspy.services.host import Host
@@ -218,6 +219,55 @@ async def test_services_that_are_used_from_outside_are_woken():
         me.host.send(PEER, ReportHeartbeatPulse())
         me.wake()
         assert (await peer.next()).payload == ReportHeartbeatPulse().encode()
+
+
+async def test_delivered_means_acknowledged():
+    hub = LoopbackHub()
+    async with component(hub) as me, component(hub, PEER):
+        await me.deliver(PEER, ReportHeartbeatPulse())
+        assert me.counters["endpoint.delivered"] == 1
+
+
+async def test_what_is_not_acknowledged_is_resent_and_then_an_error():
+    hub = LoopbackHub()
+    async with component(hub, delivery=Delivery(ack_timeout=0.01)) as me, Peer(hub) as peer:
+        with pytest.raises(ResponseTimeout, match=r"2\.1\.1 did not acknowledge ReportHeartbeatPulse"):
+            await me.deliver(PEER, ReportHeartbeatPulse())
+        tries = [await peer.next() for _ in range(4)]
+        assert tries == [tries[0]] * 4
+        assert peer.packets.empty()
+
+
+async def test_nobody_waits_for_a_component_that_is_closed():
+    me = component(LoopbackHub())
+    with pytest.raises(TransportError, match="not open"):
+        await me.deliver(PEER, ReportHeartbeatPulse())
+    await me.open()
+    waiting = asyncio.create_task(me.deliver(PEER, ReportHeartbeatPulse()))
+    await asyncio.sleep(0)
+    with pytest.raises(ProtocolError, match="nobody acknowledges"):
+        await me.deliver(EVERYONE, ReportHeartbeatPulse())
+    await me.close()
+    with pytest.raises(TransportError, match="was closed"):
+        await waiting
+
+
+async def test_large_messages_go_out_in_pieces_and_come_in_whole():
+    hub = LoopbackHub()
+    seen: asyncio.Queue[Packet] = asyncio.Queue()
+
+    def mine(packet: Packet) -> bool:
+        seen.put_nowait(packet)
+        return True
+
+    async with component(hub, intercept=mine), component(hub, PEER) as other:
+        for ack in (Ack.NONE, Ack.REQUIRED):
+            ticket = other._endpoint.send(ME, b"\x01\x40" + bytes(400_000), now=time.monotonic(), ack=ack)
+            other.wake()
+            async with asyncio.timeout(5):
+                packet = await seen.get()
+            assert (len(packet.payload), packet.data_flag) == (400_002, DataFlag.SINGLE)
+            assert (ticket is None) == (ack is Ack.NONE)
 
 
 def queries(number: int, start: int = 0) -> bytes:

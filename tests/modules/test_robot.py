@@ -34,7 +34,7 @@ class Client:
 
     def tell(self, *messages: Message) -> None:
         for message in messages:
-            self._endpoint.send(ROBOT, message.encode())
+            self._endpoint.send(ROBOT, message.encode(), now=0.0)
         for datagram in self._endpoint.poll_output():
             self.transport.send(datagram)
 
@@ -51,7 +51,7 @@ class Client:
                 return report
 
     def _received(self, datagram: bytes) -> None:
-        self._endpoint.receive(datagram)
+        self._endpoint.receive(datagram, 0.0)
         while (packet := self._endpoint.next_event()) is not None:
             self._answers.put_nowait(registry.decode(packet.payload))
 

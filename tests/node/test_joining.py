@@ -56,6 +56,5 @@ async def test_broadcasts_go_on_where_they_can(root: Path) -> None:
             for data in (junior.connect(ID), everybody, everybody):
                 component.sendto(data, str(node.path))
             await until(lambda: node.counters["routed.multicast"] == 2)
-        assert node.counters["dropped.udp_unreachable"] == 2
         if not node.counters["multicast.not_joined"]:
             await until(lambda: node.counters["echoes"] == 2)

@@ -17,7 +17,7 @@ import pytest
 from jauspy.component import Component
 from jauspy.errors import TransportError
 from jauspy.ids import JausID
-from jauspy.messages.core import QueryHeartbeatPulse, QueryStatus, ReportStatus
+from jauspy.messages.core import QueryHeartbeatPulse, QueryStatus, ReportStatus, Standby
 from jauspy.node import NodeManager
 from jauspy.node.config import NodeConfig
 from jauspy.ocu import OCU
@@ -67,7 +67,7 @@ class Site:
         self.robot = Component(host, LocalTransport(ROBOT, root))
 
     def manager(self) -> NodeManager:
-        return NodeManager(NodeConfig(address="127.0.0.1", port=self.port, local_root=self.root))
+        return NodeManager(NodeConfig(address="127.0.0.1", port=self.port, local_root=self.root, tcp=True))
 
 
 @pytest.fixture
@@ -77,13 +77,15 @@ async def site() -> AsyncIterator[Site]:
     shutil.rmtree(root)
 
 
-@pytest.mark.parametrize("form", ["udp://127.0.0.1:{port}", "local:{root}"])
+@pytest.mark.parametrize("form", ["udp://127.0.0.1:{port}", "tcp://127.0.0.1:{port}", "local:{root}"])
 async def test_an_ocu_finds_and_controls_a_robot(site, form):
     async with site.manager(), site.robot, OCU(connect=form.format(port=site.port, root=site.root)) as ocu:
         driver = (await ocu.discover(101)).service("mobility:PrimitiveDriver")
         async with driver.control():
             await driver.resume()
             assert site.robot.host.controller == ocu.id
+            await driver.send(Standby(), ack=True)
+            assert await driver.status() == Status.STANDBY
         assert site.robot.host.controller is None
         assert await driver.status() == Status.STANDBY
 

@@ -163,9 +163,11 @@ async def test_stats(world):
     assert 0 < stats.rtt_min <= stats.rtt_median <= stats.rtt_max < 1
 
 
-@pytest.mark.parametrize("connect", ["tcp://x", "udp://", "local:", "udp://host:99999", "udp://host/path", "10.0.0.1"])
+@pytest.mark.parametrize(
+    "connect", ["http://x", "tcp://", "udp://", "local:", "udp://host:99999", "udp://host/path", "10.0.0.1"]
+)
 async def test_a_wrong_connect_shows_the_forms(connect):
-    with pytest.raises(ConfigError, match=r"udp://HOST\[:PORT\].*local:DIRECTORY"):
+    with pytest.raises(ConfigError, match=r"udp://HOST\[:PORT\].*tcp://HOST.*local:DIRECTORY"):
         await jauspy.OCU("42.1.1", connect=connect).open()
 
 

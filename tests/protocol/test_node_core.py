@@ -5,7 +5,7 @@ from hypothesis import given, strategies as st
 
 from jauspy.ids import EVERYONE, JausID
 from jauspy.protocol import directory, judp, junior, waiting
-from jauspy.protocol.echoes import Echoes
+from jauspy.protocol.echoes import LIFETIME, Echoes
 from jauspy.protocol.header import Ack, Broadcast, Packet
 from jauspy.protocol.node import NodeCore
 from jauspy.protocol.ports import GROUP, LocalPort, Port, UdpPort
@@ -156,7 +156,7 @@ def test_many_unknown_destinations_are_bounded(node: NodeCore) -> None:
 def test_the_answer_goes_to_the_port_that_was_heard(node: NodeCore) -> None:
     after(node, message(FAR, A), FAR_PORT)
     assert after(node, message(A, FAR), port(A)) == [(FAR_PORT, message(A, FAR))]
-    moved = UdpPort("10.77.0.9", 3794)
+    moved = UdpPort(FAR_PORT.host, 4002)
     after(node, message(FAR, A), moved)
     assert after(node, message(A, FAR), port(A)) == [(moved, message(A, FAR))]
 
@@ -194,7 +194,7 @@ def test_packed_datagrams_are_unpacked_for_everybody(node: NodeCore) -> None:
 
 
 def test_a_dead_component_leaves_the_living_alone(node: NodeCore) -> None:
-    node.unreachable(port(A).path)
+    node.unreachable(port(A))
     data = message(FAR, JausID(100, 255, 255))
     assert after(node, data, FAR_PORT) == [(port(B), data), (port(C), data)]
     after(node, message(A, B), port(A))
@@ -245,5 +245,13 @@ def test_the_bytes_that_wait_are_bounded(node: NodeCore) -> None:
 def test_only_the_newest_own_multicasts_are_remembered() -> None:
     echoes = Echoes(limit=2)
     for data in (b"a", b"b", b"a", b"c"):
-        echoes.add(data)
-    assert [data in echoes for data in (b"a", b"b", b"c", b"d")] == [True, False, True, False]
+        echoes.add(data, "lan", 0.0)
+    assert [echoes.heard(data, "lan", 0.1) for data in (b"a", b"b", b"c", b"d")] == [True, False, True, False]
+
+
+def test_a_multicast_is_remembered_for_its_network_and_for_a_short_time() -> None:
+    echoes = Echoes()
+    echoes.add(b"a", "lan", 5.0)
+    assert echoes.heard(b"a", "lan", 5.0 + LIFETIME / 2)
+    assert not echoes.heard(b"a", "vehicle", 5.0 + LIFETIME / 2)
+    assert not echoes.heard(b"a", "lan", 5.0 + LIFETIME)

@@ -35,9 +35,9 @@ def test_two_nodes_find_each_other_by_an_acknowledgement(node: NodeCore) -> None
     assert receive(node, second, SENDER_PORT) == [(PEER, second)]
 
 
-def test_the_bit_is_set_behind_the_bytes_of_proposed_compression(node: NodeCore) -> None:
+def test_proposed_compression_is_taken_and_not_passed_on(node: NodeCore) -> None:
     assert receive(node, "024012000700010101650002016400aabb0100", SENDER_PORT) == [
-        (GROUP, "024012000700110101650002016400aabb0100")
+        (GROUP, "02001000110101650002016400aabb0100")
     ]
 
 

@@ -1,7 +1,11 @@
 """One suite over every transport."""
 
 import asyncio
-from collections.abc import AsyncIterator, Callable
+import os
+import pty
+import tty
+from collections.abc import AsyncIterator, Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
@@ -9,25 +13,85 @@ import pytest
 from jauspy.errors import TransportError
 from jauspy.ids import EVERYONE, JausID
 from jauspy.node import NodeConfig, NodeManager
+from jauspy.node.config import SerialConfig
 from jauspy.protocol import judp
 from jauspy.protocol.header import MAX_PAYLOAD, Broadcast, Packet
-from jauspy.transport import LocalTransport, LoopbackHub, LoopbackTransport, Transport, UdpTransport
+from jauspy.transport import (
+    LocalTransport,
+    LoopbackHub,
+    LoopbackTransport,
+    SerialLine,
+    SerialTransport,
+    TcpTransport,
+    Transport,
+    UdpTransport,
+)
 
 A, B, C = (JausID.parse(text) for text in ("101.1.1", "101.1.2", "101.1.3"))
 
 Make = Callable[[JausID], Transport]
 
 
-@pytest.fixture(params=["local", "udp", "loopback"])
+class Wire:
+    """Carries bytes from one file to another, at the pace of the slower one."""
+
+    def __init__(self, source: int, sink: int) -> None:
+        self._source, self._sink, self._bytes = source, sink, b""
+        self._loop = asyncio.get_running_loop()
+        self._loop.add_reader(source, self._read)
+
+    def _read(self) -> None:
+        self._bytes = os.read(self._source, 1000)
+        self._loop.remove_reader(self._source)
+        self._loop.add_writer(self._sink, self._write)
+
+    def _write(self) -> None:
+        self._bytes = self._bytes[os.write(self._sink, self._bytes) :]
+        if not self._bytes:
+            self._loop.remove_writer(self._sink)
+            self._loop.add_reader(self._source, self._read)
+
+    def close(self) -> None:
+        self._loop.remove_reader(self._source)
+        self._loop.remove_writer(self._sink)
+
+
+@contextmanager
+def null_modem() -> Iterator[tuple[str, str]]:
+    """Two serial devices whose ends are wired to each other: two pseudo terminals, with bytes carried between them."""
+    (a, device_a), (b, device_b) = pty.openpty(), pty.openpty()
+    for end in (a, b, device_a, device_b):
+        tty.setraw(end)
+        os.set_blocking(end, False)
+    wires = (Wire(a, b), Wire(b, a))
+    yield os.ttyname(device_a), os.ttyname(device_b)
+    for wire in wires:
+        wire.close()
+    for end in (a, b, device_a, device_b):
+        os.close(end)
+
+
+@pytest.fixture(params=["local", "udp", "tcp", "serial", "loopback"])
 async def make(request: pytest.FixtureRequest, root: Path) -> AsyncIterator[Make]:
-    """Makes transports that reach each other; the UDP one reaches components behind a node manager."""
+    """Makes transports that reach each other; by UDP, TCP and serial line, A reaches those behind a node manager."""
     if request.param == "loopback":
         hub = LoopbackHub()
         yield lambda own: LoopbackTransport(own, hub)
         return
-    async with NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root)) as manager:
+    config = NodeConfig(address="127.0.0.1", port=0, local_root=root, tcp=request.param == "tcp", tcp_port=0)
+    if request.param == "serial":
+        with null_modem() as (ours, theirs):
+            line = SerialConfig(device=theirs, baud_rate=115200)
+            async with NodeManager(config.model_copy(update={"serial": (line,)})):
+                yield lambda own: SerialTransport(own, SerialLine(ours)) if own == A else LocalTransport(own, root)
+        return
+    async with NodeManager(config) as manager:
         if request.param == "local":
             yield lambda own: LocalTransport(own, root)
+        elif request.param == "tcp":
+            assert manager.tcp_port is not None
+            there = ("127.0.0.1", manager.tcp_port)
+            yield lambda own: TcpTransport(own, there) if own == A else LocalTransport(own, root)
         else:
             peer = ("127.0.0.1", manager.port)
             yield lambda own: UdpTransport(own, peer=peer) if own == A else LocalTransport(own, root)

@@ -12,6 +12,7 @@ from typing import Final
 
 from jauspy.cli import console
 from jauspy.cli.children import Child, ChildFailed
+from jauspy.errors import ConfigError
 from jauspy.protocol import junior
 from jauspy.transport import local_socket
 
@@ -94,6 +95,22 @@ class Keeper:
         """Wait while one runs that somebody else has started; no event says when it ends."""
         while self.is_there():  # noqa: ASYNC110
             await asyncio.sleep(RESTART_DELAY)
+
+
+def gateway_port(path: Path, subsystem: int, root: Path, *, starts: bool) -> int:
+    """The port in the configuration file of a gateway; `ConfigError` unless it can be put before this robot."""
+    from jauspy.node import config_file
+
+    config = config_file.load(path)
+    if config.gateway is None:
+        raise ConfigError(f"{path}: has no [gateway]; `jauspy node-manager --print-config` shows how one looks")
+    if config.gateway.subsystem != subsystem:
+        raise ConfigError(f"{path}: gateway.subsystem = {config.gateway.subsystem}: the robot is subsystem {subsystem}")
+    if not starts:
+        raise ConfigError("--gateway needs a node manager of its own; leave out --no-node-manager")
+    if local_socket.is_alive(root / junior.SOCKET_NAME):
+        raise ConfigError(f"--gateway: a node manager runs in {root} already; stop it, or choose another --local-root")
+    return config.port
 
 
 def _forward(line: str) -> None:

@@ -2,44 +2,79 @@
 
 from __future__ import annotations
 
+import json
 import re
-import signal
 import sys
-from collections.abc import Mapping
-from typing import TYPE_CHECKING
+from pathlib import Path
+from typing import Annotated, Any
 
 import typer
 
-from jauspy.cli.options import (
-    DEFAULT_ADDRESS,
-    DEFAULT_GROUP,
-    DEFAULT_MODE,
-    DEFAULT_PORT,
-    DEFAULT_ROOT,
-    Address,
-    Interface,
-    LocalRoot,
-    MulticastGroup,
-    OwnRoot,
-    Port,
-    SocketMode,
-    Verbose,
-    WithParent,
-)
-
-if TYPE_CHECKING:
-    from jauspy.node import NodeConfig
+from jauspy.cli.options import DEFAULT_ROOT, OwnRoot, WithParent
 
 
 def node_manager(
     *,
-    port: Port = DEFAULT_PORT,
-    address: Address = DEFAULT_ADDRESS,
-    local_root: LocalRoot = DEFAULT_ROOT,
-    socket_mode: SocketMode = DEFAULT_MODE,
-    multicast_group: MulticastGroup = DEFAULT_GROUP,
-    interface: Interface = None,
-    verbose: Verbose = False,
+    config: Annotated[
+        Path | None,
+        typer.Option("--config", metavar="FILE", help="TOML file with all settings; SIGHUP reads its rules again."),
+    ] = None,
+    print_config: Annotated[
+        bool, typer.Option("--print-config", help="Print all settings as a TOML file with comments, and end.")
+    ] = False,
+    status: Annotated[
+        bool, typer.Option("--status", help="Print what the running one at --local-root says of itself, and end.")
+    ] = False,
+    as_json: Annotated[bool, typer.Option("--json", help="With --status: as JSON.")] = False,
+    port: Annotated[
+        int | None,
+        typer.Option("--port", min=1, max=65535, help="UDP port; 3794 is registered for JAUS.", show_default="3794"),
+    ] = None,
+    address: Annotated[
+        str | None,
+        typer.Option("--address", metavar="IP", help="Local address to receive on. Default: all of this machine."),
+    ] = None,
+    local_root: Annotated[
+        Path | None,
+        typer.Option(
+            "--local-root",
+            metavar="DIR",
+            help="Directory of the local sockets (JuniorRTE).",
+            show_default=str(DEFAULT_ROOT),
+        ),
+    ] = None,
+    multicast_group: Annotated[
+        str | None,
+        typer.Option(
+            "--multicast-group", metavar="IP", help="Group that broadcasts are sent to.", show_default="239.255.0.1"
+        ),
+    ] = None,
+    interface: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--interface", metavar="IP", help="Address of an interface to join the group on; may be repeated."
+        ),
+    ] = None,
+    metrics: Annotated[
+        str | None, typer.Option("--metrics", metavar="IP:PORT", help="Serve metrics for Prometheus there.")
+    ] = None,
+    mirror: Annotated[
+        str | None,
+        typer.Option("--mirror", metavar="WHERE", help="Copy all routed packets to a pcapng FILE or udp:IP:PORT."),
+    ] = None,
+    log: Annotated[
+        str | None, typer.Option("--log", metavar="text|json", help="Form of the log.", show_default="text")
+    ] = None,
+    verbose: Annotated[bool, typer.Option("--verbose", "-v", help="Log what is dropped and why.")] = False,
+    socket_mode: Annotated[
+        str | None,
+        typer.Option(
+            "--socket-mode",
+            metavar="OCTAL",
+            help="Permissions of the local socket: who on this machine may attach a component.",
+            show_default="660",
+        ),
+    ] = None,
     with_parent: WithParent = False,
     own_root: OwnRoot = False,
 ) -> None:
@@ -47,32 +82,40 @@ def node_manager(
 
     It takes the place of the JAUS Toolset's and FKIE's node managers: local components find it at JuniorRTE in the
     local root, other nodes on UDP 3794 and by multicast. SIGUSR1 prints the counters, Ctrl-C or SIGTERM ends it.
+    With --config, SIGHUP reads rules and limits of the file again. Options go before what the file says.
 
     Example:
       jauspy node-manager --port 3795 --local-root /tmp/second
     """
     from jauspy.cli.run import end_with_parent, remove_if_empty, run
-    from jauspy.node import NodeConfig
+    from jauspy.node import config_file
 
-    if verbose:
-        log_everything()
+    overrides: dict[str, Any] = {
+        "port": port,
+        "address": address,
+        "local_root": local_root,
+        "multicast_group": multicast_group,
+        "multicast_interfaces": tuple(interface) if interface else None,
+        "metrics": metrics,
+        "mirror": mirror,
+        "local_mode": None if socket_mode is None else mode_of(socket_mode),
+        "log": log,
+        "log_level": "debug" if verbose else None,
+    }
+    if status:
+        return _status(local_root, config, as_json=as_json)
+    settings = config_file.load(config, overrides)
+    if print_config:
+        print(config_file.to_toml(settings), end="")
+        return None
     if with_parent:
         end_with_parent()
-    run(
-        serve(
-            NodeConfig.make(
-                address=address,
-                port=port,
-                local_root=local_root,
-                local_mode=mode_of(socket_mode),
-                multicast_group=multicast_group,
-                multicast_interfaces=tuple(interface or ()),
-            ),
-            quiet=with_parent,
-        )
-    )
+    from jauspy.cli.node_serve import serve
+
+    run(serve(settings, None if config is None else lambda: config_file.load(config, overrides), quiet=with_parent))
     if own_root:
-        remove_if_empty(local_root)
+        remove_if_empty(settings.local_root)
+    return None
 
 
 def mode_of(text: str) -> int:
@@ -84,35 +127,24 @@ def mode_of(text: str) -> int:
     )
 
 
-async def serve(config: NodeConfig, *, quiet: bool) -> None:
-    """Run a node manager until cancelled; say so when it is ready, print the counters at the end unless `quiet`."""
+def _status(root: Path | None, config: Path | None, *, as_json: bool) -> None:
+    """Two looks, because rates need them."""
     import asyncio
 
-    from jauspy.node import NodeManager
+    from jauspy.cli.node_status import show
+    from jauspy.node import config_file, status
 
-    async with NodeManager(config) as manager:
-        asyncio.get_running_loop().add_signal_handler(signal.SIGUSR1, print_counters, manager.counters)
-        print(
-            f"node manager ready: UDP {config.address}:{manager.port}, local sockets in {config.local_root}", flush=True
-        )
-        try:
-            await manager.run()
-        finally:
-            if not quiet:
-                print_counters(manager.counters)
+    if root is None:
+        root = DEFAULT_ROOT if config is None else config_file.load(config).local_root
 
+    async def look() -> tuple[dict[str, Any], dict[str, Any]]:
+        before = await status.read(root)
+        await asyncio.sleep(status.RATE_INTERVAL)
+        return before, await status.read(root)
 
-def print_counters(counters: Mapping[str, int], title: str = "counters:") -> None:
-    """The counters that are not zero, one per line, on stderr."""
-    counted = {name: count for name, count in sorted(counters.items()) if count}
-    width = max(map(len, counted), default=0)
-    lines = [f"  {name:<{width}}  {count}" for name, count in counted.items()] or ["  nothing was received or sent"]
-    print(title, *lines, sep="\n", file=sys.stderr, flush=True)
-
-
-def log_everything() -> None:
-    """Every log line, on stderr."""
-    import logging
-
-    logging.basicConfig(level=logging.DEBUG, format="%(asctime)s %(levelname)s %(name)s: %(message)s")
-    logging.getLogger("asyncio").setLevel(logging.WARNING)
+    now = status.with_rates(*asyncio.run(look()))
+    if as_json:
+        json.dump(now, sys.stdout)
+        print()
+    else:
+        show(now)

@@ -44,7 +44,8 @@ Connect = Annotated[
     typer.Option(
         "--connect",
         metavar="WHERE",
-        help="How to reach the node manager: udp://HOST:PORT or local:DIR. Default: the one in /tmp, else multicast.",
+        help="How to reach the node manager: udp://HOST:PORT, tcp://HOST:PORT or local:DIR. "
+        "Default: the one in /tmp, else multicast.",
     ),
 ]
 OwnId = Annotated[

@@ -68,6 +68,12 @@ def up(
     no_node_manager: Annotated[
         bool, typer.Option("--no-node-manager", help="Start no node manager; wait for one in the local root.")
     ] = False,
+    gateway: Annotated[
+        Path | None,
+        typer.Option(
+            "--gateway", metavar="FILE", help="Put a gateway before it: a node manager with this configuration file."
+        ),
+    ] = None,
     verbose: Verbose = False,
     with_parent: WithParent = False,
     own_root: OwnRoot = False,
@@ -75,13 +81,16 @@ def up(
     """Run a robot, and a node manager when none runs in the local root.
 
     The robot stands in Standby until a client takes control and resumes it. The options on addresses and sockets are
-    those of the node manager that is started. SIGUSR1 prints all counters, Ctrl-C ends everything in order.
+    those of the node manager that is started; with --gateway its configuration file has them, no other node manager
+    may run, and it connects and filters its networks (see `jauspy node-manager --print-config`). SIGUSR1 prints all
+    counters, Ctrl-C ends everything in order.
 
     Example:
       jauspy up inc1 --backend kinematic
     """
-    from jauspy.cli.local_node import node_manager
-    from jauspy.cli.node_manager import log_everything, mode_of
+    from jauspy.cli.local_node import gateway_port, node_manager
+    from jauspy.cli.node_manager import mode_of
+    from jauspy.cli.node_serve import log_everything
     from jauspy.cli.run import end_with_parent, remove_if_empty, run
     from jauspy.errors import ConfigError
     from jauspy.modules import robots
@@ -93,17 +102,23 @@ def up(
         log_everything()
     if with_parent:
         end_with_parent()
+    config = robots.load(robot)
     runner = RobotRunner(
-        robots.load(robot),
+        config,
         lambda component: LocalTransport(component, local_root),
         backend=None if backend is None else backend.value,
         world=world,
     )
     if world is not None and runner.config.backend == BackendName.KINEMATIC:
         raise ConfigError("the backend kinematic is an empty plane and has no worlds; leave out --world, or use sim")
-    options = ["--address", address, "--multicast-group", multicast_group, "--socket-mode", socket_mode]
-    for each in interface or ():
-        options += ["--interface", each]
+    if gateway is not None:
+        in_file = gateway_port(gateway, config.subsystem, local_root, starts=not no_node_manager)
+        port = in_file if port == DEFAULT_PORT else port
+        options = ["--config", str(gateway)]
+    else:
+        options = ["--address", address, "--multicast-group", multicast_group, "--socket-mode", socket_mode]
+        for each in interface or ():
+            options += ["--interface", each]
     options += ["--verbose"] * verbose
     node = None if no_node_manager else node_manager(local_root, port, options)
     run(_up(runner, node, local_root))
@@ -116,7 +131,7 @@ async def _up(runner: RobotRunner, node: AbstractAsyncContextManager[Keeper] | N
     import asyncio
     import signal
 
-    from jauspy.cli.node_manager import print_counters
+    from jauspy.cli.node_serve import print_counters
 
     async with AsyncExitStack() as stack:
         keeper = await stack.enter_async_context(node) if node else None

@@ -12,9 +12,11 @@ from types import TracebackType
 from typing import Final, Self
 
 from jauspy.codec.base import Message
+from jauspy.component.deliveries import Deliveries
 from jauspy.component.guard import Guard
-from jauspy.errors import ProtocolError
+from jauspy.errors import ProtocolError, TransportError
 from jauspy.ids import JausID
+from jauspy.protocol.delivery import Delivery
 from jauspy.protocol.endpoint import Endpoint
 from jauspy.protocol.header import Ack, Broadcast, Packet, Priority
 from jauspy.services.host import Host
@@ -32,8 +34,9 @@ Intercept = Callable[[Packet], bool]
 class Component:
     """Runs `host` on `transport`: `async with Component(host, transport): ...`, or `await component.run()`.
 
-    `clock` is monotonic, in seconds. While the transport has no connection, what is sent is dropped and counted there,
-    and everything goes on when it is back. The network, and bugs of services, raise nothing here.
+    `clock` is monotonic, in seconds; `delivery` has the settings of reliable delivery and large messages.
+    While the transport has no connection, what is sent is dropped and counted there, and everything goes on when it is
+    back. The network, and bugs of services, raise nothing here.
     """
 
     def __init__(
@@ -44,13 +47,15 @@ class Component:
         clock: Callable[[], float] = time.monotonic,
         intercept: Intercept | None = None,
         first_sequence: int | None = None,
+        delivery: Delivery | None = None,
     ) -> None:
         self.host = host
         self.transport = transport
         self._clock = clock
         self._intercept = intercept
         start = random.randrange(0x10000) if first_sequence is None else first_sequence  # noqa: S311 - not a secret
-        self._endpoint = Endpoint(host.id, first_sequence=start)
+        self._endpoint = Endpoint(host.id, first_sequence=start, delivery=delivery)
+        self._deliveries = Deliveries(self._endpoint)
         self._errors: Counter[str] = Counter()
         self._guard = Guard(f"component {host.id}", self._errors)
         self._timer: asyncio.TimerHandle | None = None
@@ -127,9 +132,23 @@ class Component:
         broadcast: Broadcast = Broadcast.NONE,
         ack: Ack = Ack.NONE,
     ) -> None:
-        """Send a message as this component, now; raises `EncodeError` or, when it is too long, `ProtocolError`."""
-        self._endpoint.send(destination, message.encode(), priority=priority, broadcast=broadcast, ack=ack)
-        self._transmit()
+        """Send a message as this component, now; raises `EncodeError` or, when it is too long, `ProtocolError`.
+
+        With `Ack.REQUIRED` it is resent until acknowledged or given up, which is counted; `deliver` waits for that.
+        """
+        self._send(destination, message, priority, broadcast, ack)
+
+    async def deliver(self, destination: JausID, message: Message, *, priority: Priority = Priority.STANDARD) -> None:
+        """Send, and wait until it was acknowledged; raises `ResponseTimeout` when it was not, after all resends.
+
+        Also raises `ProtocolError` for a wildcard destination, since nobody acknowledges broadcasts.
+        """
+        if destination.is_wildcard:
+            raise ProtocolError("not_acknowledged", f"{destination} is a broadcast, which nobody acknowledges")
+        if self._loop is None:
+            raise TransportError(f"component {self.id} is not open")
+        ticket = self._send(destination, message, priority, Broadcast.NONE, Ack.REQUIRED)
+        await self._deliveries.wait(ticket, f"{destination} did not acknowledge {message.NAME}")
 
     def wake(self) -> None:
         """Call this after acting on the host from outside: sends what it wants to send, sets its timers."""
@@ -137,11 +156,22 @@ class Component:
 
     # --- inside ---------------------------------------------------------------------------------------------------
 
+    def _send(
+        self, destination: JausID, message: Message, priority: Priority, broadcast: Broadcast, ack: Ack
+    ) -> int | None:
+        payload = message.encode()
+        now = self._clock()
+        ticket = self._endpoint.send(destination, payload, now=now, priority=priority, broadcast=broadcast, ack=ack)
+        self._transmit()
+        if self._loop is not None:
+            self._schedule(self._loop)
+        return ticket
+
     def _received(self, datagram: bytes) -> None:
         if self._loop is None:
             return
         with self._guard:
-            self._endpoint.receive(datagram)
+            self._endpoint.receive(datagram, self._clock())
         if self._continuation is None:
             self._handle(self._loop)
 
@@ -178,7 +208,7 @@ class Component:
 
     def _pack(self, destination: JausID, payload: bytes, priority: Priority, broadcast: Broadcast) -> None:
         try:
-            self._endpoint.send(destination, payload, priority=priority, broadcast=broadcast)
+            self._endpoint.send(destination, payload, now=self._clock(), priority=priority, broadcast=broadcast)
         except ProtocolError as error:
             reason = f"unsendable.{error.reason}"
             if not self._errors[reason]:
@@ -188,22 +218,27 @@ class Component:
     def _transmit(self) -> None:
         for datagram in self._endpoint.poll_output():
             self.transport.send(datagram)
+        self._deliveries.settle()
 
     def _schedule(self, loop: asyncio.AbstractEventLoop) -> None:
         if self._timer is not None:
             self._timer.cancel()
             self._timer = None
-        at = self.host.next_timeout()
+        at = min(
+            (at for at in (self.host.next_timeout(), self._endpoint.next_timeout()) if at is not None), default=None
+        )
         if at is not None:
             self._timer = loop.call_later(max(0.0, at - self._clock()), self._timeout)
 
     def _timeout(self) -> None:
         with self._guard:
+            self._endpoint.handle_timeout(self._clock())
             self.host.handle_timeout(self._clock())
         self._flush()
 
     def _stop(self) -> None:
         self._loop = None
+        self._deliveries.fail(TransportError(f"component {self.id} was closed before this was acknowledged"))
         if self._continuation is not None:
             self._continuation.cancel()
             self._continuation = None

@@ -33,9 +33,12 @@ class Mailbox:
         self._socket: socket.socket | None = None
         self._waiting = Outbox()
 
+    def __len__(self) -> int:
+        return len(self._waiting)
+
     def send(self, datagram: bytes) -> None:
         """Send now, or as soon as the component reads; what does not fit the queue is dropped and counted."""
-        if not self._waiting and self._try(datagram):
+        if not self._waiting and (self._sent(datagram) or self._try(datagram)):
             return
         if not self._waiting and self._socket is not None:
             self._loop.add_writer(self._socket, self._drain)
@@ -65,6 +68,16 @@ class Mailbox:
                 self._waiting.pop()
         if not self._waiting and self._socket is not None:
             self._loop.remove_writer(self._socket)
+
+    def _sent(self, datagram: bytes) -> bool:
+        """The usual case; false sends it the careful way."""
+        if self._socket is None:
+            return False
+        try:
+            self._socket.send(datagram)
+        except OSError:
+            return False
+        return True
 
     def _try(self, datagram: bytes) -> bool:
         """False when it must wait; true when it was sent, or is lost because the component is gone."""

@@ -3,28 +3,38 @@
 from __future__ import annotations
 
 import asyncio
-import logging
 import socket
 from collections.abc import Mapping
+from contextlib import AsyncExitStack
 from pathlib import Path
 from types import TracebackType
-from typing import Self
+from typing import TYPE_CHECKING, Final, Self
 
 from jauspy.ids import JausID
+from jauspy.node import keys, operations, policy
 from jauspy.node.config import NodeConfig
+from jauspy.node.ingress import Ingress
+from jauspy.node.links import Links
 from jauspy.node.mailbox import Mailbox
-from jauspy.node.sockets import UdpSockets, open_udp
+from jauspy.node.network import Network
+from jauspy.node.state import NodeState
 from jauspy.protocol import junior
 from jauspy.protocol.node import NodeCore
-from jauspy.protocol.ports import LocalPort, UdpPort
+from jauspy.protocol.ports import GroupPort, LocalPort, NetworkPort, Port, SerialPort, TcpPort, UdpPort
+from jauspy.protocol.sources import Sources
 from jauspy.transport import draining, local_socket, memberships
-from jauspy.transport.multicast import ANY
 
-_LOGGER = logging.getLogger(__name__)
+if TYPE_CHECKING:
+    from jauspy.node.mirror import Mirror
+
+MAX_SENDERS: Final = 4096
+"""Names of local sockets that are remembered."""
+RELOADABLE: Final = ("gateway", "source_check", "rate_limit", "rate_burst", "addresses", "address_books")
+"""Settings that `NodeManager.reload` takes over."""
 
 
 class NodeManager:
-    """Owns UDP 3794, the multicast group, and the local socket `<local_root>/JuniorRTE`.
+    """Owns UDP 3794 and the multicast group on each network, and the local socket `<local_root>/JuniorRTE`.
 
     Use it as a context manager, or `open` and `close` it. `TransportError` when another one is running.
     """
@@ -33,12 +43,28 @@ class NodeManager:
 
     def __init__(self, config: NodeConfig | None = None) -> None:
         self.config = config or NodeConfig()
-        self._core = NodeCore(str(self.config.local_root), is_dead=self._is_dead)
-        self._udp: UdpSockets | None = None
+        self._known = self.config.known_addresses()
+        self._core = NodeCore(
+            str(self.config.local_root),
+            addresses=self._known,
+            address_lifetime=self.config.address_lifetime,
+            local_udp=self.config.local_udp,
+            is_dead=self._is_dead,
+            networks=[network.name for network in self.config.all_networks],
+            gateway=policy.gateway(self.config),
+            sources=Sources(policy.limits(self.config)),
+        )
+        self._networks: dict[str, Network] = {}
         self._local: socket.socket | None = None
+        self._ingress: Ingress | None = None
         self._mailboxes: dict[str, Mailbox] = {}
+        self._senders: dict[str | bytes | None, LocalPort] = {}
+        self._mirror: Mirror | None = None
+        self._mirrored: Port = LocalPort("")
+        self._links = Links(self._core.counters, self.config.name, self._from_link, self._core.disconnected)
         self._timer: asyncio.TimerHandle | None = None
         self._watch: asyncio.TimerHandle | None = None
+        self._extras = AsyncExitStack()
         self._closed = asyncio.Event()
 
     async def __aenter__(self) -> Self:
@@ -57,8 +83,19 @@ class NodeManager:
 
     @property
     def port(self) -> int:
-        """The UDP port in use; also when the configuration said 0."""
-        return self.config.port if self._udp is None else int(self._udp.unicast.getsockname()[1])
+        """The UDP port in use on the first network; also when the configuration said 0."""
+        return self.port_of(self.config.name)
+
+    def port_of(self, network: str) -> int:
+        """The UDP port in use on a network."""
+        if network in self._networks:
+            return self._networks[network].port
+        return next(each.port for each in self.config.all_networks if each.name == network)
+
+    @property
+    def tcp_port(self) -> int | None:
+        """The TCP port in use, if any."""
+        return self._links.tcp_port
 
     @property
     def components(self) -> tuple[JausID, ...]:
@@ -70,42 +107,76 @@ class NodeManager:
         """What was received, routed and dropped, by reason."""
         return self._core.counters
 
+    @property
+    def state(self) -> NodeState:
+        """What the status and the metrics are made from."""
+        waiting = {path: len(mailbox) for path, mailbox in self._mailboxes.items()}
+        ingress = len(self._ingress or ())
+        return NodeState(self.config, self._core, self._networks, waiting, ingress, self._loop.time())
+
     async def open(self) -> None:
         """Bind everything, or nothing."""
-        self._local = local_socket.bind(self.path, owner="a node manager", mode=self.config.local_mode)
+        self._loop = asyncio.get_running_loop()
+        config = self.config
+        self._local = local_socket.bind(self.path, owner="a node manager", mode=config.local_mode)
         try:
-            self._udp = open_udp(self.config)
+            local_socket.give_to_group(self.path, config.local_group)
+            for each in config.all_networks:
+                seal = keys.load(each.key_file)
+                self._networks[each.name] = Network(
+                    each, self._core.counters, config.receive_buffer, seal, self._core.unreachable
+                )
+            await self._links.open(config, self.port, (port for ports in self._known.values() for port in ports))
+            self._mirror = await operations.open_all(self._extras, config, lambda: self.state)
         except BaseException:
-            self._local.close()
-            self.path.unlink(missing_ok=True)
-            self._local = None
+            await self.close()
             raise
         self._closed.clear()
-        if not self._udp.joined:
-            self._core.counters["multicast.not_joined"] += 1
-        self._loop = asyncio.get_running_loop()
-        self._watch = self._loop.call_later(memberships.WATCH_INTERVAL, self._watch_interfaces)
         draining.attach(self._loop, self._local, self._from_component, self._socket_error, done=self._flush)
-        for sock in self._udp.all():
-            draining.attach(self._loop, sock, self._from_network, self._socket_error, done=self._flush)
+        self._ingress = Ingress(self._from_network, self._flush, self._core.counters)
+        for name, network in self._networks.items():
+            for sock in network.sockets:
+                self._ingress.attach(sock, name, self._udp_error, skip=network.skip)
+        self._watch = self._loop.call_later(memberships.WATCH_INTERVAL, self._watch_interfaces)
 
     async def close(self) -> None:
         """Give everything back; a second call does nothing."""
-        udp, local = self._udp, self._local
-        self._udp = self._local = None
-        if udp is None or local is None:
+        local, self._local = self._local, None
+        if local is None:
             return
         for timer in (self._timer, self._watch):
             if timer is not None:
                 timer.cancel()
         self._timer = self._watch = None
+        await self._links.close()
         for mailbox in self._mailboxes.values():
             mailbox.close()
         self._mailboxes.clear()
-        for sock in (local, *udp.all()):
-            draining.detach(self._loop, sock)
+        draining.detach(self._loop, local)
+        for network in self._networks.values():
+            for sock in network.sockets:
+                self._loop.remove_reader(sock)
+            network.close()
+        self._networks.clear()
+        self._mirror = None
+        await self._extras.aclose()
         local_socket.clean_up(self.path)
         self._closed.set()
+
+    def reload(self, config: NodeConfig) -> list[str]:
+        """Take over rules, limits and addresses; returns the settings that differ and need a restart.
+
+        Raises `ConfigError`, and then nothing has changed. New TCP peers are connected to after a restart.
+        """
+        gateway, known = policy.gateway(config), config.known_addresses()
+        self._core.gateway = gateway
+        self._core.address_book.tell({int(id): ports for id, ports in known.items()})
+        self._core.sources.limit(policy.limits(config))
+        names = type(config).model_fields
+        changed = [name for name in names if getattr(config, name) != getattr(self.config, name)]
+        taken = {name: getattr(config, name) for name in changed if name in RELOADABLE}
+        self.config = self.config.model_copy(update=taken)
+        return [name for name in changed if name not in RELOADABLE]
 
     async def run(self) -> None:
         """Wait until somebody closes it."""
@@ -114,13 +185,38 @@ class NodeManager:
     # --- in ------------------------------------------------------------------------------------------------------
 
     def _from_component(self, datagram: bytes, sender: str | bytes | None) -> None:
-        self._core.receive(datagram, LocalPort(_path(sender)), self._loop.time())
+        port = self._senders.get(sender)
+        if port is None:
+            if len(self._senders) > MAX_SENDERS:
+                self._senders.clear()
+            port = self._senders[sender] = LocalPort(_path(sender))
+        self._take(datagram, port)
 
-    def _from_network(self, datagram: bytes, sender: tuple[str, int]) -> None:
-        self._core.receive(datagram, UdpPort(*sender), self._loop.time())
+    def _from_network(self, data: bytes, port: UdpPort) -> None:
+        network = self._networks.get(port.network)
+        datagram = None if network is None else network.open_seal(data)
+        if datagram is not None:
+            self._take(datagram, port)
+
+    def _from_link(self, datagram: bytes, port: NetworkPort) -> None:
+        self._take(datagram, port)
+        self._flush()
+
+    def _take(self, datagram: bytes, port: Port) -> None:
+        self._core.receive(datagram, port, self._loop.time())
+        if self._mirror is not None:
+            self._mirrored = port
+            self._flush()
 
     def _socket_error(self, error: OSError) -> None:
         self._core.counters.drop("socket_error", error)
+
+    def _udp_error(self, error: OSError) -> None:
+        """A wake-up without a datagram, too, is for datagrams that have come back."""
+        if not isinstance(error, BlockingIOError):
+            self._core.counters.drop("udp_unreachable", error)
+        for network in self._networks.values():
+            network.take_back()
 
     # --- out -----------------------------------------------------------------------------------------------------
 
@@ -128,10 +224,18 @@ class NodeManager:
         for port, datagram in self._core.poll_output():
             if isinstance(port, LocalPort):
                 self._send_local(port.path, datagram)
-            elif isinstance(port, UdpPort):
-                self._send_udp(datagram, port)
+            elif (network := self._networks.get(port.network)) is None:
+                self._core.counters.drop("closed")
+            elif isinstance(port, GroupPort):
+                network.multicast(datagram)
+                if port.network == self.config.name:
+                    self._links.broadcast(datagram)
+            elif isinstance(port, TcpPort | SerialPort):
+                self._links.send(port, datagram)
             else:
-                self._send_multicast(datagram)
+                network.send(datagram, port.host, port.port)
+            if self._mirror is not None:
+                self._mirror.add(self._mirrored, port, datagram)
         self._arm()
 
     def _send_local(self, path: str, datagram: bytes) -> None:
@@ -145,7 +249,7 @@ class NodeManager:
 
     def _gone(self, path: str) -> None:
         self._mailboxes.pop(path, None)
-        self._core.unreachable(path)
+        self._core.unreachable(LocalPort(path))
         self._bury(path)
 
     def _is_dead(self, path: str) -> bool:
@@ -161,44 +265,20 @@ class NodeManager:
             local_socket.clean_up(socket_path)
 
     def _forget_cancelled(self) -> None:
-        alive = {path for _, path in self._core.components}
+        alive = {port.path for _, port in self._core.components if isinstance(port, LocalPort)}
         for path in [path for path in self._mailboxes if path not in alive]:
             self._mailboxes.pop(path).close()
 
-    def _send_udp(self, datagram: bytes, address: tuple[str, int]) -> None:
-        if self._udp is None:
-            return
-        try:
-            self._udp.unicast.sendto(datagram, address)
-        except OSError as error:
-            self._core.counters.drop("udp_unreachable", error)
-
-    def _send_multicast(self, datagram: bytes) -> None:
-        for interface in self.config.interfaces:
-            if self._udp is None or not self._leave_by(interface, self._udp.unicast):
-                continue
-            self._send_udp(datagram, (self.config.multicast_group, self.port))
-
-    def _leave_by(self, interface: str, sender: socket.socket) -> bool:
-        """Let multicasts leave by this interface; false while it is not there."""
-        try:
-            if interface != ANY:
-                sender.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_IF, socket.inet_aton(interface))
-        except OSError as error:
-            self._core.counters.drop("udp_unreachable", error)
-            return False
-        return True
-
     def _watch_interfaces(self) -> None:
-        if self._udp is not None and self._udp.memberships is not None:
-            self._udp.memberships.refresh()
+        for network in self._networks.values():
+            network.watch_interfaces()
         self._watch = self._loop.call_later(memberships.WATCH_INTERVAL, self._watch_interfaces)
 
     # --- time ----------------------------------------------------------------------------------------------------
 
     def _arm(self) -> None:
         when = self._core.next_timeout()
-        if when is None or self._udp is None:
+        if when is None or self._local is None:
             return
         if self._timer is None:
             self._timer = self._loop.call_at(when, self._timeout)

@@ -34,7 +34,8 @@ _NODE_TYPE = 40001
 class OCU:
     """`async with jauspy.OCU("42.1.1") as ocu: robot = await ocu.discover(subsystem=101)`.
 
-    `connect`: None (the node manager of this machine, else multicast), `"udp://HOST[:PORT]"` or `"local:DIRECTORY"`.
+    `connect`: None (the node manager of this machine, else multicast), `"udp://HOST[:PORT]"`, `"tcp://HOST[:PORT]"` or
+    `"local:DIRECTORY"`.
     `timeout` (seconds) and `retries` are what queries use unless told otherwise; `registry` has the known messages.
     Others see the OCU as a subsystem with one component that answers discovery and heartbeat.
     """
@@ -155,8 +156,14 @@ class OCU:
         async for answer, source in self._link.query_each(_id(destination), message, within, expects):
             yield source, answer
 
-    async def send(self, destination: str | JausID, message: Message) -> None:
-        """Send to any component, or to all that a wildcard id reaches."""
+    async def send(self, destination: str | JausID, message: Message, *, ack: bool = False) -> None:
+        """Send to any component, or to all that a wildcard id reaches.
+
+        With `ack` it is resent until that one component acknowledges it, or `ResponseTimeout` is raised.
+        """
+        if ack:
+            await self._link.deliver(_id(destination), message)
+            return
         self._link.send(_id(destination), message)
 
 

@@ -11,11 +11,12 @@ from urllib.parse import urlsplit
 from jauspy.errors import ConfigError, TransportError
 from jauspy.ids import JausID
 from jauspy.protocol import judp, junior
-from jauspy.transport import LocalTransport, Transport, UdpTransport, local_socket
+from jauspy.transport import LocalTransport, TcpTransport, Transport, UdpTransport, local_socket
 
 DEFAULT_ROOT: Final = Path("/tmp")  # noqa: S108 - where every JAUS node manager has its sockets
 FORMS: Final = (
-    "'udp://HOST[:PORT]' (a node manager elsewhere), 'local:DIRECTORY' (the node manager of this machine with its "
+    "'udp://HOST[:PORT]' or 'tcp://HOST[:PORT]' (a node manager elsewhere), "
+    "'local:DIRECTORY' (the node manager of this machine with its "
     "sockets there, as in local:/tmp), or None (the one in /tmp if it runs, else multicast)"
 )
 
@@ -33,6 +34,8 @@ async def transport_for(id: JausID, connect: str | None) -> Transport:
         return LocalTransport(id, _directory(connect))
     if connect.startswith("udp://"):
         return UdpTransport(id, peer=await _resolved(*_address(connect)))
+    if connect.startswith("tcp://"):
+        return TcpTransport(id, _address(connect))
     raise ConfigError(f"connect={connect!r} is not understood; use {FORMS}")
 
 
@@ -50,7 +53,7 @@ def _address(connect: str) -> tuple[str, int]:
     except ValueError:
         host, port = None, 0
     if not host or parts.path or parts.query or parts.username is not None:
-        raise ConfigError(f"connect={connect!r} is no UDP address; use {FORMS}")
+        raise ConfigError(f"connect={connect!r} is no address; use {FORMS}")
     return host, port
 
 

@@ -113,6 +113,11 @@ class Link:
             if destination.matches(id):
                 control.sent(message)
 
+    async def deliver(self, destination: JausID, message: Message) -> None:
+        """Send a message and wait for its ACK; raises `ResponseTimeout` when none comes after all resends."""
+        self.recorder.sent += 1
+        await self._open().deliver(destination, message)
+
     async def query(
         self,
         destination: JausID,

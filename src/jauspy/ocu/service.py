@@ -66,10 +66,16 @@ class ServiceClient:
         patience = self._link.patience.changed(timeout, retries)
         return await self._link.query(self.id, message, patience=patience, expects=expects)
 
-    async def send(self, message: Message) -> None:
-        """Send a command; raises `ControlRejected` when control was taken and is lost meanwhile."""
+    async def send(self, message: Message, *, ack: bool = False) -> None:
+        """Send a command; raises `ControlRejected` when control was taken and is lost meanwhile.
+
+        With `ack` it is resent until the component acknowledges it; raises `ResponseTimeout` when that stays out.
+        """
         if message.IS_COMMAND and message.CODE not in _FREE_FOR_ALL:
             self._link.check_control(self.id)
+        if ack:
+            await self._link.deliver(self.id, message)
+            return
         self._link.send(self.id, message)
         await asyncio.sleep(0)
 

@@ -1,42 +1,88 @@
-"""Which network address a JAUS id was last heard from; bounded, because peers fill it."""
+"""Which network address a JAUS id has: told by the configuration, or learned from where it was last heard."""
 
 from __future__ import annotations
 
 from collections import OrderedDict
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Final, TypeAlias
+
+from jauspy.protocol import addressing
+from jauspy.protocol.ports import NetworkPort
 
 Address: TypeAlias = tuple[str, int]
 """Host and port, as sockets give them."""
+Entries: TypeAlias = Mapping[int, Sequence[NetworkPort]]
+"""Addresses by id, a 32-bit number which may have wildcards."""
 
 MAX_LEARNED: Final = 4096
+LIFETIME: Final = 600.0
+"""Seconds without a word after which a learned address is forgotten, and asked for again."""
 
 
 class AddressBook:
-    """Static entries, which never change, and learned ones, of which the least recently heard is forgotten first.
+    """Static entries, which never change, and learned ones, which expire; the least recently heard is forgotten first.
 
-    Keys are ids as 32-bit numbers.
+    An exact static entry goes before a learned one, and that before a static one with wildcards.
     """
 
-    def __init__(self, static: Mapping[int, Address] | None = None, *, limit: int = MAX_LEARNED) -> None:
-        self._static = dict(static or {})
-        self._learned: OrderedDict[int, Address] = OrderedDict()
+    def __init__(self, static: Entries | None = None, *, limit: int = MAX_LEARNED, lifetime: float = LIFETIME) -> None:
+        self._learned: OrderedDict[int, tuple[NetworkPort, float]] = OrderedDict()
         self._limit = limit
+        self._lifetime = lifetime
+        self.tell(static or {})
+
+    def tell(self, static: Entries) -> None:
+        """Use these static entries from now on; what was learned stays."""
+        self._static = tuple((id, tuple(ports)) for id, ports in static.items())
+        self._exact = {id: ports[0] for id, ports in self._static if ports and not addressing.is_wildcard(id)}
+        self._patterns = [(id, ports[0]) for id, ports in self._static if ports and addressing.is_wildcard(id)]
 
     def __len__(self) -> int:
         return len(self._static) + len(self._learned)
 
-    def find(self, id: int) -> Address | None:
-        """Where to send what is for this id."""
-        return self._static.get(id) or self._learned.get(id)
+    def __iter__(self) -> Iterator[tuple[int, NetworkPort, float | None]]:
+        """Id, address, and when it was heard last; None for what the configuration told."""
+        yield from ((id, port, None) for id, ports in self._static for port in ports)
+        yield from ((id, port, heard) for id, (port, heard) in self._learned.items())
 
-    def learn(self, id: int, address: Address) -> bool:
+    def find(self, id: int, now: float) -> NetworkPort | None:
+        """Where to send what is for this id."""
+        static = self._exact.get(id)
+        if static is not None:
+            return static
+        learned = self._learned.get(id)
+        if learned is not None:
+            if now - learned[1] < self._lifetime:
+                return learned[0]
+            del self._learned[id]
+        return next((port for pattern, port in self._patterns if addressing.reaches(pattern, id)), None)
+
+    def learn(self, id: int, port: NetworkPort, now: float) -> bool:
         """Remember the source address of a packet; True when that is news."""
-        if id in self._static:
+        if id in self._exact:
             return False
-        news = self._learned.get(id) != address
-        self._learned[id] = address
+        known = self._learned.get(id)
+        self._learned[id] = (port, now)
         self._learned.move_to_end(id)
-        if len(self._learned) > self._limit:
+        while len(self._learned) > self._limit or now - next(iter(self._learned.values()))[1] >= self._lifetime:
             self._learned.popitem(last=False)
-        return news
+        return known is None or known[0] != port or now - known[1] >= self._lifetime
+
+    def forget(self, port: NetworkPort) -> None:
+        """Nothing is reached there any more, as when a connection was closed."""
+        for id in [id for id, (known, _) in self._learned.items() if known == port]:
+            del self._learned[id]
+
+    def told_about(self, destination: int) -> list[NetworkPort]:
+        """The static addresses of all that a broadcast may be for, each once: not every network has multicast."""
+        found = (port for id, ports in self._static if _overlap(destination, id) for port in ports)
+        return list(dict.fromkeys(found))
+
+
+def _overlap(one: int, other: int) -> bool:
+    """True when some id is addressed by both."""
+    for shift, mask in ((16, 0xFFFF), (8, 0xFF), (0, 0xFF)):
+        a, b = one >> shift & mask, other >> shift & mask
+        if a != b and mask not in (a, b):
+            return False
+    return True

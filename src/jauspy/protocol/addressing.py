@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-ALL_SUBSYSTEMS = 0xFFFF0000
-ALL_NODES = 0xFF00
-ALL_COMPONENTS = 0xFF
-
 
 def is_wildcard(id: int) -> bool:
     """True when the id addresses all of some level."""
-    return id & ALL_COMPONENTS == ALL_COMPONENTS or id & ALL_NODES == ALL_NODES or id >= ALL_SUBSYSTEMS
+    return id & 0xFF == 0xFF or id & 0xFF00 == 0xFF00 or id >= 0xFFFF0000
 
 
 def is_unassigned(id: int) -> bool:
     """True when some part is zero: a component that waits to be given its id."""
-    return not (id >> 16 and id & ALL_NODES and id & ALL_COMPONENTS)
+    return not (id >> 16 and id & 0xFF00 and id & 0xFF)
+
+
+def is_vague(id: int) -> bool:
+    """True when the id does not name one component: nobody's address can be told from it."""
+    return not (0 < id >> 16 < 0xFFFF and 0 < id >> 8 & 0xFF < 0xFF and 0 < id & 0xFF < 0xFF)
 
 
 def reaches(destination: int, id: int) -> bool:

@@ -1,52 +1,68 @@
-"""The components of this machine: which id listens on which socket."""
+"""The components of this machine: which id listens where."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Final
+from typing import Final, TypeAlias
 
 from jauspy.protocol import addressing
+from jauspy.protocol.ports import LocalPort, UdpPort
 
 MAX_COMPONENTS: Final = 1024
 
+ComponentPort: TypeAlias = LocalPort | UdpPort
+"""A component's Unix socket, or its UDP port on this machine, as ROS/IOP components have it."""
+
 
 class Directory:
-    """Ids (32-bit numbers) and the socket paths they were last heard from."""
+    """Ids (32-bit numbers) and the ports they were last heard from."""
 
     def __init__(self) -> None:
-        self._paths: dict[int, str] = {}
+        self._ports: dict[int, ComponentPort] = {}
+        self._ids: dict[ComponentPort, set[int]] = {}
 
     def __len__(self) -> int:
-        return len(self._paths)
+        return len(self._ports)
 
     def __contains__(self, id: int) -> bool:
-        return id in self._paths
+        return id in self._ports
 
-    def __iter__(self) -> Iterator[tuple[int, str]]:
-        return iter(list(self._paths.items()))
+    def __iter__(self) -> Iterator[tuple[int, ComponentPort]]:
+        return iter(list(self._ports.items()))
 
-    def path(self, id: int) -> str | None:
-        """The socket of exactly this id."""
-        return self._paths.get(id)
+    def port(self, id: int) -> ComponentPort | None:
+        """Where exactly this id listens."""
+        return self._ports.get(id)
 
-    def register(self, id: int, path: str) -> bool:
-        """Note that `id` listens on `path`, the last one to say so wins; False when there is no room or no id."""
-        if id == 0 or (id not in self._paths and len(self._paths) >= MAX_COMPONENTS):
+    def has_port(self, port: ComponentPort) -> bool:
+        """True when some component listens there."""
+        return port in self._ids
+
+    def register(self, id: int, port: ComponentPort) -> bool:
+        """Note that `id` listens on `port`, the last one to say so wins; False when there is no room or no id."""
+        if id == 0 or (id not in self._ports and len(self._ports) >= MAX_COMPONENTS):
             return False
-        self._paths[id] = path
+        if self._ports.get(id) != port:
+            self.remove(id)
+            self._ports[id] = port
+            self._ids.setdefault(port, set()).add(id)
         return True
 
     def remove(self, id: int) -> None:
         """Forget a component."""
-        self._paths.pop(id, None)
+        port = self._ports.pop(id, None)
+        if port is not None:
+            self._ids[port].discard(id)
+            if not self._ids[port]:
+                del self._ids[port]
 
-    def remove_path(self, path: str) -> list[int]:
-        """Forget all that listen on this socket; returns their ids."""
-        gone = [id for id, own in self._paths.items() if own == path]
+    def remove_port(self, port: ComponentPort) -> list[int]:
+        """Forget all that listen there; returns their ids."""
+        gone = sorted(self._ids.get(port, ()))
         for id in gone:
-            del self._paths[id]
+            self.remove(id)
         return gone
 
-    def reached_by(self, destination: int, *, besides: int | None = None) -> list[str]:
-        """The sockets of all components that a broadcast addresses, except the one it comes from."""
-        return [path for id, path in self._paths.items() if id != besides and addressing.reaches(destination, id)]
+    def reached_by(self, destination: int, *, besides: int | None = None) -> list[ComponentPort]:
+        """The ports of all components that a broadcast addresses, except the one it comes from."""
+        return [port for id, port in self._ports.items() if id != besides and addressing.reaches(destination, id)]

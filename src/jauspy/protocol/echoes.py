@@ -1,4 +1,4 @@
-"""What a node manager has multicast lately, to know it when the network brings it back."""
+"""What a node manager has multicast lately, to know it when a network brings it back."""
 
 from __future__ import annotations
 
@@ -6,23 +6,26 @@ from collections import OrderedDict
 from typing import Final
 
 MEMORY: Final = 1024
-"""Datagrams to remember; a copy comes back within one turn of the event loop or two."""
+"""Datagrams to remember."""
+LIFETIME: Final = 2.0
+"""Seconds; a copy comes back within a few turns of the event loop, and a peer may say the same again later."""
 
 
 class Echoes:
-    """Remembers datagrams by their hash, the newest `limit` of them."""
+    """Remembers datagrams by their hash and the network they are not to be taken from, the newest `limit` of them."""
 
     def __init__(self, limit: int = MEMORY) -> None:
-        self._hashes: OrderedDict[int, None] = OrderedDict()
+        self._until: OrderedDict[tuple[int, str], float] = OrderedDict()
         self._limit = limit
 
-    def __contains__(self, datagram: bytes) -> bool:
-        return bool(self._hashes) and hash(datagram) in self._hashes
+    def heard(self, datagram: bytes, network: str, now: float) -> bool:
+        """True when this network has brought back what was remembered for it."""
+        return bool(self._until) and self._until.get((hash(datagram), network), now) > now
 
-    def add(self, datagram: bytes) -> None:
+    def add(self, datagram: bytes, network: str, now: float) -> None:
         """Remember one; several copies may come back, one per interface."""
-        key = hash(datagram)
-        self._hashes[key] = None
-        self._hashes.move_to_end(key)
-        if len(self._hashes) > self._limit:
-            self._hashes.popitem(last=False)
+        key = (hash(datagram), network)
+        self._until[key] = now + LIFETIME
+        self._until.move_to_end(key)
+        if len(self._until) > self._limit:
+            self._until.popitem(last=False)

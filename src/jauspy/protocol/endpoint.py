@@ -1,16 +1,21 @@
-"""A component's side of AS5669A: numbers what it sends, acknowledges what asks for it, hands up what is for it."""
+"""A component's side of AS5669A: numbers, acknowledges, resends, cuts up and puts together, drops what came twice."""
 
 from __future__ import annotations
 
 import logging
 from collections import deque
+from dataclasses import replace
 from typing import Final, TypeVar
 
 from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
 from jauspy.protocol import addressing, header, judp, junior
 from jauspy.protocol.counters import Counters
+from jauspy.protocol.delivery import Delivery, Outcome
+from jauspy.protocol.duplicates import Duplicates
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet, Priority
+from jauspy.protocol.reassembly import Reassembly
+from jauspy.protocol.transfers import Transfers
 
 _LOGGER = logging.getLogger(__name__)
 _Item = TypeVar("_Item", bytes, Packet)
@@ -26,41 +31,56 @@ class Endpoint:
     starts at the same number again.
     """
 
-    def __init__(self, id: JausID, *, first_sequence: int) -> None:
+    def __init__(self, id: JausID, *, first_sequence: int, delivery: Delivery | None = None) -> None:
         self.id = id
         self.counters = Counters(_LOGGER)
+        self._settings = delivery or Delivery()
         self._sequence = first_sequence & 0xFFFF
         self._output: deque[bytes] = deque()
         self._input: deque[Packet] = deque()
+        self._duplicates = Duplicates(self._settings.memory_of_resends)
+        self._reassembly = Reassembly(self._settings, self.counters)
+        self._transfers = Transfers(self._settings, self.counters, self._emit, self._reserve)
 
     def send(
         self,
         destination: JausID,
         payload: bytes,
         *,
+        now: float,
         priority: Priority = Priority.STANDARD,
         broadcast: Broadcast = Broadcast.NONE,
         ack: Ack = Ack.NONE,
-    ) -> None:
-        """Queue one message; raises `ProtocolError` when it does not fit one packet."""
-        if len(payload) > header.MAX_PAYLOAD:
-            raise ProtocolError("oversize", f"{len(payload)} bytes; one packet carries {header.MAX_PAYLOAD}")
+    ) -> int | None:
+        """Queue one message; with `Ack.REQUIRED` it is resent until acknowledged, and `next_outcome` tells its ticket.
+
+        Raises `ProtocolError` for a message that is too large, and when too much is under way.
+        """
+        large = len(payload) > header.MAX_PAYLOAD
+        if len(payload) > self._settings.max_message:
+            raise ProtocolError("oversize", f"{len(payload)} bytes; messages have up to {self._settings.max_message}")
         if destination.is_wildcard:
+            if large:
+                raise ProtocolError("oversize", f"{len(payload)} bytes; a broadcast has up to {header.MAX_PAYLOAD}")
             ack = Ack.NONE
             if broadcast is Broadcast.NONE:
                 broadcast = Broadcast.GLOBAL
-        packet = Packet(self.id, destination, payload, self._sequence, priority, broadcast, ack)
-        self._sequence = (self._sequence + 1) & 0xFFFF
-        self._emit(packet)
+        packet = Packet(self.id, destination, payload, 0, priority, broadcast, ack)
+        ticket = None
+        if large or ack is Ack.REQUIRED:
+            ticket = self._transfers.start(packet, now)
+        else:
+            self._emit(replace(packet, sequence=self._reserve(1)))
         self.counters["sent"] += 1
+        return ticket if ack is Ack.REQUIRED else None
 
-    def receive(self, datagram: bytes | memoryview) -> None:
+    def receive(self, datagram: bytes | memoryview, now: float) -> None:
         """Take one datagram; malformed ones are counted by reason, never raised."""
         if junior.parse(datagram) is not None:
             return
         packets, errors = judp.unpack_all(datagram)
         for packet in packets:
-            self._take(packet)
+            self._take(packet, now)
         for error in errors:
             self.counters.drop(f"malformed.{error.reason}", error)
 
@@ -71,19 +91,53 @@ class Endpoint:
         return out
 
     def next_event(self) -> Packet | None:
-        """The next received packet that carries a message, or None."""
+        """The next message that was received, whole however many pieces it came in, or None."""
         return self._input.popleft() if self._input else None
 
-    def _take(self, packet: Packet) -> None:
+    def next_outcome(self) -> Outcome | None:
+        """How the next message that wanted to be acknowledged ended, or None."""
+        return self._transfers.next_outcome()
+
+    def next_timeout(self) -> float | None:
+        """When `handle_timeout` wants to be called, or None."""
+        times = (self._transfers.next_timeout(), self._reassembly.next_timeout())
+        return min((time for time in times if time is not None), default=None)
+
+    def handle_timeout(self, now: float) -> None:
+        """Resend, send further pieces, give up what waited too long."""
+        self._transfers.handle_timeout(now)
+        self._reassembly.handle_timeout(now)
+
+    def _take(self, packet: Packet, now: float) -> None:
         if not addressing.reaches(int(packet.destination), int(self.id)):
             self.counters.drop("not_for_us", packet.destination)
-        elif packet.ack in (Ack.ACK, Ack.NAK):
-            self.counters["received.ack" if packet.ack is Ack.ACK else "received.nak"] += 1
-        elif packet.data_flag is not DataFlag.SINGLE:
-            self.counters.drop("fragment", "a piece of a large message")
-        else:
+        elif packet.ack is Ack.ACK:
+            known = self._transfers.acknowledge(int(packet.source), packet.sequence, now)
+            self.counters["received.ack" if known else "received.ack_unexpected"] += 1
+        elif packet.ack is Ack.NAK:
+            known = self._transfers.reject(int(packet.source), packet.sequence, now)
+            self.counters["received.nak" if known else "received.nak_unexpected"] += 1
+        elif self._accept(packet, now):
             self._acknowledge(packet)
-            self._hand_up(packet)
+
+    def _accept(self, packet: Packet, now: float) -> bool:
+        """True when the packet is in good hands, now or since an earlier copy of it."""
+        source, content = int(packet.source), hash((packet.payload, packet.destination))
+        if self._duplicates.seen(source, packet.sequence, content, now, resent=packet.ack is Ack.REQUIRED):
+            self.counters.drop("duplicate", packet.source)
+            return True
+        if packet.ack is Ack.REQUIRED and len(self._input) >= MAX_QUEUED:
+            self.counters.drop("input_full_not_acknowledged", packet.source)
+            return False
+        whole: Packet | None = packet
+        if packet.data_flag is not DataFlag.SINGLE:
+            kept, whole = self._reassembly.add(packet, content, now)
+            if not kept:
+                return False
+        if whole is not None:
+            self._hand_up(whole)
+        self._duplicates.add(source, packet.sequence, content, now)
+        return True
 
     def _hand_up(self, packet: Packet) -> None:
         if packet.payload:
@@ -96,6 +150,11 @@ class Endpoint:
         if packet.ack is Ack.REQUIRED and packet.destination == self.id:
             self._emit(Packet(self.id, packet.source, b"", packet.sequence, packet.priority, ack=Ack.ACK))
             self.counters["sent.ack"] += 1
+
+    def _reserve(self, count: int) -> int:
+        first = self._sequence
+        self._sequence = (first + count) & 0xFFFF
+        return first
 
     def _emit(self, packet: Packet) -> None:
         self._push(self._output, judp.pack(packet), "output_full")

@@ -21,6 +21,8 @@ MAX_PAYLOAD: Final = 4079
 """What is sent in one packet; 4096 bytes on the wire with version byte and header compression."""
 
 _HEADER: Final = struct.Struct("<BHBII")
+_ALONE: Final = struct.Struct("<BBHBII")
+"""With the version byte."""
 _COMPRESSED: Final = struct.Struct("<BHBBBII")
 _SEQUENCE: Final = struct.Struct("<H")
 
@@ -111,9 +113,30 @@ class RawPacket(NamedTuple):
         return self.control & 3
 
 
+_new: Final = tuple.__new__  # a third of the time of RawPacket(...), which counts here
+
+
 def control_offset(datagram: bytes) -> int:
     """Where the control byte of a checked packet is in its datagram, version byte included."""
     return 6 if datagram[1] & 0xC0 else 4
+
+
+def parse_alone(datagram: bytes | memoryview) -> RawPacket | None:
+    """The header of a plain packet that has a datagram for itself, as nearly all have; None: look closer."""
+    size = len(datagram)
+    if size <= OVERHEAD or datagram[0] != VERSION or datagram[1]:
+        return None
+    _, _, data_size, control, destination, source = _ALONE.unpack_from(datagram)
+    if data_size != size - 1:
+        return None
+    return _new(RawPacket, (1, size, _ALONE.size, control, destination, source))
+
+
+def peek_priority(datagram: bytes, skip: int = 0) -> int:
+    """The priority of a datagram that nobody has checked yet; 0 when it is no packet of this version."""
+    if len(datagram) < skip + OVERHEAD + 1 or datagram[skip] != VERSION:
+        return 0
+    return datagram[skip + (6 if datagram[skip + 1] & 0xC0 else 4)] & 3
 
 
 def parse_header(data: bytes | memoryview, start: int = 0) -> RawPacket:

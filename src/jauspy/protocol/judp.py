@@ -37,6 +37,11 @@ def check_version(data: bytes | memoryview) -> None:
 
 def headers(data: bytes | memoryview) -> Iterator[RawPacket]:
     """The headers of all packets of a datagram; raises `ProtocolError` at the first that is wrong."""
+    alone = header.parse_alone(data)
+    return iter((alone,)) if alone is not None else _headers(data)
+
+
+def _headers(data: bytes | memoryview) -> Iterator[RawPacket]:
     check_version(data)
     offset = 1
     while offset < len(data):

@@ -21,6 +21,8 @@ VERSION: Final = 1
 
 # version, header compression, length (big endian), priority, RA version, code, destination, source, size, sequence
 _CONTROL: Final = struct.Struct("<B2s2sBBHIIHH")
+SIZE: Final = _CONTROL.size
+"""Bytes of every control message."""
 _HEAD: Final = (VERSION, b"\0\0", b"\0\x10", 6, 2)
 
 

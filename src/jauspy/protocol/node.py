@@ -1,66 +1,83 @@
 """What a node manager decides, without I/O: who gets a packet.
 
 Packets are forwarded as the bytes they came in; only the ACK bit of a multicast for an unknown destination is set,
-and packets that shared a datagram are sent one by one.
+packets that shared a datagram are sent one by one, and older headers are adapted (see `wire`).
 """
 
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Final
 
 from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
-from jauspy.protocol import addressing, header, judp, junior
-from jauspy.protocol.address_book import Address, AddressBook
+from jauspy.protocol import addressing, junior, wire
+from jauspy.protocol.address_book import LIFETIME, AddressBook
 from jauspy.protocol.counters import Counters
-from jauspy.protocol.directory import Directory
+from jauspy.protocol.directory import ComponentPort, Directory
 from jauspy.protocol.echoes import Echoes
-from jauspy.protocol.header import Ack, Broadcast, RawPacket
-from jauspy.protocol.ports import GROUP, LocalPort, Port, UdpPort
+from jauspy.protocol.gateway import Gateway
+from jauspy.protocol.header import Broadcast, RawPacket
+from jauspy.protocol.ports import LAN, GroupPort, LocalPort, NetworkPort, Port, SerialPort, TcpPort, UdpPort
+from jauspy.protocol.reports import Reports
+from jauspy.protocol.sources import Sources
 from jauspy.protocol.waiting import WaitingRoom
 
 _LOGGER = logging.getLogger(__name__)
 
-_VERSION_BYTE: Final = bytes([header.VERSION])
-_ACK_REQUIRED: Final = Ack.REQUIRED << 4
-_ACK_MASK: Final = 3 << 4
+_KINDS: Final = {LocalPort: "local", UdpPort: "udp", GroupPort: "udp", TcpPort: "tcp", SerialPort: "serial"}
+_RECEIVED: Final[dict[type, str]] = {port: f"received.{kind}" for port, kind in _KINDS.items()}
+_ROUTED: Final[dict[type, str]] = {port: f"routed.{kind}" for port, kind in _KINDS.items()}
 
 
 class NodeCore:
-    """Routing between the components of this machine (`LocalPort`) and the network (`UdpPort`, `GROUP`).
+    """Routing between the components of this machine (`LocalPort`) and the networks (all other ports).
 
-    `local_root` is the folder of the components' sockets; `addresses` are entries that are never forgotten. `is_dead`
-    says whether nobody listens on a socket any more; it is asked when somebody else speaks as its component.
+    `local_root` is the folder of the components' sockets. `addresses` are entries that are never forgotten; others are,
+    `address_lifetime` seconds after they were heard. With `local_udp`, components of this machine may connect by UDP.
+    Packets cross from one of the `networks` to another only by a `gateway`; it and `sources` may change at run time.
+    `is_dead` says whether nobody listens on a socket any more; it is asked when somebody else speaks as its component.
     """
 
     def __init__(
         self,
         local_root: str,
         *,
-        addresses: Mapping[JausID, Address] | None = None,
+        addresses: Mapping[JausID, Sequence[NetworkPort]] | None = None,
+        networks: Sequence[str] = (LAN,),
+        gateway: Gateway | None = None,
+        sources: Sources | None = None,
+        address_lifetime: float = LIFETIME,
+        local_udp: bool = True,
         is_dead: Callable[[str], bool] = lambda _: False,
     ) -> None:
         self.counters = Counters(_LOGGER)
         self.components = Directory()
-        self.address_book = AddressBook({int(id): address for id, address in (addresses or {}).items()})
+        static = {int(id): ports for id, ports in (addresses or {}).items()}
+        self.address_book = AddressBook(static, lifetime=address_lifetime)
+        self.gateway = gateway
+        self.sources = sources or Sources()
+        self._networks = tuple(networks)
         self._is_dead = is_dead
         self._root = local_root.rstrip("/")
         self._waiting = WaitingRoom(self.counters)
         self._output: list[tuple[Port, bytes]] = []
         self._echoes = Echoes()
+        self._local_udp = local_udp
+        self._dialects = wire.Dialects()
+        self._reports = Reports(_LOGGER)
 
     # --- upward contract -----------------------------------------------------------------------------------------
 
     def receive(self, data: bytes, source: Port, now: float) -> None:
         """Take one datagram from a component or from the network. Never raises; what is wrong is counted."""
-        self.counters["received.local" if isinstance(source, LocalPort) else "received.udp"] += 1
+        self.counters[_RECEIVED[type(source)]] += 1
         try:
-            if isinstance(source, LocalPort):
+            if isinstance(source, LocalPort) or (isinstance(source, UdpPort) and self._is_local(data, source)):
                 self._from_component(data, source, now)
-            elif isinstance(source, UdpPort):
-                self._from_network(data, source)
+            elif not isinstance(source, GroupPort):
+                self._from_network(data, source, now)
         except ProtocolError as error:
             self.counters.drop(f"malformed.{error.reason}", error)
 
@@ -76,57 +93,91 @@ class NodeCore:
     def handle_timeout(self, now: float) -> None:
         """Ask again for unknown destinations, drop what waited too long."""
         for datagram in self._waiting.handle_timeout(now):
-            self._multicast(_asking(datagram))
+            self._multicast(wire.asking(datagram), self._where_to_ask(wire.header_of(datagram), now), now)
 
-    def unreachable(self, path: str) -> None:
-        """Nobody listens on this socket any more: its components are gone until they are heard again."""
-        for id in self.components.remove_path(path):
+    @property
+    def waiting_messages(self) -> int:
+        """Messages that wait for unknown destinations."""
+        return len(self._waiting)
+
+    def unreachable(self, port: ComponentPort) -> None:
+        """Nobody listens there any more: its components are gone until they are heard again."""
+        for id in self.components.remove_port(port):
             self.counters["components.lost"] += 1
             _LOGGER.info("component %s is gone", JausID.from_int(id))
 
-    def _is_taken(self, id: int, *, besides: str | None = None) -> bool:
-        """True when a component with this id lives on another socket; one that died without goodbye gives its id up."""
-        path = self.components.path(id)
-        if path is None or path == besides:
+    def disconnected(self, port: NetworkPort) -> None:
+        """A connection has ended: what was learned through it is asked for again."""
+        self.address_book.forget(port)
+        self.sources.forget(port)
+
+    def _is_taken(self, id: int, *, besides: ComponentPort | None = None) -> bool:
+        """True when a component with this id lives elsewhere; one that died without goodbye gives its id up."""
+        port = self.components.port(id)
+        if port is None or port == besides:
             return False
-        if self._is_dead(path):
-            self.unreachable(path)
+        if isinstance(port, LocalPort) and self._is_dead(port.path):
+            self.unreachable(port)
             return False
         return True
 
     # --- from components -----------------------------------------------------------------------------------------
 
-    def _from_component(self, data: bytes, port: LocalPort, now: float) -> None:
+    def _is_local(self, data: bytes, port: UdpPort) -> bool:
+        """True for a component of this machine that speaks UDP with its node manager, or begins to."""
+        if self.components.has_port(port):
+            return True
+        return (
+            self._local_udp and data[:1] == b"\x01" and port.host.startswith("127.") and junior.parse(data) is not None
+        )
+
+    def _from_component(self, data: bytes, port: ComponentPort, now: float) -> None:
         control = junior.parse(data)
         if control is not None:
             self._control(control, port)
             return
-        for raw in judp.headers(data):
-            path = port.path or f"{self._root}/{raw.source}"
-            if self._is_taken(raw.source, besides=path):
-                self.counters.drop("duplicate_id", f"{JausID.from_int(raw.source)} also speaks on {path}")
-            elif self._register(raw.source, path):
-                self._route_from_component(raw, _single(data, raw), now)
+        for raw, datagram, _ in wire.packets(data):
+            own = self._named(port, raw.source)
+            if self._is_taken(raw.source, besides=own):
+                self.counters.drop("duplicate_id", f"{JausID.from_int(raw.source)} also speaks on {own}")
+                self._reports.twice(raw.source, own)
+            elif self.sources.are_limited and not self.sources.within_rate(raw.source, raw.priority, now):
+                self.counters.drop("rate", JausID.from_int(raw.source))
+            elif self._register(raw.source, own):
+                self._route_from_component(raw, datagram, now)
 
-    def _register(self, id: int, path: str, *greeting: bytes) -> bool:
+    def _named(self, port: ComponentPort, id: int) -> ComponentPort:
+        """A component without a socket of its own name is answered at its usual path."""
+        return port if port[0] else LocalPort(f"{self._root}/{id}")
+
+    def _register(self, id: int, port: ComponentPort, *greeting: bytes) -> bool:
         news = id not in self.components
-        if not self.components.register(id, path):
+        if not self.components.register(id, port):
             self.counters.drop("component_refused", JausID.from_int(id))
             return False
         for datagram in greeting:
-            self._send(LocalPort(path), datagram)
+            self._send(port, datagram)
         if news:
             for datagram in self._waiting.found(id):
-                self._deliver(path, datagram)
+                self._deliver(port, datagram)
         return True
 
-    def _control(self, control: junior.Control, port: LocalPort) -> None:
+    def _control(self, control: junior.Control, port: ComponentPort) -> None:
         id = int(control.id)
-        path = port.path or f"{self._root}/{id}"
+        own = self._named(port, id)
         if control.kind is junior.ControlKind.CONNECT:
-            if self._register(id, path, junior.accept(control.id)):
+            known = self.components.port(id)
+            if (
+                isinstance(own, UdpPort) and isinstance(known, LocalPort) and self._is_taken(id)
+            ):  # any user may send UDP, not any use a socket
+                self.counters.drop("duplicate_id", f"{control.id} from {own}")
+                self._reports.twice(id, own)
+                return
+            if known not in (None, own):
+                self._reports.moved(id, own)
+            if self._register(id, own, junior.accept(control.id)):
                 self.counters["connects"] += 1
-        elif control.kind is junior.ControlKind.CANCEL and self.components.path(id) == path:
+        elif control.kind is junior.ControlKind.CANCEL and self.components.port(id) == own:
             self.components.remove(id)
             self.counters["cancels"] += 1
 
@@ -135,75 +186,126 @@ class NodeCore:
         if addressing.is_wildcard(destination):
             self._deliver_broadcast(destination, datagram, besides=raw.source)
             if raw.broadcast != Broadcast.LOCAL:
-                self._multicast(datagram)
-        elif (path := self.components.path(destination)) is not None:
-            self._deliver(path, datagram)
-        elif (address := self.address_book.find(destination)) is not None:
-            self._send(UdpPort(*address), datagram)
-            self.counters["routed.udp"] += 1
+                self._multicast(datagram, self._networks, now)
+                self._copy_to_told(destination, datagram, self._networks)
+        elif (own := self.components.port(destination)) is not None:
+            self._deliver(own, datagram)
+        elif (address := self.address_book.find(destination, now)) is not None:
+            self._forward(address, destination, datagram)
         elif destination == 0:
             self.counters.drop("no_destination", JausID.from_int(raw.source))
-        elif (probe := self._waiting.add(destination, datagram, now)) is not None:
-            self._multicast(_asking(probe))
+        else:
+            self._deliver_broadcast(destination, datagram, besides=raw.source)
+            if (probe := self._waiting.add(destination, datagram, now)) is not None:
+                self._multicast(wire.asking(probe), self._where_to_ask(raw, now), now)
 
     # --- from the network ----------------------------------------------------------------------------------------
 
-    def _from_network(self, data: bytes, port: UdpPort) -> None:
-        if data in self._echoes:
+    def _from_network(self, data: bytes, port: NetworkPort, now: float) -> None:
+        if self._echoes.heard(data, port.network, now):
             self.counters["echoes"] += 1
             return
-        for raw in judp.headers(data):
-            if self._is_taken(raw.source):
-                self.counters.drop("hijack", f"{JausID.from_int(raw.source)} from {port.host}:{port.port}")
+        if data[:1] == b"\x01" and junior.parse(data) is not None:
+            self.counters.drop("connect_from_network", f"{port.host}:{port.port}")
+            return
+        for raw, datagram, dialect in wire.packets(data):
+            settled = self.sources.is_settled(raw.source, port, now)
+            if (why := self._refusal(raw, datagram, port, now, settled=settled)) is not None:
+                self.counters.drop(why, f"{JausID.from_int(raw.source)} from {port.host}:{port.port} on {port.network}")
                 continue
-            self._learn(raw.source, port)
-            self._route_from_network(raw.destination, _single(data, raw))
+            if dialect is not None:
+                self._dialects.learn(raw.source, dialect)
+            if not settled:
+                self._learn(raw.source, port, now)
+            self._route_from_network(raw, datagram, port.network, now)
 
-    def _route_from_network(self, destination: int, datagram: bytes) -> None:
+    def _refusal(self, raw: RawPacket, datagram: bytes, port: NetworkPort, now: float, *, settled: bool) -> str | None:
+        """Why a packet is not taken from this network address."""
+        source = raw.source
+        if self._is_taken(source):
+            self._reports.twice(source, port)
+            return "hijack"
+        if not settled and not addressing.is_vague(source) and not self.sources.is_at_home(source, port, now):
+            return "address_mismatch"
+        if self.sources.are_limited and not self.sources.within_rate(source, raw.priority, now):
+            return "rate"
+        if self.gateway is not None and (why := self.gateway.refusal(raw, datagram, port.network, now)) is not None:
+            return f"gateway.{why}"
+        return None
+
+    def _route_from_network(self, raw: RawPacket, datagram: bytes, network: str, now: float) -> None:
+        destination = raw.destination
         if addressing.is_wildcard(destination):
             self._deliver_broadcast(destination, datagram)
-        elif (path := self.components.path(destination)) is not None:
-            self._deliver(path, datagram)
+            self._relay_broadcast(raw, datagram, network, now)
+        elif (own := self.components.port(destination)) is not None:
+            self._deliver(own, datagram)
+        elif self._deliver_broadcast(destination, datagram):
+            pass
+        elif self.gateway is None or not (onward := self.gateway.onward(raw, network)):
+            self.counters.drop("not_here", JausID.from_int(destination))
+        elif (address := self.address_book.find(destination, now)) is None:
+            if (probe := self._waiting.add(destination, datagram, now)) is not None:
+                self._multicast(wire.asking(probe), onward, now)
+        elif address.network in onward:
+            self._forward(address, destination, datagram)
+            self.counters["relayed"] += 1
         else:
             self.counters.drop("not_here", JausID.from_int(destination))
 
-    def _learn(self, id: int, port: UdpPort) -> None:
-        if addressing.is_wildcard(id) or addressing.is_unassigned(id):
+    def _relay_broadcast(self, raw: RawPacket, datagram: bytes, network: str, now: float) -> None:
+        if self.gateway is not None and (onward := self.gateway.onward(raw, network)):
+            for each in self._networks:  # in a ring it comes back from any of them
+                self._echoes.add(datagram, each, now)
+            self._multicast(datagram, onward, now)
+            self._copy_to_told(raw.destination, datagram, onward)
+            self.counters["relayed"] += 1
+
+    def _where_to_ask(self, raw: RawPacket, now: float) -> tuple[str, ...]:
+        """The networks where an unknown destination may be; never the one that the source is on."""
+        if self.gateway is None:
+            return self._networks
+        home = self.address_book.find(raw.source, now)
+        if home is not None:
+            return self.gateway.onward(raw, home.network)
+        return self.gateway.reach(raw.source, raw.destination)
+
+    def _learn(self, id: int, port: NetworkPort, now: float) -> None:
+        if addressing.is_vague(id):
             return
-        if self.address_book.learn(id, (port.host, port.port)):
+        if self.address_book.learn(id, port, now):
             for datagram in self._waiting.found(id):
-                self._send(port, datagram)
-                self.counters["routed.udp"] += 1
+                if port.network in self._where_to_ask(wire.header_of(datagram), now):
+                    self._forward(port, id, datagram)
 
     # --- out -----------------------------------------------------------------------------------------------------
 
-    def _deliver(self, path: str, datagram: bytes) -> None:
-        self._send(LocalPort(path), datagram)
+    def _deliver(self, port: ComponentPort, datagram: bytes) -> None:
+        self._send(port, datagram)
         self.counters["routed.local"] += 1
 
-    def _deliver_broadcast(self, destination: int, datagram: bytes, *, besides: int | None = None) -> None:
-        for path in self.components.reached_by(destination, besides=besides):
-            self._deliver(path, datagram)
+    def _deliver_broadcast(self, destination: int, datagram: bytes, *, besides: int | None = None) -> int:
+        """To all components it reaches; for a complete id these are the ones that wait for an id. Returns how many."""
+        reached = self.components.reached_by(destination, besides=besides)
+        for port in reached:
+            self._deliver(port, datagram)
+        return len(reached)
 
-    def _multicast(self, datagram: bytes) -> None:
-        self._echoes.add(datagram)
-        self._send(GROUP, datagram)
-        self.counters["routed.multicast"] += 1
+    def _forward(self, port: NetworkPort, destination: int, datagram: bytes) -> None:
+        self._send(port, self._dialects.spoken_to(destination, datagram))
+        self.counters[_ROUTED[type(port)]] += 1
+
+    def _copy_to_told(self, destination: int, datagram: bytes, networks: Sequence[str]) -> None:
+        """A broadcast to the addresses that the configuration names: not every network has multicast."""
+        for port in self.address_book.told_about(destination):
+            if port.network in networks:
+                self._forward(port, destination, datagram)
+
+    def _multicast(self, datagram: bytes, networks: Sequence[str], now: float) -> None:
+        for network in networks:
+            self._echoes.add(datagram, network, now)
+            self._send(GroupPort(network), datagram)
+            self.counters["routed.multicast"] += 1
 
     def _send(self, port: Port, datagram: bytes) -> None:
         self._output.append((port, datagram))
-
-
-def _single(data: bytes, raw: RawPacket) -> bytes:
-    """The datagram of one packet: the original bytes when it came alone."""
-    if raw.start == 1 and raw.end == len(data):
-        return data
-    return _VERSION_BYTE + data[raw.start : raw.end]
-
-
-def _asking(datagram: bytes) -> bytes:
-    """The same packet, asking for an ACK, by which its destination makes itself known."""
-    at = header.control_offset(datagram)
-    if datagram[at] & _ACK_MASK:
-        return datagram
-    return datagram[:at] + bytes([datagram[at] | _ACK_REQUIRED]) + datagram[at + 1 :]

@@ -21,11 +21,9 @@ def attach(
 ) -> None:
     """Call `take(datagram, sender)` for each datagram of a non-blocking socket until it is detached.
 
-    One buffer serves all datagrams. An error that a sent datagram left behind goes to `failed`, and reading goes on.
+    An error that a sent datagram left behind goes to `failed`, and reading goes on.
     `done` is called once after each batch.
     """
-    buffer = bytearray(BUFFER_SIZE)
-    view = memoryview(buffer)
 
     def drain() -> None:
         read()
@@ -35,13 +33,13 @@ def attach(
     def read() -> None:
         for _ in range(DATAGRAMS_PER_WAKEUP):
             try:
-                size, sender = sock.recvfrom_into(buffer)
+                datagram, sender = sock.recvfrom(BUFFER_SIZE)
             except (BlockingIOError, InterruptedError):
                 return
             except OSError as error:
                 failed(error)
                 return
-            take(bytes(view[:size]), sender)
+            take(datagram, sender)
 
     loop.add_reader(sock, drain)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import errno
+import shutil
 import socket
 from pathlib import Path
 from typing import Final
@@ -70,6 +71,18 @@ def bind(path: Path, *, owner: str, advice: str = ELSEWHERE, mode: int | None = 
         sock.close()
         raise TransportError(f"cannot open the socket {path}: {error.strerror}; {ELSEWHERE}") from error
     return sock
+
+
+def give_to_group(path: Path, group: str | None) -> None:
+    """Let another group own the socket; raises `TransportError` when this user may not."""
+    if group is None:
+        return
+    try:
+        shutil.chown(path, group=group)
+    except LookupError:
+        raise TransportError(f"local_group: there is no group {group!r} on this machine") from None
+    except OSError as error:
+        raise TransportError(f"local_group: cannot give {path} to {group!r}: {error.strerror}") from error
 
 
 def clean_up(path: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import logging
 import socket
 from collections.abc import Sequence
@@ -34,6 +35,9 @@ def join(sock: socket.socket, group: str, interfaces: Sequence[str]) -> int:
         try:
             sock.setsockopt(socket.IPPROTO_IP, socket.IP_ADD_MEMBERSHIP, membership)
         except OSError as error:
+            if error.errno == errno.EADDRINUSE:  # by another address of the same interface
+                joined += 1
+                continue
             _LOGGER.info("cannot join %s on %s: %s", group, interface, error.strerror)
         else:
             joined += 1

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import deque
 from typing import Final
 
-from jauspy.protocol import header
+from jauspy.protocol import junior, wire
 
 MAX_WAITING: Final = 512
 MAX_BYTES: Final = 4 << 20
@@ -52,6 +52,6 @@ class Outbox:
 
 def _priority(datagram: bytes) -> int:
     """The priority of a packet; control messages of the local protocol are urgent."""
-    if len(datagram) < header.OVERHEAD or datagram[0] != header.VERSION:
+    if len(datagram) == junior.SIZE and junior.parse(datagram) is not None:
         return URGENT
-    return datagram[header.control_offset(datagram)] & 3
+    return wire.peek_priority(datagram)

@@ -12,6 +12,7 @@ from jauspy.ids import JausID
 from jauspy.protocol import addressing, judp
 from jauspy.protocol.address_book import Address, AddressBook
 from jauspy.protocol.counters import Counters
+from jauspy.protocol.ports import UdpPort
 from jauspy.transport import draining, multicast
 from jauspy.transport.base import Receiver, ignore
 
@@ -91,8 +92,8 @@ class UdpTransport:
         except ProtocolError as error:
             self._counters.drop(f"malformed.{error.reason}", error)
             return
-        known = self._book.find(destination)
-        for address in [known] if known else self._peers:
+        known = self._book.find(destination, asyncio.get_running_loop().time())
+        for address in [(known.host, known.port)] if known else self._peers:
             self._send_to(self._socket, datagram, address)
 
     def _listen_to(self, group: Address) -> None:
@@ -126,7 +127,7 @@ class UdpTransport:
                 self._counters["echoes"] += 1
                 return
             if not addressing.is_wildcard(source) and not addressing.is_unassigned(source):
-                self._book.learn(source, sender)
+                self._book.learn(source, UdpPort(*sender[:2]), asyncio.get_running_loop().time())
         self._counters["received"] += 1
         self.received(datagram)
 

@@ -1,0 +1,39 @@
+"""Who waits for which message to be acknowledged."""
+
+from __future__ import annotations
+
+import asyncio
+
+from jauspy.errors import JausError, ResponseTimeout
+from jauspy.protocol.endpoint import Endpoint
+
+
+class Deliveries:
+    """Futures by ticket; an outcome that nobody waits for is only counted, by the endpoint."""
+
+    def __init__(self, endpoint: Endpoint) -> None:
+        self._endpoint = endpoint
+        self._futures: dict[int, asyncio.Future[bool]] = {}
+
+    async def wait(self, ticket: int | None, problem: str) -> None:
+        """Until the message of this ticket was acknowledged; raises `ResponseTimeout` when it never was."""
+        assert ticket is not None
+        future = self._futures[ticket] = asyncio.get_running_loop().create_future()
+        try:
+            if not await future:
+                raise ResponseTimeout(f"{problem}; check that it runs and that the node manager is reachable")
+        finally:
+            self._futures.pop(ticket, None)
+
+    def settle(self) -> None:
+        """Hand the endpoint's outcomes to those who wait."""
+        while (outcome := self._endpoint.next_outcome()) is not None:
+            future = self._futures.get(outcome.ticket)
+            if future is not None and not future.done():
+                future.set_result(outcome.delivered)
+
+    def fail(self, error: JausError) -> None:
+        """End all waiting with this error."""
+        for future in self._futures.values():
+            if not future.done():
+                future.set_exception(error)

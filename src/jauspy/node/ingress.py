@@ -1,0 +1,106 @@
+"""Reading the network faster than it is routed, so that what is urgent overtakes a flood."""
+
+from __future__ import annotations
+
+import asyncio
+import socket
+from collections import deque
+from collections.abc import Callable
+from typing import Any, Final
+
+from jauspy.protocol import wire
+from jauspy.protocol.counters import Counters
+from jauspy.protocol.ports import UdpPort
+
+READ_BURST: Final = 384
+"""Datagrams read from one socket per wake-up: three times what is routed, so that a flood piles up here, where the
+urgent is found in it, and not in the kernel, which drops whatever comes last."""
+ROUTE_BURST: Final = 128
+"""Datagrams routed before the event loop gets its turn: a few milliseconds at most."""
+MAX_WAITING: Final = 4096
+"""Datagrams that wait in all; what comes beyond drops the oldest of the lowest priority."""
+_BUFFER: Final = 65536
+_PRIORITIES: Final = 4
+
+Take = Callable[[bytes, UdpPort], None]
+_Queue = deque[tuple[bytes, UdpPort]]
+
+
+class Ingress:
+    """`take(datagram, port)` gets the datagrams of all attached sockets, the most urgent of those that wait first.
+
+    Within one priority they keep their order. `done` is called after each batch.
+    """
+
+    def __init__(self, take: Take, done: Callable[[], None], counters: Counters) -> None:
+        self._loop = asyncio.get_running_loop()
+        self._take = take
+        self._done = done
+        self._counters = counters
+        self._queues: tuple[_Queue, ...] = tuple(deque() for _ in range(_PRIORITIES))
+        self._waiting = 0
+        self._scheduled = False
+
+    def __len__(self) -> int:
+        return self._waiting
+
+    def attach(self, sock: socket.socket, network: str, failed: Callable[[OSError], None], *, skip: int = 0) -> None:
+        """Read a non-blocking socket until it is detached. `skip` bytes come before the packet's version byte.
+
+        `failed` is told what became of sent datagrams that came back.
+        """
+        ports: dict[Any, UdpPort] = {}
+        self._loop.add_reader(sock, self._wake, sock, network, skip, ports, failed)
+
+    def _wake(
+        self,
+        sock: socket.socket,
+        network: str,
+        skip: int,
+        ports: dict[Any, UdpPort],
+        failed: Callable[[OSError], None],
+    ) -> None:
+        for count in range(READ_BURST):
+            try:
+                data, sender = sock.recvfrom(_BUFFER)
+            except (BlockingIOError, InterruptedError) as error:
+                if not count:
+                    failed(error)
+                break
+            except OSError as error:
+                failed(error)
+                break
+            port = ports.get(sender)
+            if port is None:
+                if len(ports) > MAX_WAITING:
+                    ports.clear()
+                port = ports[sender] = UdpPort(sender[0], sender[1], network)
+            self._queues[wire.peek_priority(data, skip)].append((data, port))
+            self._waiting += 1
+        if self._waiting > MAX_WAITING:
+            self._drop(self._waiting - MAX_WAITING)
+        if not self._scheduled:
+            self._route()
+
+    def _drop(self, count: int) -> None:
+        self._waiting -= count
+        self._counters.drop("overload", "more arrives than can be routed")
+        self._counters["dropped.overload"] += count - 1
+        for queue in self._queues:
+            for _ in range(min(count, len(queue))):
+                queue.popleft()
+                count -= 1
+
+    def _route(self) -> None:
+        self._scheduled = False
+        left = ROUTE_BURST
+        for queue in reversed(self._queues):
+            count = min(left, len(queue))
+            for _ in range(count):
+                self._take(*queue.popleft())
+            left -= count
+        self._waiting -= ROUTE_BURST - left
+        self._done()
+        if self._waiting:
+            self._scheduled = True
+            self._loop.call_soon(self._route)

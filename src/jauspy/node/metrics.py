@@ -1,0 +1,89 @@
+"""Metrics for Prometheus by HTTP, in the event loop of the node manager."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Callable, Iterator
+from typing import Final
+
+from prometheus_client import CollectorRegistry
+from prometheus_client.core import CounterMetricFamily, GaugeMetricFamily, Metric
+from prometheus_client.exposition import CONTENT_TYPE_LATEST, generate_latest
+from prometheus_client.registry import Collector
+
+from jauspy.errors import TransportError
+from jauspy.ids import JausID
+from jauspy.node.state import NodeState
+from jauspy.protocol.reports import place
+
+PATIENCE: Final = 5.0
+"""Seconds for a request and its answer."""
+MAX_REQUEST: Final = 8192
+
+
+class NodeCollector(Collector):
+    """Makes metrics from the state of the moment."""
+
+    def __init__(self, state: Callable[[], NodeState]) -> None:
+        self._state = state
+
+    def collect(self) -> Iterator[Metric]:
+        """As Prometheus's client wants it."""
+        state = self._state()
+        events = CounterMetricFamily("jauspy_node_events", "What the node manager counted.", labels=["event"])
+        dropped = CounterMetricFamily("jauspy_node_dropped", "Packets dropped, by reason.", labels=["reason"])
+        for name, count in sorted(state.core.counters.items()):
+            family, label = (dropped, name[8:]) if name.startswith("dropped.") else (events, name)
+            family.add_metric([label], count)
+        yield from (events, dropped)
+        yield GaugeMetricFamily("jauspy_node_components", "Local components.", value=len(state.core.components))
+        yield GaugeMetricFamily("jauspy_node_peers", "Known network addresses.", value=len(state.core.address_book))
+        queue = GaugeMetricFamily("jauspy_node_queue", "Packets waiting for a component.", labels=["component"])
+        for id, port in state.core.components:
+            queue.add_metric([str(JausID.from_int(id))], state.waiting.get(place(port), 0))
+        yield queue
+        yield GaugeMetricFamily("jauspy_node_ingress", "Packets read and not yet routed.", value=state.ingress)
+        kernel = CounterMetricFamily("jauspy_node_kernel_dropped", "Packets the kernel dropped.", labels=["network"])
+        for name, network in state.networks.items():
+            kernel.add_metric([name], network.buffered.dropped)
+        yield kernel
+
+
+class MetricsServer:
+    """Answers every GET with the metrics."""
+
+    def __init__(self, host: str, port: int, state: Callable[[], NodeState]) -> None:
+        self._where = (host, port)
+        self._registry = CollectorRegistry(auto_describe=False)
+        self._collector = NodeCollector(state)
+        self._server: asyncio.Server | None = None
+
+    async def __aenter__(self) -> None:
+        self._registry.register(self._collector)
+        try:
+            self._server = await asyncio.start_server(self._serve, *self._where, limit=MAX_REQUEST)
+        except OSError as error:
+            told = f"cannot serve metrics on {self._where[0]}:{self._where[1]}: {error.strerror}"
+            raise TransportError(f"{told}; choose another with --metrics") from error
+
+    async def __aexit__(self, *error: object) -> None:
+        if self._server is not None:
+            self._server.close()
+
+    async def _serve(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        try:
+            async with asyncio.timeout(PATIENCE):
+                request = await reader.readuntil(b"\r\n\r\n")
+                writer.write(self._answer(request))
+                await writer.drain()
+        except (OSError, TimeoutError, asyncio.IncompleteReadError, asyncio.LimitOverrunError):
+            writer.transport.abort()
+        finally:
+            writer.close()
+
+    def _answer(self, request: bytes) -> bytes:
+        if not request.startswith(b"GET "):
+            return b"HTTP/1.1 405 Method Not Allowed\r\nContent-Length: 0\r\nConnection: close\r\n\r\n"
+        body = generate_latest(self._registry)
+        head = f"Content-Type: {CONTENT_TYPE_LATEST}\r\nContent-Length: {len(body)}\r\nConnection: close"
+        return f"HTTP/1.1 200 OK\r\n{head}\r\n\r\n".encode() + body

@@ -1,0 +1,112 @@
+"""JTCP of a node manager: who connects to it, and whom the address book says to connect to."""
+
+from __future__ import annotations
+
+import asyncio
+import errno
+import logging
+from collections.abc import Callable, Iterable
+from typing import Final
+
+from jauspy.errors import TransportError
+from jauspy.protocol.address_book import Address
+from jauspy.protocol.counters import Counters
+from jauspy.protocol.ports import TcpPort
+from jauspy.transport.stream import Dialer, StreamLink
+
+_LOGGER = logging.getLogger(__name__)
+
+MAX_CONNECTIONS: Final = 64
+"""Connections from outside; one more is closed at once."""
+
+
+class TcpPeers:
+    """`took(datagram, port)` gets every packet, `gone(port)` is told when a connection has ended."""
+
+    def __init__(
+        self,
+        counters: Counters,
+        network: str,
+        took: Callable[[bytes, TcpPort], None],
+        gone: Callable[[TcpPort], None],
+    ) -> None:
+        self._counters = counters
+        self._network = network
+        self._took = took
+        self._gone = gone
+        self._server: asyncio.Server | None = None
+        self._links: dict[TcpPort, StreamLink] = {}
+        self._dialers: dict[TcpPort, Dialer] = {}
+
+    @property
+    def port(self) -> int | None:
+        """The TCP port in use."""
+        return self._server.sockets[0].getsockname()[1] if self._server and self._server.sockets else None
+
+    async def open(self, listen: Address | None, peers: Iterable[TcpPort]) -> None:
+        """Listen, and begin to connect; raises `TransportError` when the port is taken."""
+        if listen is not None:
+            try:
+                self._server = await asyncio.get_running_loop().create_server(self._accept, *listen)
+            except OSError as error:
+                what = "used by another process" if error.errno == errno.EADDRINUSE else error.strerror
+                raise TransportError(f"TCP {listen[0]}:{listen[1]} is {what}; choose another tcp_port") from error
+        for port in peers:
+            self._dialers[port] = Dialer((port.host, port.port), self._counters, self._receive_from(port))
+
+    async def close(self) -> None:
+        """Close all connections; a second call does nothing."""
+        server, self._server = self._server, None
+        if server is not None:
+            server.close()
+        for link in list(self._links.values()):
+            link.close()
+        dialers, self._dialers = list(self._dialers.values()), {}
+        for dialer in dialers:
+            await dialer.close()
+
+    def send(self, port: TcpPort, datagram: bytes) -> None:
+        """Send to one peer, or drop and count."""
+        way = self._links.get(port) or self._dialers.get(port)
+        if way is None:
+            self._counters.drop("tcp_unconnected", port)
+        else:
+            way.send(datagram)
+
+    def broadcast(self, datagram: bytes) -> None:
+        """Send to all that are connected: JTCP has no groups."""
+        for link in list(self._links.values()):
+            link.send(datagram)
+        for dialer in self._dialers.values():
+            if dialer.link is not None:
+                dialer.link.send(datagram)
+
+    def _accept(self) -> StreamLink:
+        return StreamLink(
+            self._counters,
+            lambda link, datagram: self._took(datagram, self._port(link)),
+            self._ended,
+            self._began,
+        )
+
+    def _began(self, link: StreamLink) -> None:
+        if len(self._links) >= MAX_CONNECTIONS:
+            self._counters["tcp.refused"] += 1
+            _LOGGER.warning("JTCP connection from %s refused: there are %d already", link.peer, MAX_CONNECTIONS)
+            link.close()
+            return
+        self._links[self._port(link)] = link
+        self._counters["tcp.accepted"] += 1
+
+    def _ended(self, link: StreamLink) -> None:
+        port = self._port(link)
+        if self._links.get(port) is link:
+            del self._links[port]
+            self._counters["tcp.closed"] += 1
+            self._gone(port)
+
+    def _port(self, link: StreamLink) -> TcpPort:
+        return TcpPort(*link.peer, self._network)
+
+    def _receive_from(self, port: TcpPort) -> Callable[[StreamLink, bytes], None]:
+        return lambda _, datagram: self._took(datagram, port)

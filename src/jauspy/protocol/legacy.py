@@ -1,0 +1,135 @@
+"""Headers older than AS5669A: AS5669 version 1, and "JAUS01.0" (OPC 2.75). Both carry the JAUS RA header.
+
+RA header, 16 bytes, little endian: properties u8 (priority 0-3, ack 4-5) | version u8 (2) | command code u16 |
+destination u32 | source u32 | data size (12 bits) and data control (4 bits) u16 | sequence number u16.
+Version 1 puts 5 bytes before it (01, header compression u16, length u16 BIG endian), OPC the text JAUS01.0.
+
+A packet whose command code is 0 is an AS5669A packet in old clothes: its message begins with its id. One with a command
+code is a message of JAUS RA, which is passed on as it is; only its outer header is changed to what its receiver speaks.
+"""
+
+from __future__ import annotations
+
+import struct
+from enum import Enum
+from typing import Final, NamedTuple
+
+from jauspy.errors import ProtocolError
+from jauspy.ids import JausID
+from jauspy.protocol import judp
+from jauspy.protocol.header import Ack, DataFlag, Packet, Priority, RawPacket
+
+V1: Final = 1
+OPC_GREETING: Final = b"JAUS01.0"
+
+_V1_HEAD: Final = struct.Struct(">B2sH")
+_RA: Final = struct.Struct("<BBHIIHH")
+V1_CODE_AT: Final = _V1_HEAD.size + 2
+"""Where the command code is in a version 1 datagram; it stands for the message id of later ones."""
+_RA_VERSION: Final = 2
+_MAX_DATA: Final = 0xFFF
+_FLAGS: Final = {0: DataFlag.SINGLE, 1: DataFlag.FIRST, 2: DataFlag.MIDDLE, 4: DataFlag.MIDDLE, 8: DataFlag.LAST}
+"""From data control; 4 is a piece in the middle that is sent again."""
+
+
+class Dialect(Enum):
+    """Which old header a peer speaks."""
+
+    V1 = "AS5669 1"
+    OPC = "OPC 2.75"
+
+
+class LegacyPacket(NamedTuple):
+    """One old packet; `header` is its RA header and `payload` what follows."""
+
+    dialect: Dialect
+    code: int
+    raw: RawPacket
+    header: bytes
+    payload: bytes
+
+    def as_datagram(self, dialect: Dialect) -> bytes:
+        """The same packet with this outer header."""
+        body = self.header + self.payload
+        if dialect is Dialect.OPC:
+            return OPC_GREETING + body
+        return _V1_HEAD.pack(V1, b"\0\0", len(body)) + body
+
+    def as_current(self) -> bytes:
+        """An AS5669A datagram of a packet without a command code."""
+        _, _, _, _, _, size, sequence = _RA.unpack(self.header)
+        packet = Packet(
+            JausID.from_int(self.raw.source),
+            JausID.from_int(self.raw.destination),
+            self.payload,
+            sequence,
+            Priority(self.raw.priority),
+            ack=Ack(self.raw.ack),
+            data_flag=_flag(size >> 12),
+        )
+        return judp.pack(packet)
+
+    def asking(self) -> LegacyPacket:
+        """The same packet, asking for an ACK, by which its destination makes itself known."""
+        if self.header[0] & 0x30:
+            return self
+        return self._replace(header=bytes([self.header[0] | Ack.REQUIRED << 4]) + self.header[1:])
+
+
+def is_legacy(data: bytes) -> bool:
+    """True when these bytes begin as an old header does."""
+    return data[:1] == b"\x01" or data.startswith(OPC_GREETING)
+
+
+def parse(data: bytes) -> list[LegacyPacket]:
+    """The packets of a datagram with an old header; raises `ProtocolError` with a short reason."""
+    if data.startswith(OPC_GREETING):
+        return [_parse_ra(data[len(OPC_GREETING) :], Dialect.OPC)]
+    packets = []
+    at = 1
+    while at < len(data):
+        head = data[at - 1 : at - 1 + _V1_HEAD.size] if at == 1 else b"\x01" + data[at : at + _V1_HEAD.size - 1]
+        if len(head) < _V1_HEAD.size:
+            raise ProtocolError("truncated", "too few bytes for a version 1 header")
+        _, compression, length = _V1_HEAD.unpack(head)
+        if compression[1] & 3 > 1:
+            raise ProtocolError("compressed", "header compression was not agreed on")
+        body = data[at + _V1_HEAD.size - 1 :][:length]
+        if len(body) < length:
+            raise ProtocolError("truncated", f"a length of {length} in {len(body)} bytes")
+        packets.append(_parse_ra(body, Dialect.V1))
+        at += _V1_HEAD.size - 1 + length
+    if not packets:
+        raise ProtocolError("empty", "a datagram without a packet")
+    return packets
+
+
+def priority(data: bytes) -> int:
+    """The AS5669A priority of an old datagram; the lowest when it is cut off."""
+    at = len(OPC_GREETING) if data.startswith(OPC_GREETING) else _V1_HEAD.size
+    return _priority(data[at]) if at < len(data) else Priority.LOW
+
+
+def _parse_ra(body: bytes, dialect: Dialect) -> LegacyPacket:
+    if len(body) < _RA.size:
+        raise ProtocolError("truncated", f"{len(body)} bytes are too few for a JAUS RA header")
+    properties, version, code, destination, source, size, _ = _RA.unpack_from(body)
+    if version != _RA_VERSION:
+        raise ProtocolError("ra_version", f"version {version} of the JAUS RA header is not {_RA_VERSION}")
+    payload = body[_RA.size :]
+    if len(payload) & _MAX_DATA != size & _MAX_DATA:
+        raise ProtocolError("size", f"a data size of {size & _MAX_DATA} with {len(payload)} bytes")
+    control = _priority(properties) | (properties >> 4 & 3) << 4 | _flag(size >> 12) << 6
+    raw = RawPacket(0, len(body), _RA.size, control, destination, source)
+    return LegacyPacket(dialect, code, raw, body[: _RA.size], payload)
+
+
+def _flag(control: int) -> DataFlag:
+    if control not in _FLAGS:
+        raise ProtocolError("data_control", f"data control {control} has no meaning")
+    return _FLAGS[control]
+
+
+def _priority(properties: int) -> int:
+    """From 0..15 to 0..3, as known node managers do, without their fault at 0."""
+    return min(max((properties & 0x0F) - 3, 0) // 3, Priority.SAFETY_CRITICAL)

@@ -1,0 +1,79 @@
+"""Authentication of JUDP between node managers that share a key. Not part of AS5669A: others cannot read it.
+
+A sealed datagram: 0xA5 | sender u64 | counter u64 | milliseconds since 1970 u64 | tag 16 bytes | the JUDP datagram,
+big endian. The tag is the first half of HMAC-SHA256 over all the rest. `sender` is a random number of each start.
+"""
+
+from __future__ import annotations
+
+import hmac
+import struct
+from collections import OrderedDict
+from typing import Final
+
+from jauspy.errors import ProtocolError
+
+MAGIC: Final = 0xA5
+"""In place of the version byte; node managers without the key drop it as an unknown version."""
+WINDOW: Final = 64
+"""How many datagrams may overtake another one."""
+MAX_AGE: Final = 30.0
+"""Seconds that the clocks of two machines may differ, and that a recorded datagram of an unknown sender is good for."""
+MAX_SENDERS: Final = 1024
+MIN_KEY: Final = 16
+_TAG: Final = 16
+_HEAD: Final = struct.Struct(">BQQQ")
+OVERHEAD: Final = _HEAD.size + _TAG
+
+
+class Seal:
+    """`sender` is random, 64 bits; `utc` is the wall clock in seconds since 1970."""
+
+    def __init__(self, key: bytes, sender: int) -> None:
+        self._hmac = hmac.new(key, digestmod="sha256")
+        self._sender = sender
+        self._sent = 0
+        self._heard: OrderedDict[int, tuple[int, int]] = OrderedDict()
+
+    def seal(self, datagram: bytes, utc: float) -> bytes:
+        """The datagram as it is to be sent."""
+        self._sent += 1
+        head = _HEAD.pack(MAGIC, self._sender, self._sent, int(utc * 1000))
+        return head + self._tag(head, datagram) + datagram
+
+    def open(self, data: bytes, utc: float) -> bytes:
+        """The datagram that was sealed; raises `ProtocolError`: not sealed, forged, stale, replayed, or our own."""
+        if len(data) <= OVERHEAD or data[0] != MAGIC:
+            raise ProtocolError("unauthenticated", "the datagram has no seal")
+        head, tag, datagram = data[: _HEAD.size], data[_HEAD.size : OVERHEAD], data[OVERHEAD:]
+        if not hmac.compare_digest(tag, self._tag(head, datagram)):
+            raise ProtocolError("forged", "the seal was made with another key")
+        _, sender, counter, milliseconds = _HEAD.unpack(head)
+        if sender == self._sender:
+            raise ProtocolError("own", "the datagram is our own")
+        if abs(utc - milliseconds / 1000) > MAX_AGE:
+            raise ProtocolError("stale", f"sealed {utc - milliseconds / 1000:.0f} s ago; are the clocks right?")
+        if not self._is_new(sender, counter):
+            raise ProtocolError("replayed", f"number {counter} of {sender:016x} came again")
+        return datagram
+
+    def _tag(self, head: bytes, datagram: bytes) -> bytes:
+        mac = self._hmac.copy()
+        mac.update(head)
+        mac.update(datagram)
+        return mac.digest()[:_TAG]
+
+    def _is_new(self, sender: int, counter: int) -> bool:
+        """Note a number; False when it was seen or is too old to tell. `seen` has a bit for each of the last ones."""
+        top, seen = self._heard.get(sender, (0, 0))
+        if counter > top:
+            top, seen = counter, (seen << min(counter - top, WINDOW) | 1) & ((1 << WINDOW) - 1)
+        elif top - counter >= WINDOW or seen >> (top - counter) & 1:
+            return False
+        else:
+            seen |= 1 << (top - counter)
+        self._heard[sender] = (top, seen)
+        self._heard.move_to_end(sender)
+        if len(self._heard) > MAX_SENDERS:
+            self._heard.popitem(last=False)
+        return True

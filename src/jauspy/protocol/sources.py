@@ -1,0 +1,70 @@
+"""What a node manager asks of whoever sends: that an id keeps its address, and its rate."""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from dataclasses import dataclass
+from typing import Final
+
+from jauspy.protocol.buckets import TokenBuckets
+from jauspy.protocol.header import Priority
+from jauspy.protocol.ports import NetworkPort
+
+SILENCE: Final = 30.0
+"""Seconds after which an id that was not heard may come from elsewhere."""
+SETTLED: Final = 1.0
+"""Seconds between two notes of the same id at the same place."""
+MAX_SOURCES: Final = 4096
+_URGENT: Final = 1 << 32
+
+
+@dataclass(frozen=True, slots=True)
+class SourceLimits:
+    """What is asked of sources. `rate` is in messages per second and source, 0 for no limit."""
+
+    check_address: bool = True
+    rate: float = 0.0
+    burst: float = 1000.0
+
+
+class Sources:
+    """Keys are ids as 32-bit numbers."""
+
+    def __init__(self, limits: SourceLimits | None = None) -> None:
+        self._places: OrderedDict[int, tuple[NetworkPort, float]] = OrderedDict()
+        self.limit(limits or SourceLimits())
+
+    def limit(self, limits: SourceLimits) -> None:
+        """Ask something else from now on; what was heard stays known."""
+        self._limits = limits
+        self._buckets = TokenBuckets(limits.rate, limits.burst)
+        self.are_limited = limits.rate > 0
+
+    def within_rate(self, id: int, priority: int, now: float) -> bool:
+        """False when this source has sent too much; ask only when `are_limited`.
+
+        Safety-critical messages have a budget of their own.
+        """
+        return self._buckets.take(id | _URGENT if priority == Priority.SAFETY_CRITICAL else id, now)
+
+    def is_settled(self, id: int, port: NetworkPort, now: float) -> bool:
+        """True when this id came from exactly there a moment ago: there is nothing new to check or to learn."""
+        known = self._places.get(id)
+        return known is not None and known[0] == port and now - known[1] < SETTLED
+
+    def forget(self, port: NetworkPort) -> None:
+        """What came from there may come from anywhere now, as when a connection was closed."""
+        for id in [id for id, (known, _) in self._places.items() if known == port]:
+            del self._places[id]
+
+    def is_at_home(self, id: int, port: NetworkPort, now: float) -> bool:
+        """False when this id was heard from another host or network lately; another port is fine."""
+        known, heard = self._places.get(id, (port, now))
+        moved = known.host != port.host or known.network != port.network
+        if moved and self._limits.check_address and now - heard < SILENCE:
+            return False
+        self._places[id] = (port, now)
+        self._places.move_to_end(id)
+        if len(self._places) > MAX_SOURCES:
+            self._places.popitem(last=False)
+        return True

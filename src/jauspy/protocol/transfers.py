@@ -1,0 +1,211 @@
+"""Messages under way that take more than one packet or must be acknowledged: resends, pace, and how each one ended.
+
+Large messages for one destination follow each other; a small one does not wait for them.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import OrderedDict, deque
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+from typing import Final, NamedTuple
+
+from jauspy.errors import ProtocolError
+from jauspy.protocol import fragments
+from jauspy.protocol.counters import Counters
+from jauspy.protocol.delivery import Delivery, Outcome
+from jauspy.protocol.header import Ack, Packet
+
+MAX_TRANSFERS: Final = 256
+PIECES_PER_TURN: Final = 16
+"""Pieces of a large message that nobody acknowledges, sent at once."""
+TURN: Final = 0.005
+"""Seconds from one such burst to the next: about 13 MB/s, which a local socket with a queue of ten datagrams takes."""
+
+
+@dataclass(slots=True, eq=False)
+class _Transfer:
+    """One message; `packet` carries all of its payload."""
+
+    ticket: int
+    packet: Packet
+    pieces: int
+    sent: int = 0
+    under_way: int = 0
+
+    @property
+    def reliable(self) -> bool:
+        """True when each piece is to be acknowledged."""
+        return self.packet.ack is Ack.REQUIRED
+
+    def piece(self, index: int) -> Packet:
+        """One of its packets."""
+        payload, flag = fragments.piece(self.packet.payload, index)
+        number = (self.packet.sequence + index) & 0xFFFF
+        return replace(self.packet, payload=payload, data_flag=flag, sequence=number)
+
+
+@dataclass(slots=True)
+class _Lane:
+    """The large messages for one destination; only the first one is being sent. `budget` is what is left of a turn."""
+
+    waiting: deque[_Transfer] = field(default_factory=deque)
+    next_turn: float = -math.inf
+    budget: int = 0
+
+    @property
+    def timed(self) -> bool:
+        """True when it goes on by time, not by ACKs."""
+        return not self.waiting or not self.waiting[0].reliable
+
+
+class _Flight(NamedTuple):
+    """A packet that waits for its ACK; `piece` is its number within the message."""
+
+    transfer: _Transfer
+    piece: int
+    deadline: float
+    resends: int
+
+
+class Transfers:
+    """Sans-I/O. `emit` sends a packet now, `reserve(n)` gives the first of n consecutive sequence numbers."""
+
+    def __init__(
+        self, settings: Delivery, counters: Counters, emit: Callable[[Packet], None], reserve: Callable[[int], int]
+    ) -> None:
+        self._settings = settings
+        self._counters = counters
+        self._emit = emit
+        self._reserve = reserve
+        self._ticket = 0
+        self._count = 0
+        self._bytes = 0
+        self._lanes: dict[int, _Lane] = {}
+        self._flights: OrderedDict[tuple[int, int], _Flight] = OrderedDict()
+        self._outcomes: deque[Outcome] = deque(maxlen=4 * MAX_TRANSFERS)
+
+    def __len__(self) -> int:
+        return self._count
+
+    def start(self, packet: Packet, now: float) -> int:
+        """Begin; its number is given later. Returns the ticket; raises `ProtocolError` when too much is under way."""
+        size = len(packet.payload)
+        if self._count >= MAX_TRANSFERS or self._bytes + size > self._settings.total_memory:
+            raise ProtocolError("too_much_under_way", f"{self._count} messages wait to be sent or acknowledged")
+        self._ticket += 1
+        self._count += 1
+        self._bytes += size
+        transfer = _Transfer(self._ticket, packet, fragments.count(size))
+        if transfer.pieces == 1:
+            self._send_pieces(transfer, 1, now)
+        else:
+            lane = self._lanes.setdefault(int(packet.destination), _Lane())
+            lane.waiting.append(transfer)
+            if len(lane.waiting) == 1:
+                self._pump(lane, now)
+        return self._ticket
+
+    def acknowledge(self, source: int, sequence: int, now: float) -> bool:
+        """An ACK has come; false when nothing waits for it."""
+        flight = self._flights.pop((source, sequence), None)
+        if flight is None:
+            return False
+        transfer = flight.transfer
+        transfer.under_way -= 1
+        if transfer.sent < transfer.pieces:
+            self._send_pieces(transfer, 1, now)
+        elif not transfer.under_way:
+            self._end(transfer, now, delivered=True)
+        return True
+
+    def reject(self, source: int, sequence: int, now: float) -> bool:
+        """A NAK has come: send the packet again at once; false when nothing waits for it."""
+        flight = self._flights.get((source, sequence))
+        if flight is not None:
+            self._again(flight, now)
+        return flight is not None
+
+    def next_outcome(self) -> Outcome | None:
+        """How the next message ended, or None."""
+        return self._outcomes.popleft() if self._outcomes else None
+
+    def next_timeout(self) -> float | None:
+        """When `handle_timeout` wants to be called, or None."""
+        times = [lane.next_turn for lane in self._lanes.values() if lane.timed]
+        if self._flights:
+            times.append(next(iter(self._flights.values())).deadline)
+        return min(times, default=None)
+
+    def handle_timeout(self, now: float) -> None:
+        """Send again what was not acknowledged, and the next pieces of what nobody acknowledges."""
+        while self._flights:
+            flight = next(iter(self._flights.values()))
+            if now < flight.deadline:
+                break
+            self._again(flight, now)
+        for destination, lane in list(self._lanes.items()):
+            if now >= lane.next_turn:
+                if not lane.waiting:
+                    del self._lanes[destination]
+                elif lane.timed:
+                    self._pump(lane, now)
+
+    def _pump(self, lane: _Lane, now: float) -> None:
+        """Send what may be sent now of the large messages for one destination."""
+        if now >= lane.next_turn:
+            lane.budget, lane.next_turn = PIECES_PER_TURN, now + TURN
+        while lane.waiting and lane.budget:
+            transfer = lane.waiting[0]
+            if transfer.reliable:
+                self._send_pieces(transfer, self._settings.window - transfer.under_way, now)
+                return
+            lane.budget -= self._send_pieces(transfer, lane.budget, now)
+            if transfer.sent == transfer.pieces:
+                lane.waiting.popleft()
+                self._forget(transfer)
+
+    def _send_pieces(self, transfer: _Transfer, limit: int, now: float) -> int:
+        """Send up to so many further pieces; returns how many."""
+        if not transfer.sent:
+            transfer.packet = replace(transfer.packet, sequence=self._reserve(transfer.pieces))
+        count = min(limit, transfer.pieces - transfer.sent)
+        for index in range(transfer.sent, transfer.sent + count):
+            packet = transfer.piece(index)
+            self._emit(packet)
+            if transfer.reliable:
+                transfer.under_way += 1
+                self._expect(transfer, index, packet, now)
+        transfer.sent += count
+        return count
+
+    def _expect(self, transfer: _Transfer, piece: int, packet: Packet, now: float, resends: int = 0) -> None:
+        """All wait equally long, so the flights are in the order of their deadlines."""
+        key = (int(packet.destination), packet.sequence)
+        self._flights[key] = _Flight(transfer, piece, now + self._settings.ack_timeout, resends)
+        self._flights.move_to_end(key)
+
+    def _again(self, flight: _Flight, now: float) -> None:
+        if flight.resends >= self._settings.resends:
+            for each in [each for each, other in self._flights.items() if other.transfer is flight.transfer]:
+                del self._flights[each]
+            self._end(flight.transfer, now, delivered=False)
+            return
+        self._counters["resent"] += 1
+        packet = flight.transfer.piece(flight.piece)
+        self._expect(flight.transfer, flight.piece, packet, now, flight.resends + 1)
+        self._emit(packet)
+
+    def _end(self, transfer: _Transfer, now: float, *, delivered: bool) -> None:
+        self._counters["delivered" if delivered else "undelivered"] += 1
+        self._outcomes.append(Outcome(transfer.ticket, delivered))
+        self._forget(transfer)
+        lane = self._lanes.get(int(transfer.packet.destination))
+        if lane is not None and lane.waiting and lane.waiting[0] is transfer:
+            lane.waiting.popleft()
+            self._pump(lane, now)
+
+    def _forget(self, transfer: _Transfer) -> None:
+        self._count -= 1
+        self._bytes -= len(transfer.packet.payload)

@@ -1,0 +1,179 @@
+"""JTCP connections: one that is open, and one that is opened again and again."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+from collections.abc import Callable
+from typing import Final, cast
+
+from jauspy.errors import ProtocolError
+from jauspy.protocol import header, jtcp
+from jauspy.protocol.address_book import Address
+from jauspy.protocol.counters import Counters
+from jauspy.transport.outbox import Outbox
+
+_LOGGER = logging.getLogger(__name__)
+
+HIGH_WATER: Final = 64 * 1024
+"""Bytes handed to the kernel and not taken yet, from which on packets wait here, by priority and in bounds."""
+CONNECT_TIMEOUT: Final = 5.0
+FIRST_RETRY: Final = 0.1
+LAST_RETRY: Final = 10.0
+
+
+class StreamLink(asyncio.Protocol):
+    """An open connection. `took(link, datagram)` gets each packet, `ended(link)` is called once when it is closed.
+
+    A stream that lost its boundaries is closed: nothing else brings them back.
+    """
+
+    def __init__(
+        self,
+        counters: Counters,
+        took: Callable[[StreamLink, bytes], None],
+        ended: Callable[[StreamLink], None],
+        began: Callable[[StreamLink], None] | None = None,
+    ) -> None:
+        self.peer: Address = ("", 0)
+        self._counters = counters
+        self._took = took
+        self._ended = ended
+        self._began = began
+        self._decoder = jtcp.StreamDecoder()
+        self._transport: asyncio.Transport | None = None
+        self._paused = False
+        self._waiting = Outbox()
+
+    def send(self, datagram: bytes) -> bool:
+        """Send a checked datagram, or have it wait for room; false when it cannot go this way."""
+        if self._transport is None or self._transport.is_closing():
+            self._counters.drop("tcp_closed", self.peer)
+        elif datagram[0] != header.VERSION:
+            self._counters.drop("tcp_version", f"version {datagram[0]} is not sent by TCP")
+        elif not self._paused:
+            self._transport.write(jtcp.frame(datagram))
+            return True
+        else:
+            for _ in range(self._waiting.push(datagram)):
+                self._counters.drop("queue_full", self.peer)
+            return True
+        return False
+
+    def close(self) -> None:
+        """Close at once; what waits is lost."""
+        if self._transport is not None:
+            self._transport.abort()
+
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
+        """Greet."""
+        self._transport = cast("asyncio.Transport", transport)
+        self.peer = transport.get_extra_info("peername")[:2]
+        self._transport.set_write_buffer_limits(high=HIGH_WATER)
+        self._transport.write(jtcp.GREETING)
+        if self._began is not None:
+            self._began(self)
+
+    def data_received(self, data: bytes) -> None:
+        """Hand up whole packets."""
+        if self._transport is None or self._transport.is_closing():
+            return
+        try:
+            datagrams = self._decoder.feed(data)
+        except ProtocolError as error:
+            self._counters.drop(f"malformed.{error.reason}", f"{self.peer}: {error}")
+            self.close()
+            return
+        for datagram in datagrams:
+            self._took(self, datagram)
+
+    def pause_writing(self) -> None:
+        """The peer does not read: packets wait."""
+        self._paused = True
+
+    def resume_writing(self) -> None:
+        """Send what waits, the most urgent first."""
+        self._paused = False
+        while self._waiting and not self._paused and self._transport is not None:
+            datagram = self._waiting.peek()
+            self._waiting.pop()
+            self._transport.write(jtcp.frame(datagram))
+
+    def connection_lost(self, _error: Exception | None) -> None:
+        """Tell the owner, and count what waited."""
+        for _ in range(len(self._waiting)):
+            self._counters.drop("tcp_closed", self.peer)
+        self._transport, self._waiting = None, Outbox()
+        self._ended(self)
+
+
+class Dialer:
+    """Keeps a connection to one address: tries again after a growing pause. While there is none, packets are dropped.
+
+    They do not wait for it: a command that comes seconds late is worse than one that does not come.
+    """
+
+    def __init__(self, address: Address, counters: Counters, took: Callable[[StreamLink, bytes], None]) -> None:
+        self.address = address
+        self.link: StreamLink | None = None
+        self.connected = asyncio.Event()
+        self.problem = "it does not answer"
+        self._counters = counters
+        self._took = took
+        self._lost = asyncio.Event()
+        self._task = asyncio.get_running_loop().create_task(self._keep(), name=f"JTCP to {address[0]}:{address[1]}")
+
+    def send(self, datagram: bytes) -> bool:
+        """Send a checked datagram; false when it was dropped."""
+        if self.link is None:
+            self._counters.drop("tcp_unconnected", self.address)
+            return False
+        return self.link.send(datagram)
+
+    async def close(self) -> None:
+        """Give up and close."""
+        self._task.cancel()
+        await asyncio.gather(self._task, return_exceptions=True)
+
+    async def _keep(self) -> None:
+        pause = FIRST_RETRY
+        while True:
+            try:
+                await self._connect()
+            except (OSError, TimeoutError) as error:
+                self.problem = str(error) or "no answer in time"
+                self._counters["tcp.connect_failed"] += 1
+                _LOGGER.debug("no JTCP connection to %s: %s", self.address, self.problem)
+            else:
+                pause = FIRST_RETRY
+                await self._until_lost()
+            await asyncio.sleep(pause)
+            pause = min(2 * pause, LAST_RETRY)
+
+    async def _connect(self) -> None:
+        loop = asyncio.get_running_loop()
+        self._lost.clear()
+        async with asyncio.timeout(CONNECT_TIMEOUT):
+            _, link = await loop.create_connection(
+                lambda: StreamLink(self._counters, self._took, self._ended), *self.address
+            )
+        self.link = link
+        self.connected.set()
+        self._counters["tcp.connected"] += 1
+        _LOGGER.info("JTCP connection to %s", self.address)
+
+    async def _until_lost(self) -> None:
+        try:
+            await self._lost.wait()
+        finally:
+            if self.link is not None:
+                self.link.close()
+            self.link = None
+            self.connected.clear()
+
+    def _ended(self, link: StreamLink) -> None:
+        if link is self.link:
+            self.link = None
+            self.connected.clear()
+        self._lost.set()
+        self._counters["tcp.closed"] += 1

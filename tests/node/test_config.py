@@ -1,0 +1,102 @@
+"""The configuration file: complete when printed, exact when wrong."""
+
+from pathlib import Path
+
+import pytest
+from pydantic import BaseModel
+
+from jauspy.errors import ConfigError
+from jauspy.node import NodeConfig, config_file, policy
+from jauspy.node.config import GatewayConfig, NetworkConfig, RuleConfig
+
+GATEWAY = """
+address = "10.0.0.1"
+[[networks]]
+name = "vehicle"
+address = "10.1.0.1"
+[gateway]
+subsystem = 101
+inside = ["vehicle"]
+[[gateway.rules]]
+source = "42.*.*"
+messages = [0x0405, "QueryStatus", "0x2000-0x20FF"]
+rate = 5
+"""
+
+
+@pytest.fixture
+def written(tmp_path: Path) -> Path:
+    return tmp_path / "nm.toml"
+
+
+@pytest.mark.parametrize("text", ["", GATEWAY, 'local_mode = 0o600\nmetrics = "127.0.0.1:9794"\nlog = "json"\n'])
+def test_what_is_printed_reads_back_the_same(written: Path, text: str) -> None:
+    written.write_text(text)
+    config = config_file.load(written)
+    written.write_text(config_file.to_toml(config))
+    assert config_file.load(written) == config
+
+
+@pytest.mark.parametrize("model", [NodeConfig, NetworkConfig, GatewayConfig, RuleConfig])
+def test_every_setting_has_a_comment_and_one_that_is_unset_an_example(model: type[BaseModel]) -> None:
+    for name, field in model.model_fields.items():
+        assert field.description, name
+        assert field.default is not None or field.examples, name
+
+
+def test_the_examples_in_comments_are_valid(written: Path) -> None:
+    printed = config_file.to_toml(NodeConfig()).splitlines()
+    settings = [line for line in printed if not line.startswith("# ") or line[2:].split(" = ")[0].isidentifier()]
+    plain = [line.removeprefix("# ") for line in printed if line in settings or line.startswith("# [")]
+    written.write_text("\n".join(plain).replace('"0.0.0.0"', '"10.0.0.1"'))
+    config = config_file.load(written)
+    assert config.gateway is not None
+    assert policy.gateway(config) is not None
+    assert config.metrics == "127.0.0.1:9794"
+
+
+def test_the_command_line_goes_before_the_file(written: Path) -> None:
+    written.write_text("port = 5000\nmulticast_ttl = 3\n")
+    config = config_file.load(written, {"port": 6000, "address": None})
+    assert (config.port, config.multicast_ttl, config.address) == (6000, 3, "0.0.0.0")
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("port = 70000", "port = 70000: input should be less than or equal to 65535"),
+        ("prot = 1", "prot = 1: there is no such key; known here are: address, address6, address_books,"),
+        (
+            "[[networks]]\nname = 'b'\nadress = 'x'",
+            "networks[0].adress = 'x': there is no such key; known here are: addr",
+        ),
+        ("[gateway]", "gateway.subsystem: is missing"),
+        ("[gateway]\nsubsystem = 1\ninside = ['in']", "gateway: there is no network 'in'; known are: lan"),
+        (
+            "[gateway]\nsubsystem = 1\n[[gateway.rules]]\nsource = '42'",
+            "source = '42': write SUBSYSTEM.NODE.COMPONENT wi",
+        ),
+        ("[gateway]\nsubsystem = 1\n[[gateway.rules]]\nrate = -1", "gateway.rules[0].rate = -1: input should be great"),
+        ("[[networks]]\naddress = '10.0.0.1'", "networks: 2 are named 'lan'; give each its own `name`"),
+        ("[[networks]]\nname = 'b'\naddress = '10.0.0.1'", "'lan' has all of port 3794; give it an `address`"),
+        ("metrics = '9794'", "metrics = '9794': write ADDRESS:PORT, as in 127.0.0.1:9794"),
+        ("port = ", "is not TOML"),
+    ],
+)
+def test_mistakes_name_file_key_and_fix(written: Path, text: str, told: str) -> None:
+    written.write_text(text)
+    with pytest.raises(ConfigError) as caught:
+        config_file.load(written)
+    assert str(caught.value).startswith(f"{written}: is ")
+    assert told in str(caught.value)
+
+
+def test_a_file_that_is_not_there(written: Path) -> None:
+    with pytest.raises(ConfigError, match="cannot be read: No such file"):
+        config_file.load(written)
+
+
+def test_a_message_that_nobody_knows_is_told_with_close_ones(written: Path) -> None:
+    written.write_text('[gateway]\nsubsystem = 1\n[[gateway.rules]]\nmessages = ["QueryStatsu"]')
+    with pytest.raises(ConfigError, match=r"gateway.rules\[0\].messages: .*QueryStatus.*write its id"):
+        policy.gateway(config_file.load(written))

@@ -1,0 +1,128 @@
+"""Floods from the network: what is urgent overtakes, what is too much is dropped from below."""
+
+import asyncio
+import socket
+from pathlib import Path
+
+import pytest
+
+from jauspy.ids import JausID
+from jauspy.node import NodeConfig, NodeManager, ingress
+from jauspy.node.ingress import Ingress
+from jauspy.protocol import judp, junior
+from jauspy.protocol.counters import Counters
+from jauspy.protocol.header import Packet, Priority, peek_priority
+
+HERE, FAR = JausID.parse("101.1.1"), JausID.parse("42.1.1")
+
+
+def packet(number: int, priority: Priority) -> bytes:
+    return judp.pack(Packet(FAR, HERE, b"\x02\x20", number & 0xFFFF, priority))
+
+
+class Socket:
+    """Gives what is queued, as a UDP socket would."""
+
+    def __init__(self, *datagrams: bytes) -> None:
+        self.datagrams = list(datagrams)
+
+    def recvfrom(self, _: int) -> tuple[bytes, tuple[str, int]]:
+        if not self.datagrams:
+            raise BlockingIOError
+        return self.datagrams.pop(0), ("10.0.0.1", 3794)
+
+
+@pytest.fixture
+def counters() -> Counters:
+    import logging
+
+    return Counters(logging.getLogger())
+
+
+async def run(source: Socket, counters: Counters) -> list[bytes]:
+    """Wake up until nothing is left; what was routed, in order."""
+    routed: list[bytes] = []
+    reader = Ingress(lambda data, _: routed.append(data), lambda: None, counters)
+    while source.datagrams or len(reader):
+        reader._wake(source, "lan", 0, {}, lambda error: None)  # type: ignore[arg-type]
+        await asyncio.sleep(0)
+    return routed
+
+
+async def test_urgent_packets_overtake_those_that_were_read_with_them(counters: Counters) -> None:
+    low = [packet(n, Priority.LOW) for n in range(150)]
+    urgent = [packet(n, Priority.SAFETY_CRITICAL) for n in range(3)]
+    routed = await run(Socket(*low, *urgent), counters)
+    assert routed == urgent + low
+
+
+async def test_a_flood_delays_an_urgent_packet_by_a_few_reads_and_drops_only_its_own(counters: Counters) -> None:
+    flood = [packet(n, Priority.LOW) for n in range(20000)]
+    urgent = packet(1, Priority.SAFETY_CRITICAL)
+    source = Socket(*flood[:10000], urgent, *flood[10000:])
+    routed = await run(source, counters)
+    wakes = 10000 // ingress.READ_BURST + 2
+    assert routed.index(urgent) <= wakes * ingress.ROUTE_BURST
+    lost = counters["dropped.overload"]
+    assert lost > 0
+    assert len(routed) == 20001 - lost
+    numbers = [judp.unpack(data)[0].sequence for data in routed if data != urgent]
+    assert numbers == sorted(numbers)
+
+
+async def test_among_too_many_the_lowest_go_first(counters: Counters) -> None:
+    high = [packet(n, Priority.HIGH) for n in range(ingress.MAX_WAITING)]
+    low = [packet(n, Priority.LOW) for n in range(ingress.MAX_WAITING)]
+    routed = await run(Socket(*low, *high), counters)
+    assert [data for data in routed if peek_priority(data) == Priority.HIGH] == high
+
+
+async def test_a_real_flood_never_starves_the_safety_critical(root: Path, introduce, udp) -> None:
+    """While a peer sends low-priority packets as fast as it can, another one's emergency stop arrives every time."""
+    async with NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root)) as node:
+        component = introduce(HERE)
+        flooder, operator = udp(), udp()
+        low = judp.pack(Packet(JausID(43, 1, 1), HERE, bytes(200), 1, Priority.LOW))
+        where = ("127.0.0.1", node.port)
+        for number in range(30):
+            for _ in range(600):
+                flooder.sendto(low, where)
+            urgent = packet(number, Priority.SAFETY_CRITICAL)
+            operator.sendto(urgent, where)
+            async with asyncio.timeout(5):
+                while await asyncio.get_running_loop().sock_recv(component, 70000) != urgent:
+                    pass
+
+
+async def test_sealed_networks_talk_to_each_other_and_to_nobody_else(
+    root: Path, introduce, free_port: int, tmp_path: Path, udp
+) -> None:
+    key = tmp_path / "key"
+    key.write_bytes(b"a key of more than sixteen bytes\n")
+    key.chmod(0o600)
+    folders = [root / name for name in ("a", "b")]
+    near, far = (
+        NodeConfig(address=f"127.0.0.{n}", port=free_port, local_root=folder, key_file=key)
+        for n, folder in enumerate(folders, 1)
+    )
+    async with NodeManager(near) as first, NodeManager(far) as second:
+        if first.counters["multicast.not_joined"] or second.counters["multicast.not_joined"]:
+            pytest.skip("this kernel does not multicast on its loopback interface")
+        here, there = introduce(HERE, folders[0]), introduce(FAR, folders[1])
+        assert [await receive(sock) for sock in (here, there)] == [junior.accept(HERE), junior.accept(FAR)]
+        asking = judp.pack(Packet(HERE, FAR, b"\x02\x20", 1))
+        here.sendto(asking, str(first.path))
+        assert judp.unpack(await receive(there))[0].payload == b"\x02\x20"
+        answer = judp.pack(Packet(FAR, HERE, b"\x02\x40", 1))
+        there.sendto(answer, str(second.path))
+        assert await receive(here) == answer
+        stranger = udp()
+        stranger.sendto(judp.pack(Packet(JausID(43, 1, 1), HERE, b"\x02\x20")), ("127.0.0.1", free_port))
+        there.sendto(answer, str(second.path))
+        assert await receive(here) == answer
+        assert first.counters["dropped.auth.unauthenticated"] == 1
+
+
+async def receive(sock: socket.socket) -> bytes:
+    async with asyncio.timeout(5):
+        return await asyncio.get_running_loop().sock_recv(sock, 70000)

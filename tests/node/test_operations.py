@@ -1,0 +1,219 @@
+"""A running node manager is looked at, reloaded, mirrored and watched over."""
+
+import asyncio
+import json
+import logging
+import socket
+import stat
+from pathlib import Path
+
+import dpkt
+import pytest
+
+from jauspy.cli.node_serve import JsonLines
+from jauspy.errors import ConfigError, TransportError
+from jauspy.ids import JausID
+from jauspy.node import NodeConfig, NodeManager, status
+from jauspy.node.service_manager import ServiceManager
+from jauspy.protocol import judp, junior
+from jauspy.protocol.header import Packet
+
+HERE, FAR = JausID.parse("101.1.1"), JausID.parse("42.1.1")
+QUERY_BACK = judp.pack(Packet(HERE, FAR, b"\x02\x20", 1))
+QUERY = judp.pack(Packet(FAR, HERE, b"\x02\x20", 1))
+
+
+async def receive(sock: socket.socket) -> bytes:
+    async with asyncio.timeout(5):
+        return await asyncio.get_running_loop().sock_recv(sock, 70000)
+
+
+def config(root: Path, **settings: object) -> NodeConfig:
+    return NodeConfig.make(address="127.0.0.1", port=0, local_root=root, **settings)
+
+
+async def traffic(node: NodeManager, introduce, udp) -> tuple[socket.socket, socket.socket]:
+    """One component, one peer, one query from there to here, and something malformed."""
+    component, peer = introduce(HERE), udp()
+    assert await receive(component) == junior.accept(HERE)
+    peer.sendto(b"\x07garbage of no known version", ("127.0.0.1", node.port))
+    peer.sendto(QUERY, ("127.0.0.1", node.port))
+    assert await receive(component) == QUERY
+    return component, peer
+
+
+async def test_the_status_tells_components_peers_queues_and_drops(root: Path, introduce, udp) -> None:
+    async with NodeManager(config(root)) as node:
+        before = await status.read(root)
+        _, peer = await traffic(node, introduce, udp)
+        told = status.with_rates(before, await status.read(root))
+        assert told["components"] == [{"id": "101.1.1", "path": str(root / str(int(HERE))), "waiting": 0}]
+        host, port = peer.getsockname()
+        assert [(each["id"], each["address"]) for each in told["peers"]] == [("42.1.1", f"{host}:{port}")]
+        assert told["counters"]["dropped.malformed.version"] == 1
+        assert told["rates"]["dropped.malformed.version"] > 0
+        assert told["queues"] == {"ingress": 0, "unknown_destinations": 0}
+        assert told["networks"][0]["address"] == f"127.0.0.1:{node.port}"
+        assert stat.S_IMODE((root / status.SOCKET_NAME).stat().st_mode) == 0o660
+    assert list(root.iterdir()) == [root / str(int(HERE))]
+
+
+async def test_no_node_manager_no_status(root: Path) -> None:
+    with pytest.raises(TransportError, match=r"no node manager tells its status at .*is this its --local-root"):
+        await status.read(root)
+
+
+async def test_a_reader_of_the_status_that_sends_and_never_reads_harms_nobody(root: Path, introduce, udp) -> None:
+    async with NodeManager(config(root)) as node:
+        _, writer = await asyncio.open_unix_connection(root / status.SOCKET_NAME)
+        writer.write(b"x" * 100000)
+        await traffic(node, introduce, udp)
+        assert (await status.read(root))["pid"]
+        writer.close()
+
+
+async def http(port: int, request: bytes) -> bytes:
+    reader, writer = await asyncio.open_connection("127.0.0.1", port)
+    writer.write(request)
+    answer = await reader.read()
+    writer.close()
+    await writer.wait_closed()
+    return answer
+
+
+async def test_metrics_for_prometheus(root: Path, introduce, udp, free_port: int) -> None:
+    async with NodeManager(config(root, metrics=f"127.0.0.1:{free_port}")) as node:
+        await traffic(node, introduce, udp)
+        head, _, body = (await http(free_port, b"GET /metrics HTTP/1.1\r\n\r\n")).partition(b"\r\n\r\n")
+        assert b"200 OK" in head
+        assert b'jauspy_node_dropped_total{reason="malformed.version"} 1.0' in body
+        assert b'jauspy_node_queue{component="101.1.1"} 0.0' in body
+        assert b"jauspy_node_peers 1.0" in body
+        assert b"405" in await http(free_port, b"POST / HTTP/1.1\r\n\r\n")
+
+
+async def test_a_taken_metrics_port_is_told_and_nothing_stays_open(root: Path) -> None:
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        port = taken.getsockname()[1]
+        with pytest.raises(TransportError, match=f"cannot serve metrics on 127.0.0.1:{port}.*--metrics"):
+            await NodeManager(config(root, metrics=f"127.0.0.1:{port}")).open()
+    assert list(root.iterdir()) == []
+
+
+def packets(data) -> list[tuple[str, str, bytes]]:
+    """What a reader of pcapng sees."""
+    reader = dpkt.pcapng.Reader(data)
+    found = []
+    for _, frame in reader:
+        ip = dpkt.ip.IP(frame)
+        bare = dpkt.ip.IP(frame)
+        bare.sum = 0
+        assert dpkt.ip.IP(bytes(bare)).sum == ip.sum, "the header's checksum is right"
+        name = socket.inet_ntoa
+        found.append((f"{name(ip.src)}:{ip.data.sport}", f"{name(ip.dst)}:{ip.data.dport}", ip.data.data))
+    return found
+
+
+async def test_the_mirror_writes_all_that_is_routed(root: Path, tmp_path: Path, introduce, udp) -> None:
+    file = tmp_path / "all.pcapng"
+    async with NodeManager(config(root, mirror=str(file))) as node:
+        component, peer = await traffic(node, introduce, udp)
+        answer = judp.pack(Packet(HERE, FAR, b"\x02\x40", 1))
+        component.sendto(answer, str(node.path))
+        assert await receive(peer) == answer
+        where = ":".join(map(str, peer.getsockname()))
+    with file.open("rb") as data:
+        local = "127.101.1.1:3794"
+        assert packets(data) == [(local, local, junior.accept(HERE)), (where, local, QUERY), (local, where, answer)]
+
+
+async def test_the_mirror_ends_at_its_limit(root: Path, tmp_path: Path, introduce, udp) -> None:
+    file = tmp_path / "all.pcapng"
+    async with NodeManager(config(root, mirror=str(file), mirror_limit=4096)) as node:
+        component, peer = await traffic(node, introduce, udp)
+        for _ in range(200):
+            peer.sendto(QUERY, ("127.0.0.1", node.port))
+            await receive(component)
+    assert file.stat().st_size <= 4096
+
+
+async def test_each_datagram_of_the_mirror_is_a_file(root: Path, tmp_path: Path, introduce, udp) -> None:
+    viewer = udp()
+    target = "udp:{}:{}".format(*viewer.getsockname())
+    async with NodeManager(config(root, mirror=target)) as node:
+        await traffic(node, introduce, udp)
+        (tmp_path / "one").write_bytes(await receive(viewer))
+    with (tmp_path / "one").open("rb") as data:
+        assert packets(data)[-1][2] in (QUERY, junior.accept(HERE))
+
+
+async def test_a_reload_takes_over_rules_and_keeps_the_old_ones_when_it_fails(root: Path, introduce, udp) -> None:
+    def gateway(**rule: object) -> NodeConfig:
+        return config(root, gateway={"subsystem": 101, "rules": [rule]})
+
+    async with NodeManager(config(root)) as node:
+        component, peer = await traffic(node, introduce, udp)
+        refused = judp.pack(Packet(FAR, HERE, b"\x05\x04", 2))
+        assert node.reload(gateway(messages=["QueryStatus"])) == []
+        for data in (refused, QUERY):
+            peer.sendto(data, ("127.0.0.1", node.port))
+        assert await receive(component) == QUERY
+        with pytest.raises(ConfigError, match="QueryStatsu"):
+            node.reload(gateway(messages=["QueryStatsu"]))
+        for data in (refused, QUERY):
+            peer.sendto(data, ("127.0.0.1", node.port))
+        assert await receive(component) == QUERY
+        assert node.counters["dropped.gateway.rule"] == 2
+        assert node.reload(config(root, multicast_ttl=3)) == ["multicast_ttl"]
+        peer.sendto(refused, ("127.0.0.1", node.port))
+        assert await receive(component) == refused
+
+
+async def test_a_reload_reads_the_address_books_again(root: Path, tmp_path: Path, introduce, udp) -> None:
+    book = tmp_path / "book.toml"
+    book.write_text("[addresses]\n")
+    settings = config(root, address_books=[book])
+    async with NodeManager(settings) as node:
+        component, peer = introduce(HERE), udp()
+        assert await receive(component) == junior.accept(HERE)
+        book.write_text('[addresses]\n"42.1.1" = "udp://{}:{}"\n'.format(*peer.getsockname()))
+        assert node.reload(settings) == []
+        component.sendto(QUERY_BACK, str(node.path))
+        assert await receive(peer) == QUERY_BACK
+        book.write_text('[addresses]\n"42.1" = 1\n')
+        with pytest.raises(ConfigError, match=r"book\.toml"):
+            node.reload(settings)
+        component.sendto(QUERY_BACK, str(node.path))
+        assert await receive(peer) == QUERY_BACK
+
+
+async def test_systemd_is_told_of_readiness_and_life(root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as manager:
+        manager.setblocking(False)
+        manager.bind(str(root / "notify"))
+        monkeypatch.setenv("NOTIFY_SOCKET", str(root / "notify"))
+        monkeypatch.setenv("WATCHDOG_USEC", "20000")
+        async with ServiceManager() as services:
+            told = [await receive(manager) for _ in range(3)]
+            assert told == [b"READY=1", b"WATCHDOG=1", b"WATCHDOG=1"]
+            services.ready("running")
+        rest = {await receive(manager), await receive(manager)}
+        assert rest & {b"READY=1\nSTATUS=running", b"STOPPING=1"}
+
+
+async def test_without_systemd_nothing_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("NOTIFY_SOCKET", raising=False)
+    async with ServiceManager() as services:
+        services.reloading()
+
+
+def test_the_json_log_is_one_object_per_line() -> None:
+    record = logging.makeLogRecord({"name": "jauspy.node", "levelno": 30, "levelname": "WARNING", "msg": "a\nb"})
+    line = JsonLines().format(record)
+    assert "\n" not in line
+    assert json.loads(line) | {"time": ""} == {
+        "time": "",
+        "level": "warning",
+        "logger": "jauspy.node",
+        "message": "a\nb",
+    }

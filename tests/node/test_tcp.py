@@ -1,0 +1,230 @@
+"""JTCP of the running node manager: bytes of other implementations, several ids on a connection, faults, reconnects."""
+
+import asyncio
+import socket
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
+from pathlib import Path
+
+import pytest
+
+from jauspy.errors import TransportError
+from jauspy.ids import EVERYONE, JausID
+from jauspy.node import NodeConfig, NodeManager, tcp
+from jauspy.protocol import judp
+from jauspy.protocol.header import Broadcast, Packet
+from jauspy.transport import LocalTransport, TcpTransport
+
+HERE, FAR, OTHER = JausID.parse("100.1.2"), JausID.parse("200.1.1"), JausID.parse("200.1.2")
+
+
+class Inbox(asyncio.Queue[bytes]):
+    """A component of the node manager; what it receives is waited for by `next`."""
+
+    def __init__(self, transport: LocalTransport | TcpTransport) -> None:
+        super().__init__()
+        self.transport = transport
+        transport.received = self.put_nowait
+
+    async def next(self) -> bytes:
+        async with asyncio.timeout(5):
+            return await self.get()
+
+
+class Stream:
+    """A peer as bytes."""
+
+    def __init__(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        self.reader, self.writer = reader, writer
+
+    def send(self, text: str) -> None:
+        self.writer.write(bytes.fromhex(text))
+
+    async def receive(self, count: int) -> str:
+        async with asyncio.timeout(5):
+            return (await self.reader.readexactly(count)).hex()
+
+    async def ended(self) -> bool:
+        async with asyncio.timeout(5):
+            try:
+                return await self.reader.read() is not None
+            except ConnectionError:
+                return True
+
+
+@pytest.fixture
+async def node(root: Path) -> AsyncIterator[NodeManager]:
+    async with NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root, tcp=True, tcp_port=0)) as manager:
+        yield manager
+
+
+@pytest.fixture
+async def here(node: NodeManager, root: Path) -> AsyncIterator[Inbox]:
+    inbox = Inbox(LocalTransport(HERE, root))
+    await inbox.transport.open()
+    yield inbox
+    await inbox.transport.close()
+
+
+@asynccontextmanager
+async def peer(node: NodeManager) -> AsyncIterator[Stream]:
+    reader, writer = await asyncio.open_connection("127.0.0.1", node.tcp_port)
+    yield Stream(reader, writer)
+    writer.close()
+
+
+async def until(condition: object) -> None:
+    async with asyncio.timeout(5):
+        while not condition():  # type: ignore[operator]
+            await asyncio.sleep(0.005)
+
+
+async def test_the_streams_of_another_implementation(node: NodeManager, here: Inbox) -> None:
+    async with peer(node) as far:
+        far.send("02001000010201640001 01c80011120100")
+        assert (await here.next()).hex() == "0200100001020164000101c80011120100"
+        far.send("0011000102016400 0101c800 212223 0200")
+        assert (await here.next()).hex() == "0200110001020164000101c8002122230200"
+        here.transport.send(bytes.fromhex("02000f00010101c80002016400310500"))
+        here.transport.send(bytes.fromhex("02000f00010101c80002016400320600"))
+        assert await far.receive(16) == "02000f00010101c80002016400310500"
+        assert await far.receive(15) == "000f00010101c80002016400320600"
+
+
+async def test_several_ids_behind_a_connection_and_broadcasts(node: NodeManager, here: Inbox) -> None:
+    async with peer(node) as far:
+        far.send("02")
+        for number, id in enumerate((FAR, OTHER)):
+            far.writer.write(judp.pack(Packet(id, HERE, b"\x02\x20", number))[1:])
+            await here.next()
+        assert await far.receive(1) == "02"
+        for message in (
+            Packet(HERE, FAR, b"\x02\x20", 1),
+            Packet(HERE, OTHER, b"\x02\x20", 2),
+            Packet(HERE, EVERYONE, b"\x00\x2b", 3, broadcast=Broadcast.GLOBAL),
+        ):
+            data = judp.pack(message)
+            here.transport.send(data)
+            assert await far.receive(len(data) - 1) == data[1:].hex()
+
+
+async def test_an_unknown_destination_is_asked_for_on_connections_too(node: NodeManager, here: Inbox) -> None:
+    async with peer(node) as far:
+        assert await far.receive(1) == "02"
+        here.transport.send(judp.pack(Packet(HERE, FAR, b"\x02\x20", 1)))
+        assert await far.receive(16) == "001000110101c800020164000220" + "0100"
+
+
+@pytest.mark.parametrize("rubbish", ["01000010", "02 02 001000", "02000500", "02c0ffff", "02ff"], ids=str)
+async def test_a_stream_that_lost_its_boundaries_is_closed_and_the_others_go_on(
+    node: NodeManager, here: Inbox, rubbish: str
+) -> None:
+    async with peer(node) as good, peer(node) as bad:
+        bad.send(rubbish + "00" * 20)
+        assert await bad.ended()
+        good.send("0200100001020164000101c80011120100")
+        await here.next()
+    malformed = [name for name in node.counters if name.startswith("dropped.malformed.stream")]
+    assert len(malformed) == 1
+
+
+async def test_a_closed_connection_is_forgotten_and_its_ids_are_asked_for_again(node: NodeManager, here: Inbox) -> None:
+    async with peer(node) as far:
+        far.send("0200100001020164000101c80011120100")
+        await here.next()
+    await until(lambda: node.counters["tcp.closed"] == 1)
+    here.transport.send(judp.pack(Packet(HERE, FAR, b"\x02\x20", 1)))
+    await until(lambda: node.counters["routed.multicast"] == 1)
+    async with peer(node) as far:
+        far.send("0200100001020164000101c80011120100")
+        await here.next()
+        here.transport.send(judp.pack(Packet(HERE, FAR, b"\x02\x20", 2)))
+        await far.receive(17)
+
+
+async def test_a_peer_that_does_not_read_delays_nobody_and_gets_whole_packets(node: NodeManager, here: Inbox) -> None:
+    async with peer(node) as slow, peer(node) as good:
+        for stream, id in ((slow, FAR), (good, OTHER)):
+            stream.writer.write(judp.pack(Packet(id, HERE, b"\x02\x20")))
+            await here.next()
+        slow.writer.transport.pause_reading()
+        with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as flood:
+            flood.setblocking(False)
+            flood.connect(str(node.path))
+            for number in range(0x10000):
+                while True:
+                    try:
+                        flood.send(judp.pack(Packet(HERE, FAR, bytes(4000), number)))
+                        break
+                    except BlockingIOError:
+                        await asyncio.sleep(0)
+                if node.counters["dropped.queue_full"]:
+                    break
+        here.transport.send(judp.pack(Packet(HERE, OTHER, b"\x02\x20", 7)))
+        assert (await good.receive(17)).endswith("0700")
+        slow.writer.transport.resume_reading()
+        assert await slow.receive(1) == "02"
+        numbers = []
+        for _ in range(300):
+            packet = bytes.fromhex("02" + await slow.receive(4014))
+            numbers.append(judp.unpack(packet)[0].sequence)
+        assert numbers == sorted(numbers)
+
+
+async def test_connections_are_bounded(node: NodeManager, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(tcp, "MAX_CONNECTIONS", 1)
+    async with peer(node) as first:
+        assert await first.receive(1) == "02"
+        async with peer(node) as second:
+            assert await second.ended()
+    assert node.counters["tcp.refused"] == 1
+
+
+async def test_peers_of_the_address_book_are_connected_to_and_again(root: Path, free_port: int) -> None:
+    book = {str(FAR): f"tcp://127.0.0.1:{free_port}"}
+    near = NodeConfig(address="127.0.0.1", port=0, local_root=root / "near", addresses=book)
+    far = NodeConfig(address="127.0.0.1", port=0, local_root=root / "far", tcp=True, tcp_port=free_port)
+    async with NodeManager(near) as ours:
+        a = Inbox(LocalTransport(HERE, root / "near"))
+        await a.transport.open()
+        a.transport.send(judp.pack(Packet(HERE, FAR, b"\x02\x20", 1)))
+        await until(lambda: ours.counters["dropped.tcp_unconnected"] == 1)
+        for life in range(2):
+            async with NodeManager(far):
+                b = Inbox(LocalTransport(FAR, root / "far"))
+                await b.transport.open()
+                await until(lambda wanted=life + 1: ours.counters["tcp.connected"] == wanted)
+                there = judp.pack(Packet(HERE, FAR, b"\x02\x20", 2))
+                a.transport.send(there)
+                assert await b.next() == there
+                back = judp.pack(Packet(FAR, HERE, b"\x02\x40", 3))
+                b.transport.send(back)
+                assert await a.next() == back
+                await b.transport.close()
+        await a.transport.close()
+
+
+async def test_a_component_connects_again(root: Path, free_port: int) -> None:
+    config = NodeConfig(address="127.0.0.1", port=0, local_root=root, tcp=True, tcp_port=free_port)
+    ocu = Inbox(TcpTransport(FAR, ("127.0.0.1", free_port)))
+    async with NodeManager(config):
+        await ocu.transport.open()
+    await until(lambda: not ocu.transport.connected)
+    ocu.transport.send(judp.pack(Packet(FAR, FAR, b"\0\0")))
+    assert ocu.transport.counters["dropped.tcp_unconnected"] == 1
+    async with NodeManager(config) as node:
+        await until(lambda: ocu.transport.connected)
+        ocu.transport.send(judp.pack(Packet(FAR, HERE, b"\0\0")))
+        await until(lambda: node.counters["received.tcp"] == 1)
+    await ocu.transport.close()
+
+
+async def test_nobody_there_and_a_taken_port_say_what_to_do(root: Path, free_port: int) -> None:
+    with pytest.raises(TransportError, match="TCP switched on"):
+        await TcpTransport(FAR, ("127.0.0.1", free_port), patience=0.2).open()
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        port = taken.getsockname()[1]
+        manager = NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root, tcp=True, tcp_port=port))
+        with pytest.raises(TransportError, match="choose another tcp_port"):
+            await manager.open()
+    assert list(root.iterdir()) == []

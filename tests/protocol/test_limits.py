@@ -1,0 +1,141 @@
+"""Rates, addresses of known ids, and seals, on virtual time."""
+
+import pytest
+
+from jauspy.errors import ProtocolError
+from jauspy.ids import JausID
+from jauspy.protocol import buckets, judp, junior, seal, sources
+from jauspy.protocol.buckets import TokenBuckets
+from jauspy.protocol.header import Packet, Priority, peek_priority
+from jauspy.protocol.node import NodeCore
+from jauspy.protocol.ports import LocalPort, UdpPort
+from jauspy.protocol.seal import Seal
+from jauspy.protocol.sources import SourceLimits, Sources
+
+HERE, FAR = JausID.parse("101.1.1"), JausID.parse("42.1.1")
+PORT = LocalPort(f"/root/{int(HERE)}")
+KEY = b"sixteen bytes or more"
+
+
+def core(**limits: object) -> NodeCore:
+    node = NodeCore("/root", sources=Sources(SourceLimits(**limits)))  # type: ignore[arg-type]
+    node.receive(junior.connect(HERE), PORT, 0.0)
+    node.poll_output()
+    return node
+
+
+def received(node: NodeCore, data: bytes, host: str = "10.0.0.1", now: float = 0.0) -> int:
+    node.receive(data, UdpPort(host, 3794), now)
+    return len(node.poll_output())
+
+
+def query(number: int, priority: Priority = Priority.STANDARD) -> bytes:
+    return judp.pack(Packet(FAR, HERE, b"\x02\x20", number, priority))
+
+
+def test_a_bucket_gives_a_burst_and_then_its_rate() -> None:
+    bucket = TokenBuckets(10.0, 5.0)
+    assert sum(bucket.take("a", 0.0) for _ in range(20)) == 5
+    assert sum(bucket.take("a", 1.0 + n / 100) for n in range(200)) in (24, 25)
+    assert bucket.take("b", 3.0)
+
+
+def test_the_number_of_buckets_is_bounded() -> None:
+    bucket = TokenBuckets(1.0, 1.0)
+    for key in range(buckets.MAX_BUCKETS + 10):
+        bucket.take(key, 0.0)
+    assert len(bucket) == buckets.MAX_BUCKETS
+
+
+def test_a_flood_of_one_source_leaves_its_safety_critical_messages_and_others_alone() -> None:
+    node = core(rate=100.0, burst=10.0)
+    assert sum(received(node, query(n)) for n in range(1000)) == 10
+    assert node.counters["dropped.rate"] == 990
+    assert received(node, query(1000, Priority.SAFETY_CRITICAL)) == 1
+    assert received(node, judp.pack(Packet(JausID(43, 1, 1), HERE, b"\x02\x20"))) == 1
+
+
+def test_the_rate_holds_for_components_too() -> None:
+    node = core(rate=100.0, burst=10.0)
+    for n in range(50):
+        node.receive(judp.pack(Packet(HERE, HERE, b"\0\0", n)), PORT, 0.0)
+    assert len(node.poll_output()) == 10
+
+
+def test_an_id_keeps_its_host_until_it_was_silent() -> None:
+    node = core()
+    assert received(node, query(1)) == 1
+    assert received(node, query(2), "10.0.0.66", 5.0) == 0
+    assert node.counters["dropped.address_mismatch"] == 1
+    assert received(node, query(3), now=10.0) == 1
+    assert received(node, query(4), "10.0.0.66", 10.0 + sources.SILENCE) == 1
+
+
+def test_the_check_of_addresses_can_be_switched_off() -> None:
+    node = core(check_address=False)
+    assert [received(node, query(n), f"10.0.0.{n}") for n in (1, 2)] == [1, 1]
+
+
+@pytest.mark.parametrize("priority", list(Priority))
+def test_the_priority_is_seen_before_the_packet_is_checked(priority: Priority) -> None:
+    assert peek_priority(query(1, priority)) == priority
+    assert peek_priority(b"12" + query(1, priority), 2) == priority
+
+
+def test_what_is_no_packet_has_no_priority() -> None:
+    assert [peek_priority(data) for data in (b"", b"\x02", b"\x02\x00\xff\xff\xff", bytes(100))] == [0] * 4
+
+
+# --- seals -----------------------------------------------------------------------------------------------------------
+
+
+def opened(receiver: Seal, data: bytes, utc: float = 1000.0) -> str:
+    try:
+        receiver.open(data, utc)
+    except ProtocolError as error:
+        return error.reason
+    return "good"
+
+
+def test_the_sealed_form_is_as_documented() -> None:
+    sealed = Seal(KEY, 0x0102030405060708).seal(query(1), 1.5)
+    assert sealed.hex(" ", 1).startswith("a5 01 02 03 04 05 06 07 08 00 00 00 00 00 00 00 01 00 00 00 00 00 00 05 dc")
+    assert sealed[seal.OVERHEAD :] == query(1)
+    assert len(sealed) == len(query(1)) + 41
+
+
+def test_a_seal_is_opened_once() -> None:
+    sender, receiver = Seal(KEY, 1), Seal(KEY, 2)
+    data = sender.seal(query(1), 1000.0)
+    assert receiver.open(data, 1000.0) == query(1)
+    assert opened(receiver, data) == "replayed"
+
+
+def test_datagrams_may_overtake_each_other_within_the_window() -> None:
+    sender, receiver = Seal(KEY, 1), Seal(KEY, 2)
+    sent = [sender.seal(query(n), 1000.0) for n in range(seal.WINDOW + 2)]
+    assert opened(receiver, sent[5]) == "good"
+    assert opened(receiver, sent[3]) == "good"
+    assert opened(receiver, sent[-1]) == "good"
+    assert [opened(receiver, sent[n]) for n in (0, 1, 2, 3, 4, 5)] == ["replayed"] * 2 + [
+        "good",
+        "replayed",
+        "good",
+        "replayed",
+    ]
+
+
+def test_whatever_is_changed_is_noticed() -> None:
+    data = Seal(KEY, 1).seal(query(1), 1000.0)
+    for at in range(len(data)):
+        changed = data[:at] + bytes([data[at] ^ 1]) + data[at + 1 :]
+        assert opened(Seal(KEY, 2), changed) in ("forged", "unauthenticated")
+
+
+def test_other_keys_plain_packets_old_ones_and_our_own_are_refused() -> None:
+    sender, receiver = Seal(KEY, 1), Seal(KEY, 2)
+    assert opened(receiver, Seal(KEY + b"!", 1).seal(query(1), 1000.0)) == "forged"
+    assert opened(receiver, query(1)) == "unauthenticated"
+    assert opened(receiver, b"") == "unauthenticated"
+    assert opened(receiver, sender.seal(query(1), 1000.0 - seal.MAX_AGE - 1)) == "stale"
+    assert opened(sender, sender.seal(query(1), 1000.0)) == "own"

@@ -1,0 +1,203 @@
+"""How fast the node manager routes, beside a bare forwarder without any routing (`floor.py`) in the same run.
+
+python tools/bench/node_manager.py [--rounds 3] [--messages 20000] [--seconds 2] [--uvloop]
+
+For three ways: messages per second with a window in flight and none lost, CPU seconds of the router per 100,000
+messages, and round trips at a steady rate. The driver shares the machine; trust the ratios.
+"""
+
+from __future__ import annotations
+
+import argparse
+import select
+import shutil
+import socket
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import psutil
+
+from jauspy.ids import JausID
+from jauspy.protocol import judp, junior
+from jauspy.protocol.header import Packet
+
+A, B = JausID.parse("126.1.11"), JausID.parse("126.1.20")
+WAYS = (("unix", "unix"), ("udp", "unix"), ("unix", "udp"))
+RATES = (500, 5000)
+UVLOOP = "import uvloop; uvloop.install(); from jauspy.cli.main import main; main()"
+
+
+class End:
+    """One side of the way: its socket, and where it sends to."""
+
+    def __init__(self, kind: str, id: JausID, root: Path) -> None:
+        self.id = id
+        self.kind = kind
+        family = socket.AF_UNIX if kind == "unix" else socket.AF_INET
+        self.socket = socket.socket(family, socket.SOCK_DGRAM)
+        self.socket.setblocking(False)
+        self.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 1 << 22)
+        self.socket.bind(str(root / str(int(id))) if kind == "unix" else ("127.0.0.1", 0))
+        name = self.socket.getsockname()
+        self.name = f"unix:{name}" if kind == "unix" else f"udp:{name[1]}"
+        self.target: str | tuple[str, int] = ""
+
+    def send(self, datagram: bytes) -> bool:
+        """False when the router's queue is full."""
+        try:
+            self.socket.sendto(datagram, self.target)
+        except BlockingIOError:
+            return False
+        return True
+
+    def receive(self, timeout: float) -> bytes | None:
+        """The next datagram."""
+        try:
+            return self.socket.recv(65536)
+        except BlockingIOError:
+            if select.select([self.socket], [], [], timeout)[0]:
+                return self.socket.recv(65536)
+        return None
+
+
+def free_port() -> int:
+    """A UDP port that nobody has."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sock:
+        sock.bind(("127.0.0.1", 0))
+        return int(sock.getsockname()[1])
+
+
+@contextmanager
+def process(command: list[str]) -> Iterator[psutil.Process]:
+    """A router, ready."""
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as child:
+        try:
+            assert child.stdout is not None
+            assert "ready" in child.stdout.readline()
+            yield psutil.Process(child.pid)
+        finally:
+            child.kill()
+
+
+@contextmanager
+def way(kinds: tuple[str, str], router: str) -> Iterator[tuple[End, End, psutil.Process]]:
+    """Both ends, connected by the node manager or by the floor."""
+    root = Path(tempfile.mkdtemp(prefix="jb"))
+    a, b = End(kinds[0], A, root), End(kinds[1], B, root)
+    try:
+        if router == "floor":
+            ins = [
+                f"unix:{root / name}" if kind == "unix" else f"udp:{free_port()}"
+                for kind, name in zip(kinds, "ab", strict=True)
+            ]
+            floor = str(Path(__file__).with_name("floor.py"))
+            with process([sys.executable, floor, ins[0], a.name, ins[1], b.name]) as child:
+                for end, text in zip((a, b), ins, strict=True):
+                    rest = text.partition(":")[2]
+                    end.target = rest if end.kind == "unix" else ("127.0.0.1", int(rest))
+                yield a, b, child
+            return
+        port = free_port()
+        start = ["-c", UVLOOP] if router == "uvloop" else ["-m", "jauspy.cli.main"]
+        options = ["node-manager", "--address", "127.0.0.1", "--port", str(port), "--local-root", str(root)]
+        with process([sys.executable, *start, *options]) as child:
+            for end in (a, b):
+                end.target = str(root / junior.SOCKET_NAME) if end.kind == "unix" else ("127.0.0.1", port)
+                if end.kind == "unix":
+                    end.send(junior.connect(end.id))
+                    assert end.receive(5.0) == junior.accept(end.id)
+            for one, other in ((a, b), (b, a)):
+                if one.kind == "udp":
+                    one.send(judp.pack(Packet(one.id, other.id, b"\x02\x20")))
+                    assert other.receive(5.0)
+            yield a, b, child
+    finally:
+        for end in (a, b):
+            end.socket.close()
+        shutil.rmtree(root)
+
+
+def cpu(child: psutil.Process) -> float:
+    """Seconds used so far."""
+    times = child.cpu_times()
+    return float(times.user + times.system)
+
+
+def throughput(kinds: tuple[str, str], router: str, count: int, window: int) -> tuple[float, float]:
+    """Messages per second, and CPU seconds per 100,000."""
+    with way(kinds, router) as (a, b, child):
+        datagram = judp.pack(Packet(A, B, bytes(32), 1))
+        sent = received = 0
+        used, begin = cpu(child), time.perf_counter()
+        while received < count:
+            while sent < count and sent - received < window and a.send(datagram):
+                sent += 1
+            if b.receive(2.0) is None:
+                raise SystemExit(f"{router}, {'-'.join(kinds)}: {sent - received} of {sent} messages were lost")
+            received += 1
+            while received < sent and b.receive(0) is not None:
+                received += 1
+        seconds = time.perf_counter() - begin
+        return count / seconds, (cpu(child) - used) / count * 1e5
+
+
+def round_trips(kinds: tuple[str, str], router: str, rate: int, seconds: float) -> list[float]:
+    """Microseconds, sorted; sent at a steady rate, later only when the one before is still under way."""
+    there, back = (judp.pack(Packet(one, other, bytes(32), 1)) for one, other in ((A, B), (B, A)))
+    with way(kinds, router) as (a, b, _):
+        found = []
+        due = time.perf_counter()
+        for _ in range(int(rate * seconds)):
+            due += 1 / rate
+            while (left := due - time.perf_counter()) > 0:
+                time.sleep(left)
+            begin = time.perf_counter()
+            a.send(there)
+            if b.receive(2.0) is None or not b.send(back) or a.receive(2.0) is None:
+                raise SystemExit(f"{router}, {'-'.join(kinds)}: a round trip was lost")
+            found.append((time.perf_counter() - begin) * 1e6)
+    return sorted(found)
+
+
+def percentiles(values: list[float]) -> str:
+    """p50, p99 and p99.9."""
+    return " / ".join(f"{values[int(len(values) * part)]:.0f}" for part in (0.5, 0.99, 0.999))
+
+
+def main() -> None:
+    """Measure in turn, print medians and ratios."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--rounds", type=int, default=3)
+    parser.add_argument("--messages", type=int, default=20000)
+    parser.add_argument("--window", type=int, default=64)
+    parser.add_argument("--seconds", type=float, default=2.0)
+    parser.add_argument(
+        "--uvloop", action="store_true", help="the node manager on uvloop as well, when it is installed"
+    )
+    options = parser.parse_args()
+    routers = ["floor", "jauspy", *(["uvloop"] if options.uvloop else [])]
+    for kinds in WAYS:
+        print("-".join(kinds))
+        rounds: dict[str, list[tuple[float, float]]] = {router: [] for router in routers}
+        for _ in range(options.rounds):
+            for router in routers:
+                rounds[router].append(throughput(kinds, router, options.messages, options.window))
+        floor = statistics.median(rate for rate, _ in rounds["floor"])
+        for router, results in rounds.items():
+            rate, used = (statistics.median(column) for column in zip(*results, strict=True))
+            ratio = f"{rate / floor:4.2f} of the floor"
+            print(f"  {router:<7} {rate:8.0f} messages/s ({ratio})  {used:5.2f} CPU s per 100,000")
+        for rate in RATES:
+            for router in routers:
+                found = round_trips(kinds, router, rate, options.seconds)
+                print(f"  {router:<7} round trip at {rate}/s, p50 / p99 / p99.9: {percentiles(found)} us")
+
+
+if __name__ == "__main__":
+    main()
