@@ -10,6 +10,7 @@ import pytest
 from jauspy.codec.base import Message
 from jauspy.codec.wire import SIZES
 from jauspy.errors import ConfigError, DecodeError
+from jauspy.fuzz.agreement import difference
 from jauspy.fuzz.campaign import Plan, fuzzer, run
 from jauspy.fuzz.making import Maker, Style
 from jauspy.fuzz.minimise import minimise
@@ -127,3 +128,14 @@ def test_files_that_are_no_seeds(content: bytes, tmp_path: Path) -> None:
     (tmp_path / "file").write_bytes(content)
     with pytest.raises(ConfigError, match="file"):
         file_payloads(tmp_path / "file")
+
+
+def test_rounding_is_no_disagreement_but_a_wrong_step_is() -> None:
+    """Two ways to compute a scaled value differ by a few steps of a float of the size of its limits."""
+    cls = registry.by_name("SetLocalOperatingZone", version="1.1")
+    data = bytes.fromhex("2704010000d4fe7f0000000000")
+    message = cls.decode(data)
+    said = message.to_dict()
+    assert difference(cls.layout(), message, said) is None
+    said["local_operating_zone"][0]["x"] += 4e7 / (2**32 - 1)
+    assert difference(cls.layout(), message, said) == "local_operating_zone.x"

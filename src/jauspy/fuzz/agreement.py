@@ -20,7 +20,7 @@ def difference(item: Item, ours: Any, theirs: Any) -> str | None:
         case Bits():
             return None if item.to_json(ours) == theirs else ""
         case Real():
-            return None if math.isclose(ours, theirs, rel_tol=1e-12, abs_tol=1e-9) else ""
+            return None if abs(ours - theirs) <= _rounding(item) else ""
         case Choice():
             if item.index.to_json(ours.choice) != theirs["choice"]:
                 return "choice"
@@ -74,3 +74,8 @@ def _composite(item: Composite, ours: Any, theirs: dict[str, Any]) -> str | None
     if item.undefined and ours.reserved_presence != spare:
         return "reserved_presence"
     return next(iter(left), None)
+
+
+def _rounding(item: Real) -> float:
+    """How far two ways to compute a scaled value may be apart: a few steps of a float of the size of its limits."""
+    return 8 * math.ulp(max(abs(item.scaling.lower), abs(item.scaling.upper)))
