@@ -100,7 +100,7 @@ def test_a_bare_message(text):
 
 def test_as_forces_what_the_bytes_are():
     assert objects("0220", "--as", "datagram", status=1)[0]["errors"]
-    assert objects(QUERY_STATUS, "--as", "message")[0]["messages"][0]["message"] == "Shutdown"
+    assert objects(QUERY_STATUS, "--as", "message", status=1)[0]["messages"][0]["message"] == "Shutdown"
 
 
 def test_packed_datagrams_show_every_message():
@@ -257,3 +257,18 @@ def test_garbage_files_get_one_sentence(tmp_path, content):
 
 def test_wrong_use_is_status_2():
     assert "neither a UDP port" in run("0220", "--port", "many", status=2).output
+
+
+@pytest.mark.parametrize(
+    "text", ["ffff0102", "01080000", "0208ff0100ff00ffffffffff"], ids=["unknown", "cut", "cut, too"]
+)
+def test_a_bare_message_that_cannot_be_read_is_a_failure(text):
+    objects(text, status=1)
+
+
+def test_a_message_that_begins_like_an_old_header_is_a_message():
+    message = registry.by_name("ConfirmSensorConfiguration", version="2.0")
+    data = "01085a0100043412010d4c5457442f6d5f4267654d6961"
+    [found] = objects(data)
+    assert found["messages"][0]["message"] == message.NAME
+    assert found["reencodes"]

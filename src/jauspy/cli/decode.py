@@ -30,7 +30,7 @@ def decode(
     ] = "3794",
     what: Annotated[
         What | None,
-        typer.Option("--as", help="What the hex text is. Default: a datagram (first byte 02), else a bare message."),
+        typer.Option("--as", help="What the hex text is. Default: a datagram (01 or 02 first), else a bare message."),
     ] = None,
 ) -> None:
     """Print the JAUS messages in a capture file or in hex text.

@@ -88,10 +88,9 @@ def _from_hex(number: int, data: bytes, what: What) -> Item:
     if control is not None and what is None:
         return Item(number, dissection=control)
     datagram = Item(number, dissection=dissect(data, registry))
-    if what == "datagram" or is_old_header(data):
-        return datagram
-    if data[:1] == _VERSION and not datagram.failed:
+    if what == "datagram" or (data[:1] == _VERSION and not datagram.failed):
         return datagram
     message = read_message(data, registry)
-    looks_like_datagram = data[:1] == _VERSION and (len(data) >= _SMALLEST or data[1:2] == _UNCOMPRESSED)
+    is_version_2 = data[:1] == _VERSION and (len(data) >= _SMALLEST or data[1:2] == _UNCOMPRESSED)
+    looks_like_datagram = is_version_2 or is_old_header(data)
     return datagram if looks_like_datagram and not message.exact else Item(number, bare=message)

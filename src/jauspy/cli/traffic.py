@@ -28,10 +28,10 @@ class Item:
 
     @property
     def failed(self) -> bool:
-        """True when something in it could not be read."""
+        """True when something in it could not be read; in a capture, messages of others may be unknown."""
         if self.dissection is not None:
             return bool(self.dissection.errors)
-        return self.bare is not None and self.bare.broken
+        return self.bare is not None and (bool(self.bare.problem) or not self.bare.reencodes)
 
 
 class Printer(Protocol):
