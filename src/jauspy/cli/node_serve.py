@@ -62,16 +62,22 @@ def print_counters(counters: Mapping[str, int], title: str = "counters:") -> Non
 
 def start_log(config: NodeConfig) -> None:
     """Log to stderr in the form and from the level of the configuration."""
-    handler = logging.StreamHandler()
-    text = logging.Formatter("%(asctime)s %(levelname)s %(name)s: %(message)s")
-    handler.setFormatter(JsonLines() if config.log == "json" else text)
-    logging.basicConfig(level=config.log_level.upper(), handlers=[handler])
-    logging.getLogger("asyncio").setLevel(logging.WARNING)
+    _log_to_stderr(config.log_level.upper(), JsonLines() if config.log == "json" else _text())
 
 
 def log_everything() -> None:
     """Every log line, on stderr."""
-    logging.basicConfig(level=logging.DEBUG, format="%(asctime)s %(levelname)s %(name)s: %(message)s")
+    _log_to_stderr("DEBUG", _text())
+
+
+def _text() -> logging.Formatter:
+    return logging.Formatter("%(asctime)s %(levelname)s %(name)s: %(message)s")
+
+
+def _log_to_stderr(level: str, form: logging.Formatter) -> None:
+    handler = logging.StreamHandler()
+    handler.setFormatter(form)
+    logging.basicConfig(level=level, handlers=[handler])
     logging.getLogger("asyncio").setLevel(logging.WARNING)
 
 

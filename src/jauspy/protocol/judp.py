@@ -17,7 +17,6 @@ PORT: Final = 3794
 """IANA's port for JAUS, UDP and TCP."""
 MULTICAST_GROUP: Final = "239.255.0.1"
 MULTICAST_TTL: Final = 16
-MAX_DATAGRAM: Final = 65507
 
 _VERSION_BYTE: Final = bytes([header.VERSION])
 
