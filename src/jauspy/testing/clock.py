@@ -12,8 +12,8 @@ from jauspy.errors import ConfigError
 EPOCH: Final = datetime(2026, 1, 1, tzinfo=UTC)
 """The wall clock's time when a virtual clock starts."""
 TURN: Final = 1e-9
-"""Seconds that a turn of the loop takes. Were it none, a timer that is run early, within the loop's resolution, and sets
-itself again would be early for ever."""
+"""Seconds that a turn of the loop takes. Were it none, a timer that is run early, within the loop's resolution, and
+sets itself again would be early for ever."""
 
 
 class VirtualClock:
