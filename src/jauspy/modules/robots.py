@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import tomllib
-from importlib.resources import files
+from importlib.resources import as_file, files
 from importlib.resources.abc import Traversable
 from pathlib import Path
 from typing import Final
 
-from pydantic import BaseModel, ValidationError
-from pydantic_core import ErrorDetails
+from pydantic import ValidationError
 
 from jauspy.errors import ConfigError
-from jauspy.modules.config import AccessControlConfig, ModuleConfig, RobotConfig
+from jauspy.modules.config import RobotConfig
+from jauspy.node.explain import explain
 
 SUFFIX: Final = ".toml"
 _FOLDER: Final = files("jauspy") / "robots"
@@ -33,10 +33,12 @@ def load(name_or_path: str | Path) -> RobotConfig:
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         raise ConfigError(f"{source}: is not TOML: {error}") from error
     try:
-        return RobotConfig.model_validate(data)
+        config = RobotConfig.model_validate(data)
     except ValidationError as error:
-        problems = "\n".join(f"  {_explain(each)}" for each in error.errors(include_url=False))
+        problems = "\n".join(f"  {explain(each, RobotConfig)}" for each in error.errors(include_url=False))
         raise ConfigError(f"{source}: is not a description of a robot:\n{problems}") from error
+    with as_file(source) as file:
+        return config.model_copy(update={"urdf": str(file.parent / config.urdf)})
 
 
 def _find(name_or_path: str | Path) -> Traversable:
@@ -46,25 +48,3 @@ def _find(name_or_path: str | Path) -> Traversable:
     if text not in known():
         raise ConfigError(f"no robot {text!r}; known are: {', '.join(known())}; or give the path of a .toml file")
     return _FOLDER / f"{text}{SUFFIX}"
-
-
-def _explain(problem: ErrorDetails) -> str:
-    """One problem as `modules[0].component: 300: ... less than or equal to 254`."""
-    where = problem["loc"]
-    key = "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in where).lstrip(".") or "the file"
-    match problem["type"]:
-        case "missing":
-            return f"{key}: is missing"
-        case "extra_forbidden":
-            return f"{key}: there is no such key; known here are: {', '.join(_keys(where[:-1]))}"
-        case "value_error":
-            return str(problem["ctx"]["error"])
-        case _:
-            return f"{key}: {problem['input']!r}: {problem['msg'][0].lower()}{problem['msg'][1:]}"
-
-
-def _keys(where: tuple[int | str, ...]) -> list[str]:
-    """The keys that a table may have."""
-    tables: dict[tuple[str, ...], type[BaseModel]]
-    tables = {(): RobotConfig, ("modules",): ModuleConfig, ("modules", "access_control"): AccessControlConfig}
-    return sorted(tables[tuple(str(part) for part in where if not isinstance(part, int))].model_fields)
