@@ -141,3 +141,15 @@ def test_all_mistakes_are_told_at_once(write):
     with pytest.raises(ConfigError) as caught:
         load(write("name = ''"))
     assert str(caught.value).count("\n") >= 4
+
+
+def test_extends_another_robot(write):
+    config = load(write('extends = "inc1"\nname = "seven"\nsubsystem = 7'))
+    parent = load("inc1")
+    assert (config.name, config.subsystem, config.urdf) == ("seven", 7, parent.urdf)
+    assert config.groups == parent.groups
+
+
+def test_extends_itself(write):
+    with pytest.raises(ConfigError, match=r"robot\.toml: extends = '\./robot\.toml': .*not lead back"):
+        load(write('extends = "./robot.toml"'))
