@@ -189,7 +189,7 @@ def test_up_without_a_node_manager_says_what_to_do(local_root):
 
 
 def test_an_unknown_robot_lists_the_known(local_root):
-    assert "known are: inc1" in jauspy("up", "nobody", "--local-root", str(local_root), status=1).stderr
+    assert "known are: igvc, inc1" in jauspy("up", "nobody", "--local-root", str(local_root), status=1).stderr
 
 
 def test_the_demo(free_port):
