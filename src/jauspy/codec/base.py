@@ -162,7 +162,7 @@ class Message(Struct):
         the bytes are valid. Values outside their set stay numbers, what is missing gets a default, bytes left over are
         reported. Then only id bytes of another message raise `DecodeError`.
         """
-        if data.__class__ is not bytes:
+        if type(data) is not bytes:
             data = bytes(data)
         try:
             if strict:

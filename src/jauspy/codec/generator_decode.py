@@ -87,9 +87,11 @@ class _Decoder:
         return len(found) == 1 and is_fixed_run(found[0])
 
     def _fixed_message(self, code: int, codes: list[str]) -> list[str]:
+        if not codes:
+            return [*reject_if(f"data != {code.to_bytes(2, 'little')!r}"), "return rt.new(cls)"]
         raw = self._raw_slots(list(self.plan.slots), "self")
         packer = self.constants.packer("H" + "".join(codes))
-        targets = ", ".join(["code", *raw.targets]) + ("," if not raw.targets else "")
+        targets = ", ".join(["code", *raw.targets])
         return [
             "self = rt.new(cls)",
             f"{targets} = {packer}.unpack(data)",

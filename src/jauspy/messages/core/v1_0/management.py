@@ -25,10 +25,8 @@ class Shutdown(rt.Message):
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x0002: raise rt.Reject
-        return self
+        if data != b'\x02\x00': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x0002)
@@ -50,10 +48,8 @@ class Standby(rt.Message):
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x0003: raise rt.Reject
-        return self
+        if data != b'\x03\x00': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x0003)
@@ -75,10 +71,8 @@ class Resume(rt.Message):
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x0004: raise rt.Reject
-        return self
+        if data != b'\x04\x00': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x0004)
@@ -100,10 +94,8 @@ class Reset(rt.Message):
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x0005: raise rt.Reject
-        return self
+        if data != b'\x05\x00': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x0005)
@@ -207,10 +199,8 @@ class QueryStatus(rt.Message):
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2002: raise rt.Reject
-        return self
+        if data != b'\x02 ': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2002)

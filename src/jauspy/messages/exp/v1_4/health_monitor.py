@@ -25,10 +25,8 @@ class QueryUGVSummary(rt.Message):
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0xED10: raise rt.Reject
-        return self
+        if data != b'\x10\xed': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0xED10)
@@ -50,10 +48,8 @@ class UpdateUGVSummary(rt.Message):
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0xDD10: raise rt.Reject
-        return self
+        if data != b'\x10\xdd': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0xDD10)

@@ -71,10 +71,8 @@ class QueryHandoffTimeout(rt.Message):
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0xFF32: raise rt.Reject
-        return self
+        if data != b'2\xff': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0xFF32)
@@ -96,10 +94,8 @@ class QueryEnhancedTimeout(rt.Message):
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0xFF33: raise rt.Reject
-        return self
+        if data != b'3\xff': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0xFF33)

@@ -26,10 +26,8 @@ class QueryMeasurement(rt.Message):
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0xF92A: raise rt.Reject
-        return self
+        if data != b'*\xf9': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0xF92A)

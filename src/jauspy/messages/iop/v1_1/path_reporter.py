@@ -27,10 +27,8 @@ class QueryPathReporterCapabilities(rt.Message):
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0xDEF0: raise rt.Reject
-        return self
+        if data != b'\xf0\xde': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0xDEF0)

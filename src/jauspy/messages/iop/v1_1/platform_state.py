@@ -72,10 +72,8 @@ class QueryPlatformState(rt.Message):
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0xFF26: raise rt.Reject
-        return self
+        if data != b'&\xff': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0xFF26)

@@ -94,10 +94,8 @@ class QueryActiveElement(rt.Message):
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x261E: raise rt.Reject
-        return self
+        if data != b'\x1e&': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x261E)

@@ -142,10 +142,8 @@ class QueryCommandedEndEffectorVelocityState(rt.Message):
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2612: raise rt.Reject
-        return self
+        if data != b'\x12&': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2612)

@@ -24,10 +24,8 @@ class QueryEndEffectorSpecification(rt.Message):
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2632: raise rt.Reject
-        return self
+        if data != b'2&': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2632)
@@ -49,10 +47,8 @@ class QueryEndEffectorEffort(rt.Message):
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2633: raise rt.Reject
-        return self
+        if data != b'3&': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2633)

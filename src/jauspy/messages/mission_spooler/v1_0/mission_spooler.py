@@ -1012,10 +1012,8 @@ class QuerySpoolingPreferences(rt.Message):
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2E00: raise rt.Reject
-        return self
+        if data != b'\x00.': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2E00)
@@ -1097,10 +1095,8 @@ class QueryStoredMissions(rt.Message):
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2E02: raise rt.Reject
-        return self
+        if data != b'\x02.': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2E02)

@@ -266,10 +266,8 @@ class QueryTravelSpeedExt(rt.Message):
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x24AA: raise rt.Reject
-        return self
+        if data != b'\xaa$': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x24AA)

@@ -109,10 +109,8 @@ class QueryAnnunciatorState(rt.Message):
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2516: raise rt.Reject
-        return self
+        if data != b'\x16%': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2516)
@@ -134,10 +132,8 @@ class QueryAnnunciatorConfiguration(rt.Message):
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2517: raise rt.Reject
-        return self
+        if data != b'\x17%': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2517)

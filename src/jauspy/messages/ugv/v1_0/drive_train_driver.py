@@ -81,10 +81,8 @@ class QueryTransmissionState(rt.Message):
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2509: raise rt.Reject
-        return self
+        if data != b'\t%': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2509)
@@ -153,10 +151,8 @@ class QueryTransferCaseState(rt.Message):
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2510: raise rt.Reject
-        return self
+        if data != b'\x10%': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2510)
@@ -178,10 +174,8 @@ class QueryTransmissionCapabilities(rt.Message):
 
     @classmethod
     def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2511: raise rt.Reject
-        return self
+        if data != b'\x11%': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2511)
