@@ -96,9 +96,11 @@ class Report:
     @property
     def status(self) -> int:
         """For CI: 0 all passed, 1 some failed, 2 could not run. A run in which nothing was tried is no success."""
+        if self.problem:
+            return 2
         if self.failures:
             return 1
-        return 2 if self.problem or not self.counts[Verdict.PASS] else 0
+        return 0 if self.counts[Verdict.PASS] else 2
 
 
 def worst(reports: Iterable[Report]) -> int:

@@ -60,7 +60,9 @@ def run(
             if results[-1].verdict is Verdict.SILENT and not tester.answered:
                 problem = DEAF.format(target=target)
                 break
-    except (RequestError, ConfigError) as error:
+    except ConfigError as error:
+        problem = str(error)
+    except RequestError as error:
         problem = str(error) if tester.answered else DEAF.format(target=target)
     return Report(
         profile=profile.name,

@@ -291,7 +291,10 @@ THERE: Final = near(CLOSE, x=SOMEWHERE, y=SOMEWHERE)
 
 _TABLE: Final[tuple[tuple[str, Action], ...]] = (
     ("who is there, asked of everybody", hello),
-    ("all nodes, components and services", ask(COP, ALL_SERVICES, ReportServices, SERVICES)),
+    (
+        "all nodes, components and services, asked of everybody",
+        ask(COP, ALL_SERVICES, ReportServices, SERVICES, to=EVERYONE),
+    ),
     (
         "no events yet",
         ask(COP, QueryEvents(AllEventsRec(0)), ReportEvents, that("is empty", lambda report: not report.event_list)),
