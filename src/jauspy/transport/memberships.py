@@ -12,8 +12,6 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Final
 
-import psutil
-
 from jauspy.transport import multicast
 
 _LOGGER = logging.getLogger(__name__)
@@ -77,6 +75,8 @@ def index(name: str) -> int:
 
 def _present(family: socket.AddressFamily) -> dict[str, list[str]]:
     """Names and addresses, for those that have any; a link-local address is without its scope."""
+    import psutil  # noqa: PLC0415 - a component that hears no multicasts does without it
+
     found = {
         name: [each.address.partition("%")[0] for each in entries if each.family == family]
         for name, entries in psutil.net_if_addrs().items()
