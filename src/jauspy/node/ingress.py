@@ -29,13 +29,12 @@ _Queue = deque[tuple[bytes, UdpPort]]
 class Ingress:
     """`take(datagram, port)` gets the datagrams of all attached sockets, the most urgent of those that wait first.
 
-    Within one priority they keep their order. `done` is called after each batch.
+    Within one priority they keep their order.
     """
 
-    def __init__(self, take: Take, done: Callable[[], None], counters: Counters) -> None:
+    def __init__(self, take: Take, counters: Counters) -> None:
         self._loop = asyncio.get_running_loop()
         self._take = take
-        self._done = done
         self._counters = counters
         self._queues: tuple[_Queue, ...] = tuple(deque() for _ in range(_PRIORITIES))
         self._waiting = 0
@@ -100,7 +99,6 @@ class Ingress:
                 self._take(*queue.popleft())
             left -= count
         self._waiting -= ROUTE_BURST - left
-        self._done()
         if self._waiting:
             self._scheduled = True
             self._loop.call_soon(self._route)

@@ -31,6 +31,8 @@ class Mailbox:
         self._gone = gone
         self._loop = asyncio.get_running_loop()
         self._socket: socket.socket | None = None
+        self._direct: Callable[[bytes], object] | None = None
+        """Sends at once; only while there is a socket and nothing waits."""
         self._waiting = Outbox()
 
     def __len__(self) -> int:
@@ -38,10 +40,19 @@ class Mailbox:
 
     def send(self, datagram: bytes) -> None:
         """Send now, or as soon as the component reads; what does not fit the queue is dropped and counted."""
-        if not self._waiting and (self._sent(datagram) or self._try(datagram)):
-            return
-        if not self._waiting and self._socket is not None:
-            self._loop.add_writer(self._socket, self._drain)
+        if self._direct is not None:
+            try:
+                self._direct(datagram)
+            except OSError:
+                self._send_carefully(datagram)
+        else:
+            self._send_carefully(datagram)
+
+    def _send_carefully(self, datagram: bytes) -> None:
+        if not self._waiting:
+            if self._try(datagram):
+                return
+            self._wait_for_room()
         for _ in range(self._waiting.push(datagram)):
             self._counters.drop("queue_full", self._path)
 
@@ -50,8 +61,8 @@ class Mailbox:
         self._disconnect()
         if self._waiting:
             self._drain()
-        if self._waiting and self._socket is not None:
-            self._loop.add_writer(self._socket, self._drain)
+        if self._waiting:
+            self._wait_for_room()
 
     def close(self) -> None:
         """Forget the component and what waits for it; a second call does nothing."""
@@ -60,24 +71,20 @@ class Mailbox:
 
     def _drain(self) -> None:
         for _ in range(BURST):
-            if not self._waiting:
+            if not self._waiting or not self._try(self._waiting.peek()):
                 break
-            if not self._try(self._waiting.peek()):
-                return
             if self._waiting:
                 self._waiting.pop()
-        if not self._waiting and self._socket is not None:
+        if self._waiting:
+            self._wait_for_room()
+        elif self._socket is not None:
             self._loop.remove_writer(self._socket)
+            self._direct = self._socket.send
 
-    def _sent(self, datagram: bytes) -> bool:
-        """The usual case; false sends it the careful way."""
-        if self._socket is None:
-            return False
-        try:
-            self._socket.send(datagram)
-        except OSError:
-            return False
-        return True
+    def _wait_for_room(self) -> None:
+        self._direct = None
+        if self._socket is not None:
+            self._loop.add_writer(self._socket, self._drain)
 
     def _try(self, datagram: bytes) -> bool:
         """False when it must wait; true when it was sent, or is lost because the component is gone."""
@@ -116,10 +123,12 @@ class Mailbox:
             sock.close()
             raise
         self._socket = sock
+        if not self._waiting:
+            self._direct = sock.send
         return sock
 
     def _disconnect(self) -> None:
-        sock, self._socket = self._socket, None
+        sock, self._socket, self._direct = self._socket, None, None
         if sock is not None:
             self._loop.remove_writer(sock)
             sock.close()
