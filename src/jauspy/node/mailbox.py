@@ -13,6 +13,9 @@ from jauspy.transport.outbox import Outbox
 
 BURST: Final = 64
 """Datagrams sent from the queue before others get their turn."""
+ATTEMPT_EVERY: Final = 8
+"""Datagrams that have to wait until sending is tried again, without being told that there is room. In a flood that
+takes too long: ten datagrams that a component can hold are read long before the event loop gets its turn."""
 
 _GONE: Final = (errno.ECONNREFUSED, errno.ENOENT, errno.ENOTCONN)
 
@@ -34,6 +37,8 @@ class Mailbox:
         self._direct: Callable[[bytes], object] | None = None
         """Sends at once; only while there is a socket and nothing waits."""
         self._waiting = Outbox()
+        self._watched = False
+        self._untried = 0
 
     def __len__(self) -> int:
         return len(self._waiting)
@@ -55,36 +60,50 @@ class Mailbox:
             self._wait_for_room()
         for _ in range(self._waiting.push(datagram)):
             self._counters.drop("queue_full", self._path)
+        self._untried += 1
+        if self._untried == ATTEMPT_EVERY:
+            self._drain()
 
     def refresh(self) -> None:
         """The component has introduced itself: it may be a new one, on a new socket under the old name."""
         self._disconnect()
         if self._waiting:
             self._drain()
-        if self._waiting:
-            self._wait_for_room()
 
     def close(self) -> None:
-        """Forget the component and what waits for it; a second call does nothing."""
+        """Forget the component, and drop what waits for it; a second call does nothing."""
         self._disconnect()
+        for _ in range(len(self._waiting)):
+            self._counters.drop("closed", self._path)
         self._waiting = Outbox()
 
     def _drain(self) -> None:
-        for _ in range(BURST):
-            if not self._waiting or not self._try(self._waiting.peek()):
-                break
-            if self._waiting:
-                self._waiting.pop()
+        self._untried = 0
+        try:
+            if self._socket is not None:
+                self._waiting.drain(self._socket.send, BURST)
+        except BlockingIOError:
+            return
+        except OSError:
+            self._disconnect()
+        if self._waiting and self._socket is None and self._try(self._waiting.peek()) and self._waiting:
+            self._waiting.pop()
         if self._waiting:
             self._wait_for_room()
         elif self._socket is not None:
-            self._loop.remove_writer(self._socket)
+            self._stop_waiting(self._socket)
             self._direct = self._socket.send
 
     def _wait_for_room(self) -> None:
-        self._direct = None
-        if self._socket is not None:
-            self._loop.add_writer(self._socket, self._drain)
+        self._direct, self._untried = None, 0
+        if self._socket is not None and not self._watched:
+            self._loop.add_writer(self._socket.fileno(), self._drain)
+            self._watched = True
+
+    def _stop_waiting(self, sock: socket.socket) -> None:
+        if self._watched:
+            self._loop.remove_writer(sock.fileno())
+            self._watched = False
 
     def _try(self, datagram: bytes) -> bool:
         """False when it must wait; true when it was sent, or is lost because the component is gone."""
@@ -130,5 +149,5 @@ class Mailbox:
     def _disconnect(self) -> None:
         sock, self._socket, self._direct = self._socket, None, None
         if sock is not None:
-            self._loop.remove_writer(sock)
+            self._stop_waiting(sock)
             sock.close()

@@ -152,15 +152,15 @@ class NodeManager:
             if timer is not None:
                 timer.cancel()
         self._timer = self._watch = None
-        self._shortcuts.clear()
+        draining.detach(self._loop, local)
+        if self._ingress is not None:
+            self._ingress.close()
         await self._links.close()
         for mailbox in self._mailboxes.values():
             mailbox.close()
         self._mailboxes.clear()
-        draining.detach(self._loop, local)
+        self._shortcuts.clear()
         for network in self._networks.values():
-            for sock in network.sockets:
-                self._loop.remove_reader(sock)
             network.close()
         self._networks.clear()
         self._mirror = None

@@ -36,6 +36,9 @@ class Shortcuts:
         self._ids: set[int] = set()
         self._timer: asyncio.TimerHandle | None = None
 
+    def __len__(self) -> int:
+        return len(self._ways)
+
     def take(self, datagram: bytes, port: Port) -> bool:
         """False when the core must look at this datagram."""
         try:
