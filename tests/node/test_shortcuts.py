@@ -43,7 +43,7 @@ class Router:
 
         return send
 
-    def _changed(self, id: int) -> None:
+    def _changed(self, id: int | None) -> None:
         self.shortcuts.forget(id)
 
     def take(self, datagram: bytes, port: Port, now: float) -> None:

@@ -23,7 +23,7 @@ class Node:
     """Two components, and a peer that was heard at time 0."""
 
     def __init__(self, **options: object) -> None:
-        self.changed: list[int] = []
+        self.changed: list[int | None] = []
         self.core = NodeCore("/tmp", changed=self.changed.append, **options)  # type: ignore[arg-type]
         for id in (A, B):
             self.core.receive(junior.connect(id), home(id), 0.0)
@@ -85,6 +85,18 @@ def test_components_that_speak_udp_go_the_whole_way() -> None:
     node.core.receive(junior.connect(NOBODY), here, 0.0)
     assert node.shortcut(NOBODY, B, here) is None
     assert node.shortcut(A, NOBODY, home(A)) is None
+
+
+def test_peers_that_compress_headers_go_the_whole_way() -> None:
+    node = Node()
+    plain = judp.pack(Packet(FAR, A, b"\x02\x20"))
+    proposal = plain[:1] + b"\x40" + (len(plain) + 1).to_bytes(2, "little") + b"\x01\x09" + plain[4:]
+    node.core.receive(proposal, PEER, 0.0)
+    assert node.changed == [None]
+    assert node.shortcut(A, FAR, home(A)) is None
+    assert node.shortcut(FAR, B, PEER) == home(B)
+    node.core.receive(proposal, PEER, 0.0)
+    assert node.changed == [None]
 
 
 def test_every_change_is_told() -> None:

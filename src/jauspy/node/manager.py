@@ -50,6 +50,7 @@ class NodeManager:
             addresses=self._known,
             address_lifetime=self.config.address_lifetime,
             local_udp=self.config.local_udp,
+            compression=self.config.header_compression,
             is_dead=self._is_dead,
             networks=[network.name for network in self.config.all_networks],
             gateway=policy.gateway(self.config),
@@ -210,7 +211,7 @@ class NodeManager:
             self._mirrored = port
             self._flush()
 
-    def _changed(self, id: int) -> None:
+    def _changed(self, id: int | None) -> None:
         self._shortcuts.forget(id)
 
     def _socket_error(self, error: OSError) -> None:

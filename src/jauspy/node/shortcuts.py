@@ -56,9 +56,9 @@ class Shortcuts:
         send(datagram)
         return True
 
-    def forget(self, id: int) -> None:
-        """Something about this id has changed."""
-        if id in self._ids:
+    def forget(self, id: int | None) -> None:
+        """Something about this id has changed, or, when it is None, about any."""
+        if id is None or id in self._ids:
             self.clear()
 
     def clear(self) -> None:
