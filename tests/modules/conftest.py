@@ -6,7 +6,7 @@ import threading
 
 import pytest
 
-from jauspy.platform.contract import Pose, Twist
+from jauspy.platform.contract import Acceleration, Pose, Twist
 
 
 class FakeDrive:
@@ -28,6 +28,9 @@ class FakeDrive:
 
     def twist(self) -> Twist:
         return Twist()
+
+    def acceleration(self) -> Acceleration:
+        return Acceleration()
 
 
 class FakeRobot:

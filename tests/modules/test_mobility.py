@@ -26,6 +26,7 @@ from jauspy.modules.config import ModuleConfig
 from jauspy.modules.mobility import cm_mob
 from jauspy.modules.watchdog import PERIOD, may_move
 from jauspy.services.core import Identity
+from jauspy.services.mobility import Vehicle
 
 ME, CLIENT = JausID(101, 1, 102), JausID(42, 1, 1)
 FORWARD = SetWrenchEffort(propulsive_linear_effort_x=40.0)
@@ -39,7 +40,7 @@ class Module:
         self.now = 10.0
         self.host = cm_mob(
             ME,
-            drive,
+            Vehicle(drive),
             ModuleConfig(type="CM-MOB", component=102, **config),
             identities={4: Identity("CM-MOB", 60001)},
             utc_now=lambda: datetime(2026, 1, 1, tzinfo=UTC),

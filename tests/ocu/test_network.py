@@ -62,7 +62,7 @@ class Site:
             self.port = probe.getsockname()[1]
         self.root = root
         self.drive = Drive()
-        services = [Discovery(), Liveness(), AccessControl(timeout=1), PrimitiveDriver(self.drive)]
+        services = [Discovery(), Liveness(), AccessControl(timeout=1), PrimitiveDriver(Vehicle(self.drive))]
         host = Host(ROBOT, services, utc_now=lambda: datetime.now(UTC), now=time.monotonic())
         self.robot = Component(host, LocalTransport(ROBOT, root))
 

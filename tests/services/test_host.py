@@ -208,7 +208,7 @@ def test_internal_events_that_bring_up_more_are_bounded(make) -> None:
 
 
 def test_inherited_core_services_come_by_themselves(make, drive) -> None:
-    rig = make(PrimitiveDriver(drive))
+    rig = make(PrimitiveDriver(Vehicle(drive)))
     assert [type(s).__name__ for s in rig.host.services] == [
         "PrimitiveDriver",
         "Management",
@@ -217,7 +217,7 @@ def test_inherited_core_services_come_by_themselves(make, drive) -> None:
         "Transport",
     ]
     given = AccessControl(timeout=9)
-    assert make(PrimitiveDriver(drive), given).host.service(AccessControl) is given
+    assert make(PrimitiveDriver(Vehicle(drive)), given).host.service(AccessControl) is given
 
 
 def test_missing_actions_are_named(make) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import math
 import time
 from collections.abc import Callable, Mapping
 from contextlib import AsyncExitStack, suppress
@@ -19,6 +20,7 @@ from jauspy.platform import backends
 from jauspy.platform.contract import DriveBase
 from jauspy.services.core import Identity
 from jauspy.services.host import Host
+from jauspy.services.mobility import GlobalPose, Vehicle
 from jauspy.transport import Transport
 
 LAPSE: Final = 1.0
@@ -117,12 +119,19 @@ def _host(config: RobotConfig, module: ModuleConfig, drive: DriveBase) -> Host:
     }
     return cm_mob(
         config.id_of(module),
-        drive,
+        Vehicle(drive, name=config.name, origin=_origin(config)),
         module,
         identities=identities,
         utc_now=lambda: datetime.now(UTC),
         now=time.monotonic(),
     )
+
+
+def _origin(config: RobotConfig) -> GlobalPose | None:
+    origin = config.origin
+    if origin is None:
+        return None
+    return GlobalPose(origin.latitude, origin.longitude, origin.altitude, math.radians(origin.heading))
 
 
 async def _heartbeat(realtime: RealTime) -> None:

@@ -12,7 +12,7 @@ from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
 from jauspy.errors import ConfigError
-from jauspy.modules.config import AccessControlConfig, ModuleConfig, RobotConfig
+from jauspy.modules.config import AccessControlConfig, ModuleConfig, OriginConfig, RobotConfig
 
 SUFFIX: Final = ".toml"
 _FOLDER: Final = files("jauspy") / "robots"
@@ -66,5 +66,10 @@ def _explain(problem: ErrorDetails) -> str:
 def _keys(where: tuple[int | str, ...]) -> list[str]:
     """The keys that a table may have."""
     tables: dict[tuple[str, ...], type[BaseModel]]
-    tables = {(): RobotConfig, ("modules",): ModuleConfig, ("modules", "access_control"): AccessControlConfig}
+    tables = {
+        (): RobotConfig,
+        ("origin",): OriginConfig,
+        ("modules",): ModuleConfig,
+        ("modules", "access_control"): AccessControlConfig,
+    }
     return sorted(tables[tuple(str(part) for part in where if not isinstance(part, int))].model_fields)

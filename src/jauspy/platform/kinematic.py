@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from typing import Final
 
 from jauspy.errors import ConfigError
-from jauspy.platform.contract import Pose, Twist
+from jauspy.platform.acceleration import mean_acceleration
+from jauspy.platform.contract import Acceleration, Pose, Twist
 from jauspy.platform.skid_steer import mix
 
 MAX_STEP: Final = 0.005
@@ -50,6 +51,7 @@ class SkidSteer:
         self._efforts = (0.0, 0.0)
         self._left = self._right = 0.0
         self._x = self._y = self._yaw = 0.0
+        self._acceleration = Acceleration()
 
     def set_effort(self, linear_x: float, rotational_z: float) -> None:
         """Drive with fractions of the full effort, -1..1; positive z turns left."""
@@ -70,7 +72,20 @@ class SkidSteer:
             wz=(self._right - self._left) / self._parameters.slip_width,
         )
 
-    def step(self, dt: float) -> None:
+    def acceleration(self) -> Acceleration:
+        """Mean of the last `advance`."""
+        return self._acceleration
+
+    def advance(self, dt: float) -> None:
+        """Move for `dt` seconds, in equal steps of at most `MAX_STEP`."""
+        before = self.twist()
+        steps = math.ceil(dt / MAX_STEP)
+        for _ in range(steps):
+            self._step(dt / steps)
+        if steps:
+            self._acceleration = mean_acceleration(before, self.twist(), dt)
+
+    def _step(self, dt: float) -> None:
         """Move for `dt` seconds along the arc that the tracks' mean speeds describe."""
         before = self.twist()
         left, right = self._efforts
@@ -103,12 +118,10 @@ class KinematicRobot:
         return self._time
 
     def advance(self, dt: float) -> None:
-        """Let exactly `dt` seconds pass, in equal steps of at most `MAX_STEP`."""
+        """Let exactly `dt` seconds pass."""
         if not 0.0 <= dt < math.inf:
             raise ValueError(f"cannot advance by {dt} s; time only goes forward")
-        steps = math.ceil(dt / MAX_STEP)
-        for _ in range(steps):
-            self._drive.step(dt / steps)
+        self._drive.advance(dt)
         self._time += dt
 
     def close(self) -> None:
