@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import threading
+from importlib.util import find_spec
 
 import pytest
+from tests.modules.world import World
 
 from jauspy.platform.contract import Acceleration, Pose, Twist
 
@@ -72,3 +74,16 @@ def fake_robot() -> FakeRobot:
 @pytest.fixture
 def fragile_robot() -> FakeRobot:
     return FakeRobot(breaks_after=3)
+
+
+@pytest.fixture(
+    params=[
+        "kinematic",
+        pytest.param("sim", marks=pytest.mark.skipif(find_spec("mujoco") is None, reason="MuJoCo is not installed")),
+    ]
+)
+def world(request: pytest.FixtureRequest) -> World:
+    """A robot under control, in Ready, on each backend."""
+    world = World(request.param)
+    world.take_control()
+    return world

@@ -24,7 +24,7 @@ from jauspy.ocu import OCU
 from jauspy.platform.contract import Pose, Twist
 from jauspy.services.core import AccessControl, Discovery, Liveness
 from jauspy.services.host import Host
-from jauspy.services.mobility import PrimitiveDriver
+from jauspy.services.mobility import PrimitiveDriver, Vehicle
 from jauspy.transport import LocalTransport
 
 ROBOT = JausID(101, 1, 102)

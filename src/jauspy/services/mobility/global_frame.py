@@ -15,7 +15,8 @@ from jauspy.services.mobility.guidance.leg import Point
 class GlobalPose:
     """Latitude and longitude in degrees, as JAUS has them; altitude above the WGS-84 ellipsoid in metres.
 
-    The heading is in radians, clockwise from true north."""
+    The heading is in radians, clockwise from true north.
+    """
 
     latitude: float
     longitude: float
