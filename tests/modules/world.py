@@ -17,7 +17,9 @@ from jauspy.messages.core import (
     SetElement,
 )
 from jauspy.messages.mobility import QueryActiveElement, QueryGlobalPose, QueryLocalPose, QueryVelocityState
+from jauspy.modules import robots
 from jauspy.modules.config import ModuleConfig
+from jauspy.modules.description import robot_model
 from jauspy.modules.mobility import cm_mob
 from jauspy.platform.backends import find
 from jauspy.services.mobility import GlobalPose, Vehicle
@@ -33,7 +35,7 @@ class World:
 
     def __init__(self, backend: str, origin: GlobalPose | None = ORIGIN) -> None:
         self.backend = backend
-        self.robot = find(backend).open("inc1", "empty")
+        self.robot = find(backend).open(robot_model(robots.load("inc1")), "empty")
         self.now = 0.0
         self.vehicle = Vehicle(self.robot.drive, name="inc1", origin=origin)
         config = ModuleConfig(type="CM-MOB", component=102, access_control={"timeout": 0})

@@ -8,6 +8,7 @@ from typing import Annotated, Final, Literal, Self, TypeAlias
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, model_validator
 
 from jauspy.ids import JausID
+from jauspy.modules.config_joints import Groups, TracksConfig
 
 
 def _on_the_wire(name: str) -> str:
@@ -89,8 +90,8 @@ class RobotConfig(_Strict):
 
     name: Annotated[Name, AfterValidator(_on_the_wire)]
     description: Annotated[str, Field(max_length=200)] = ""
-    model: Name
-    """The backend's name of the robot."""
+    urdf: Annotated[str, Field(min_length=1)]
+    """The file that describes its links and joints, as URDF or xacro; a relative path starts at the TOML file."""
     subsystem: Annotated[int, Field(ge=1, le=65534)]
     node: Annotated[int, Field(ge=1, le=254)]
     backend: Name = "kinematic"
@@ -98,6 +99,9 @@ class RobotConfig(_Strict):
     origin: OriginConfig | None = None
     """Without one the module has no services on the globe."""
     modules: tuple[ModuleConfig, ...]
+    tracks: TracksConfig
+    groups: Groups = {}
+    """Its other joints."""
 
     @model_validator(mode="after")
     def _check_modules(self) -> Self:
@@ -118,7 +122,9 @@ class RobotConfig(_Strict):
         for module in self.modules:
             on_the_globe = sorted(GLOBAL_SERVICES & set(module.services or ()))
             if on_the_globe and self.origin is None:
-                raise ValueError(f"origin: is missing; {', '.join(on_the_globe)} need to know where the world lies")
+                raise ValueError(
+                    f"origin: is missing; {', '.join(on_the_globe)} cannot do without knowing where the world lies"
+                )
         return self
 
     def id_of(self, module: ModuleConfig) -> JausID:

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from datetime import datetime
 from typing import Final
 
 from jauspy.ids import JausID
-from jauspy.modules.config import GLOBAL_SERVICES, ModuleConfig
+from jauspy.modules.config import GLOBAL_SERVICES, ModuleConfig, RobotConfig
 from jauspy.modules.watchdog import Watchdog
+from jauspy.platform.contract import DriveBase
 from jauspy.services.core import AccessControl, Discovery, Events, Identity, Liveness, Management, Time, Transport
 from jauspy.services.host import Host
 from jauspy.services.mobility import (
     AccelerationStateSensor,
+    GlobalPose,
     GlobalPoseSensor,
     GlobalVectorDriver,
     GlobalWaypointDriver,
@@ -45,6 +48,13 @@ CHOICE: Final[Mapping[str, Callable[[Vehicle], Service]]] = {
     "GlobalWaypointListDriver": GlobalWaypointListDriver,
 }
 """What a configuration may choose from, beside Discovery."""
+
+
+def vehicle_of(config: RobotConfig, drive: DriveBase) -> Vehicle:
+    """The robot's chassis, and where its world lies on the globe, as its services share them."""
+    origin = config.origin
+    place = origin and GlobalPose(origin.latitude, origin.longitude, origin.altitude, math.radians(origin.heading))
+    return Vehicle(drive, name=config.name, origin=place)
 
 
 def offered(config: ModuleConfig, *, has_origin: bool) -> tuple[str, ...]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import math
 import time
 from collections.abc import Callable, Mapping
 from contextlib import AsyncExitStack, suppress
@@ -14,13 +13,13 @@ from typing import Final, Self
 from jauspy.component import Component
 from jauspy.ids import JausID
 from jauspy.modules.config import ModuleConfig, RobotConfig
-from jauspy.modules.mobility import cm_mob
+from jauspy.modules.description import robot_model
+from jauspy.modules.mobility import cm_mob, vehicle_of
 from jauspy.modules.realtime import RealTime, Snapshot
 from jauspy.platform import backends
 from jauspy.platform.contract import DriveBase
 from jauspy.services.core import Identity
 from jauspy.services.host import Host
-from jauspy.services.mobility import GlobalPose, Vehicle
 from jauspy.transport import Transport
 
 LAPSE: Final = 1.0
@@ -105,7 +104,7 @@ class RobotRunner:
         await self.close()
 
     def _bring_to_life(self, stack: AsyncExitStack) -> RealTime:
-        robot = backends.find(self.config.backend).open(self.config.model, self.config.world)
+        robot = backends.find(self.config.backend).open(robot_model(self.config), self.config.world)
         stack.callback(robot.close)
         return stack.enter_context(RealTime(robot, lapse=LAPSE))
 
@@ -119,19 +118,12 @@ def _host(config: RobotConfig, module: ModuleConfig, drive: DriveBase) -> Host:
     }
     return cm_mob(
         config.id_of(module),
-        Vehicle(drive, name=config.name, origin=_origin(config)),
+        vehicle_of(config, drive),
         module,
         identities=identities,
         utc_now=lambda: datetime.now(UTC),
         now=time.monotonic(),
     )
-
-
-def _origin(config: RobotConfig) -> GlobalPose | None:
-    origin = config.origin
-    if origin is None:
-        return None
-    return GlobalPose(origin.latitude, origin.longitude, origin.altitude, math.radians(origin.heading))
 
 
 async def _heartbeat(realtime: RealTime) -> None:

@@ -3,16 +3,22 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
 from jauspy.errors import ConfigError
 from jauspy.platform.acceleration import mean_acceleration
 from jauspy.platform.contract import Acceleration, Pose, Twist
+from jauspy.platform.description import RobotModel
+from jauspy.platform.kinematic_joints import KinematicJoints
 from jauspy.platform.skid_steer import mix
 
 MAX_STEP: Final = 0.005
 """Longest integration step, seconds."""
+
+SLIP: Final = 2.4
+"""How much farther apart than the tracks two wheels would be that turn as they do."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,7 +37,6 @@ class SkidSteerParameters:
     """Distance of two wheels that would turn as the tracks do; slip makes it larger than their real distance."""
 
 
-ROBOTS: Final = {"inc1": SkidSteerParameters()}
 WORLDS: Final = ("demo", "empty")
 """Worlds that are known by name; what stands in them is not there for a kinematic robot."""
 
@@ -41,6 +46,13 @@ def track_speed(speed: float, effort: float, dt: float, parameters: SkidSteerPar
     resistance = parameters.friction + (parameters.brake if effort == 0.0 else 0.0)
     driven = speed + (effort * parameters.free_speed - speed) * (1.0 - math.exp(-dt / parameters.response))
     return math.copysign(max(0.0, abs(driven) - resistance * dt), driven)
+
+
+def parameters_of(robot: RobotModel) -> SkidSteerParameters:
+    """The chassis of that robot: full speed and distance of the tracks are those of its description."""
+    left, right = (robot.description.joint(name) for name in (robot.tracks.left, robot.tracks.right))
+    gauge = abs(left.origin.y - right.origin.y)
+    return SkidSteerParameters(free_speed=left.velocity, slip_width=SLIP * gauge)
 
 
 class SkidSteer:
@@ -76,16 +88,11 @@ class SkidSteer:
         """Mean of the last `advance`."""
         return self._acceleration
 
-    def advance(self, dt: float) -> None:
-        """Move for `dt` seconds, in equal steps of at most `MAX_STEP`."""
-        before = self.twist()
-        steps = math.ceil(dt / MAX_STEP)
-        for _ in range(steps):
-            self._step(dt / steps)
-        if steps:
-            self._acceleration = mean_acceleration(before, self.twist(), dt)
+    def moved(self, before: Twist, dt: float) -> None:
+        """`dt` seconds have passed, at whose beginning the twist was `before`."""
+        self._acceleration = mean_acceleration(before, self.twist(), dt)
 
-    def _step(self, dt: float) -> None:
+    def step(self, dt: float) -> None:
         """Move for `dt` seconds along the arc that the tracks' mean speeds describe."""
         before = self.twist()
         left, right = self._efforts
@@ -101,10 +108,11 @@ class SkidSteer:
 
 
 class KinematicRobot:
-    """A robot that is only a chassis on a floor."""
+    """A chassis on a floor, and joints without weight."""
 
-    def __init__(self, parameters: SkidSteerParameters) -> None:
-        self._drive = SkidSteer(parameters)
+    def __init__(self, robot: RobotModel) -> None:
+        self._drive = SkidSteer(parameters_of(robot))
+        self._groups = {name: KinematicJoints(robot.description, setup) for name, setup in robot.groups.items()}
         self._time = 0.0
 
     @property
@@ -113,20 +121,34 @@ class KinematicRobot:
         return self._drive
 
     @property
+    def groups(self) -> Mapping[str, KinematicJoints]:
+        """Its other joints, by the names that its description gives them."""
+        return self._groups
+
+    @property
     def time(self) -> float:
         """Seconds since it was opened."""
         return self._time
 
     def advance(self, dt: float) -> None:
-        """Let exactly `dt` seconds pass."""
+        """Let exactly `dt` seconds pass, in equal steps of at most `MAX_STEP`."""
         if not 0.0 <= dt < math.inf:
             raise ValueError(f"cannot advance by {dt} s; time only goes forward")
-        self._drive.advance(dt)
+        before = self._drive.twist()
+        steps = math.ceil(dt / MAX_STEP)
+        for _ in range(steps):
+            self._drive.step(dt / steps)
+            for group in self._groups.values():
+                group.step(dt / steps)
+        if steps:
+            self._drive.moved(before, dt)
         self._time += dt
 
     def close(self) -> None:
         """Stop; nothing else to release."""
         self._drive.stop()
+        for group in self._groups.values():
+            group.hold()
 
 
 class KinematicBackend:
@@ -134,10 +156,8 @@ class KinematicBackend:
 
     name: str = "kinematic"
 
-    def open(self, robot: str, world: str) -> KinematicRobot:
+    def open(self, robot: RobotModel, world: str) -> KinematicRobot:
         """A robot at rest at the origin."""
-        if robot not in ROBOTS:
-            raise ConfigError(f"the kinematic backend knows no robot {robot!r}; it knows: {', '.join(sorted(ROBOTS))}")
         if world not in WORLDS:
             raise ConfigError(f"the kinematic backend knows no world {world!r}; it knows: {', '.join(WORLDS)}")
-        return KinematicRobot(ROBOTS[robot])
+        return KinematicRobot(robot)
