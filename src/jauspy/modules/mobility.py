@@ -52,8 +52,9 @@ CHOICE: Final[Mapping[str, Callable[[Vehicle], Service]]] = {
 
 def vehicle_of(config: RobotConfig, drive: DriveBase) -> Vehicle:
     """The robot's chassis, and where its world lies on the globe, as its services share them."""
-    origin = config.origin
-    place = origin and GlobalPose(origin.latitude, origin.longitude, origin.altitude, math.radians(origin.heading))
+    place = None
+    if (origin := config.origin) is not None:
+        place = GlobalPose(origin.latitude, origin.longitude, origin.altitude, math.radians(origin.heading))
     return Vehicle(drive, name=config.name, origin=place)
 
 
