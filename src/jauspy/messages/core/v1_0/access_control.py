@@ -32,7 +32,7 @@ class RequestControl(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.authority_code = _S_HB.unpack(data)
         if code != 0x000D: raise rt.Reject
@@ -57,7 +57,7 @@ class ReleaseControl(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data != b'\x0e\x00': raise rt.Reject
         return rt.new(cls)
 
@@ -80,7 +80,7 @@ class QueryControl(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data != b'\r ': raise rt.Reject
         return rt.new(cls)
 
@@ -103,7 +103,7 @@ class QueryAuthority(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data != b'\x01 ': raise rt.Reject
         return rt.new(cls)
 
@@ -134,7 +134,7 @@ class SetAuthority(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.authority_code = _S_HB.unpack(data)
         if code != 0x0001: raise rt.Reject
@@ -159,7 +159,7 @@ class QueryTimeout(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data != b'\x03 ': raise rt.Reject
         return rt.new(cls)
 
@@ -199,7 +199,7 @@ class ReportControl(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.subsystem_id, self.node_id, self.component_id, self.authority_code = _S_2H3B.unpack(data)
         if code != 0x400D: raise rt.Reject
@@ -239,7 +239,7 @@ class RejectControl(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, response_code_ = _S_HB.unpack(data)
         if code != 0x0010: raise rt.Reject
@@ -282,7 +282,7 @@ class ConfirmControl(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, response_code_ = _S_HB.unpack(data)
         if code != 0x000F: raise rt.Reject
@@ -318,7 +318,7 @@ class ReportAuthority(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.authority_code = _S_HB.unpack(data)
         if code != 0x4001: raise rt.Reject
@@ -356,7 +356,7 @@ class ReportTimeout(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, timeout_ = _S_HB.unpack(data)
         if code != 0x4003: raise rt.Reject

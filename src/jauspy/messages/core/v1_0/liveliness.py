@@ -23,7 +23,7 @@ class QueryHeartbeatPulse(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data != b'\x02"': raise rt.Reject
         return rt.new(cls)
 
@@ -46,7 +46,7 @@ class ReportHeartbeatPulse(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data != b'\x02B': raise rt.Reject
         return rt.new(cls)
 

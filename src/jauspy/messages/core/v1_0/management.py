@@ -24,7 +24,7 @@ class Shutdown(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data != b'\x02\x00': raise rt.Reject
         return rt.new(cls)
 
@@ -47,7 +47,7 @@ class Standby(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data != b'\x03\x00': raise rt.Reject
         return rt.new(cls)
 
@@ -70,7 +70,7 @@ class Resume(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data != b'\x04\x00': raise rt.Reject
         return rt.new(cls)
 
@@ -93,7 +93,7 @@ class Reset(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data != b'\x05\x00': raise rt.Reject
         return rt.new(cls)
 
@@ -129,7 +129,7 @@ class SetEmergency(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, emergency_code_ = _S_2H.unpack(data)
         if code != 0x0006: raise rt.Reject
@@ -170,7 +170,7 @@ class ClearEmergency(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, emergency_code_ = _S_2H.unpack(data)
         if code != 0x0007: raise rt.Reject
@@ -198,7 +198,7 @@ class QueryStatus(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data != b'\x02 ': raise rt.Reject
         return rt.new(cls)
 
@@ -242,7 +242,7 @@ class ReportStatus(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, status_, self.reserved = _S_HBI.unpack(data)
         if code != 0x4002: raise rt.Reject

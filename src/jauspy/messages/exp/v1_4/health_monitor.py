@@ -24,7 +24,7 @@ class QueryUGVSummary(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data != b'\x10\xed': raise rt.Reject
         return rt.new(cls)
 
@@ -47,7 +47,7 @@ class UpdateUGVSummary(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data != b'\x10\xdd': raise rt.Reject
         return rt.new(cls)
 
@@ -119,7 +119,7 @@ class ReportUGVSummary(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x10 or data[1] != 0xFD: raise rt.Reject
         size = len(data)
         self = rt.new(cls)

@@ -24,7 +24,7 @@ class QueryDCM(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data != b"\x06'": raise rt.Reject
         return rt.new(cls)
 
@@ -105,7 +105,7 @@ class SetDCM(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.dcm_reference, dcm_state_code_ = _S_2HB.unpack(data)
         if code != 0x0706: raise rt.Reject
@@ -160,7 +160,7 @@ class ReportDCM(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.dcm_reference, dcm_state_code_ = _S_2Hb.unpack(data)
         if code != 0x4706: raise rt.Reject

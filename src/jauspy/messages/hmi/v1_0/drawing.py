@@ -24,7 +24,7 @@ class QueryDrawingDefinition(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data != b"\x00'": raise rt.Reject
         return rt.new(cls)
 
@@ -47,7 +47,7 @@ class QueryDataDefinition(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data != b"\x01'": raise rt.Reject
         return rt.new(cls)
 
@@ -78,7 +78,7 @@ class QueryData(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.data_structure_reference = _S_2H.unpack(data)
         if code != 0x2702: raise rt.Reject
@@ -134,7 +134,7 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (self.value,) = _S_i.unpack_from(data, at)
             return self, at + 4
@@ -162,7 +162,7 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             self.structure, self.field = _S_2H.unpack_from(data, at)
             return self, at + 4
@@ -196,20 +196,20 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.minimum_x, at = _U_3[tag]._read(data, at, depth)
+            self.minimum_x, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.minimum_y, at = _U_3[tag]._read(data, at, depth)
+            self.minimum_y, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.maximum_x, at = _U_3[tag]._read(data, at, depth)
+            self.maximum_x, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.maximum_y, at = _U_3[tag]._read(data, at, depth)
+            self.maximum_y, at = _U_3[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -249,7 +249,7 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             self.red_color, self.green_color, self.blue_color = _S_3b.unpack_from(data, at)
             return self, at + 3
@@ -280,7 +280,7 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             self.red_color, self.green_color, self.blue_color = _S_3b.unpack_from(data, at)
             return self, at + 3
@@ -305,7 +305,7 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (self.width,) = _S_b.unpack_from(data, at)
             return self, at + 1
@@ -336,7 +336,7 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             self.red_color, self.green_color, self.blue_color = _S_3b.unpack_from(data, at)
             return self, at + 3
@@ -378,7 +378,7 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             self.reference, group_, digital_control_rec_, label_ = _S_H2b12s.unpack_from(data, at)
             self.group = _E_ReportDrawingDefinition_Group[group_]
@@ -416,7 +416,7 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             group_, label_ = _S_b12s.unpack_from(data, at)
             self.group = _E_ReportDrawingDefinition_Group[group_]
@@ -503,19 +503,19 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.x, at = _U_3[tag]._read(data, at, depth)
+            self.x, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.y, at = _U_3[tag]._read(data, at, depth)
+            self.y, at = _U_3[tag]._read(data, at, nesting)
             (alignment_,) = _S_b.unpack_from(data, at)
             self.alignment_rec = ReportDrawingDefinition.AlignmentRec(_E_ReportDrawingDefinition_Alignment[alignment_])
             tag = data[at + 1]
             at += 2
-            self.font_size, at = _U_3[tag]._read(data, at, depth)
+            self.font_size, at = _U_3[tag]._read(data, at, nesting)
             self.text_rec = text_rec_ = rt.new(ReportDrawingDefinition.TextRec)
             text_end_ = at + 1 + data[at]
             text_rec_.text = data[at + 1:text_end_].decode("latin-1")
@@ -571,22 +571,22 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.x, at = _U_3[tag]._read(data, at, depth)
+            self.x, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.y, at = _U_3[tag]._read(data, at, depth)
+            self.y, at = _U_3[tag]._read(data, at, nesting)
             (alignment_,) = _S_b.unpack_from(data, at)
             self.alignment_rec = ReportDrawingDefinition.AlignmentRec(_E_ReportDrawingDefinition_Alignment[alignment_])
             tag = data[at + 1]
             at += 2
-            self.font_size, at = _U_3[tag]._read(data, at, depth)
+            self.font_size, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.data_reference, at = _U_3[tag]._read(data, at, depth)
+            self.data_reference, at = _U_3[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -625,11 +625,11 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.angle, at = _U_3[tag]._read(data, at, depth)
+            self.angle, at = _U_3[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -654,11 +654,11 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.angle, at = _U_3[tag]._read(data, at, depth)
+            self.angle, at = _U_3[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -686,14 +686,14 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.tx, at = _U_3[tag]._read(data, at, depth)
+            self.tx, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.ty, at = _U_3[tag]._read(data, at, depth)
+            self.ty, at = _U_3[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -724,14 +724,14 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.tx, at = _U_3[tag]._read(data, at, depth)
+            self.tx, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.ty, at = _U_3[tag]._read(data, at, depth)
+            self.ty, at = _U_3[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -768,20 +768,20 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.x, at = _U_3[tag]._read(data, at, depth)
+            self.x, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.y, at = _U_3[tag]._read(data, at, depth)
+            self.y, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.width, at = _U_3[tag]._read(data, at, depth)
+            self.width, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.height, at = _U_3[tag]._read(data, at, depth)
+            self.height, at = _U_3[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -824,20 +824,20 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.x, at = _U_3[tag]._read(data, at, depth)
+            self.x, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.y, at = _U_3[tag]._read(data, at, depth)
+            self.y, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.width, at = _U_3[tag]._read(data, at, depth)
+            self.width, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.height, at = _U_3[tag]._read(data, at, depth)
+            self.height, at = _U_3[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -877,17 +877,17 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.x, at = _U_3[tag]._read(data, at, depth)
+            self.x, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.y, at = _U_3[tag]._read(data, at, depth)
+            self.y, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.radius, at = _U_3[tag]._read(data, at, depth)
+            self.radius, at = _U_3[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -924,17 +924,17 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.x, at = _U_3[tag]._read(data, at, depth)
+            self.x, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.y, at = _U_3[tag]._read(data, at, depth)
+            self.y, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.radius, at = _U_3[tag]._read(data, at, depth)
+            self.radius, at = _U_3[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -974,20 +974,20 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.x, at = _U_3[tag]._read(data, at, depth)
+            self.x, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.y, at = _U_3[tag]._read(data, at, depth)
+            self.y, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.width, at = _U_3[tag]._read(data, at, depth)
+            self.width, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.height, at = _U_3[tag]._read(data, at, depth)
+            self.height, at = _U_3[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -1030,20 +1030,20 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.x, at = _U_3[tag]._read(data, at, depth)
+            self.x, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.y, at = _U_3[tag]._read(data, at, depth)
+            self.y, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.width, at = _U_3[tag]._read(data, at, depth)
+            self.width, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.height, at = _U_3[tag]._read(data, at, depth)
+            self.height, at = _U_3[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -1086,20 +1086,20 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.x1, at = _U_3[tag]._read(data, at, depth)
+            self.x1, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.y1, at = _U_3[tag]._read(data, at, depth)
+            self.y1, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.x2, at = _U_3[tag]._read(data, at, depth)
+            self.x2, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.y2, at = _U_3[tag]._read(data, at, depth)
+            self.y2, at = _U_3[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -1152,7 +1152,7 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             size = len(data)
             self = rt.new(cls)
             polyline_list_count_ = data[at]
@@ -1163,10 +1163,10 @@ class ReportDrawingDefinition(rt.Message):
                 item_ = rt.new(ReportDrawingDefinition.PolylineSeq)
                 tag = data[at]
                 at += 1
-                item_.x, at = _U_3[tag]._read(data, at, depth)
+                item_.x, at = _U_3[tag]._read(data, at, nesting)
                 tag = data[at]
                 at += 1
-                item_.y, at = _U_3[tag]._read(data, at, depth)
+                item_.y, at = _U_3[tag]._read(data, at, nesting)
                 polyline_list_.append(item_)
             self.polyline_list = polyline_list_
             return self, at
@@ -1220,7 +1220,7 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             size = len(data)
             self = rt.new(cls)
             polygon_list_count_ = data[at]
@@ -1231,10 +1231,10 @@ class ReportDrawingDefinition(rt.Message):
                 item_ = rt.new(ReportDrawingDefinition.PolygonSeq)
                 tag = data[at]
                 at += 1
-                item_.x, at = _U_3[tag]._read(data, at, depth)
+                item_.x, at = _U_3[tag]._read(data, at, nesting)
                 tag = data[at]
                 at += 1
-                item_.y, at = _U_3[tag]._read(data, at, depth)
+                item_.y, at = _U_3[tag]._read(data, at, nesting)
                 polygon_list_.append(item_)
             self.polygon_list = polygon_list_
             return self, at
@@ -1288,7 +1288,7 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             size = len(data)
             self = rt.new(cls)
             filled_polygon_list_count_ = data[at]
@@ -1299,10 +1299,10 @@ class ReportDrawingDefinition(rt.Message):
                 item_ = rt.new(ReportDrawingDefinition.FilledPolygonSeq)
                 tag = data[at]
                 at += 1
-                item_.x, at = _U_3[tag]._read(data, at, depth)
+                item_.x, at = _U_3[tag]._read(data, at, nesting)
                 tag = data[at]
                 at += 1
-                item_.y, at = _U_3[tag]._read(data, at, depth)
+                item_.y, at = _U_3[tag]._read(data, at, nesting)
                 filled_polygon_list_.append(item_)
             self.filled_polygon_list = filled_polygon_list_
             return self, at
@@ -1352,26 +1352,26 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.x, at = _U_3[tag]._read(data, at, depth)
+            self.x, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.y, at = _U_3[tag]._read(data, at, depth)
+            self.y, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.width, at = _U_3[tag]._read(data, at, depth)
+            self.width, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.height, at = _U_3[tag]._read(data, at, depth)
+            self.height, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.start_angle, at = _U_3[tag]._read(data, at, depth)
+            self.start_angle, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.arc_angle, at = _U_3[tag]._read(data, at, depth)
+            self.arc_angle, at = _U_3[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -1426,26 +1426,26 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.x, at = _U_3[tag]._read(data, at, depth)
+            self.x, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.y, at = _U_3[tag]._read(data, at, depth)
+            self.y, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.width, at = _U_3[tag]._read(data, at, depth)
+            self.width, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.height, at = _U_3[tag]._read(data, at, depth)
+            self.height, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.start_angle, at = _U_3[tag]._read(data, at, depth)
+            self.start_angle, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.arc_angle, at = _U_3[tag]._read(data, at, depth)
+            self.arc_angle, at = _U_3[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -1477,7 +1477,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1493,7 +1493,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1509,7 +1509,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1525,7 +1525,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1541,7 +1541,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1557,7 +1557,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1573,7 +1573,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1589,7 +1589,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1605,7 +1605,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1621,7 +1621,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1637,7 +1637,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1653,7 +1653,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1669,7 +1669,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1685,7 +1685,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1701,7 +1701,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1717,7 +1717,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1733,7 +1733,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1749,7 +1749,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1765,7 +1765,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1781,7 +1781,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1797,7 +1797,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1813,7 +1813,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1829,7 +1829,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1845,7 +1845,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1861,7 +1861,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1877,7 +1877,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1893,7 +1893,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1909,7 +1909,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1925,7 +1925,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1941,7 +1941,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1957,7 +1957,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1973,7 +1973,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1989,7 +1989,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2005,7 +2005,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2021,7 +2021,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2037,7 +2037,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2053,7 +2053,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2069,7 +2069,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2085,7 +2085,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2101,7 +2101,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2117,7 +2117,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2133,7 +2133,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2149,7 +2149,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2165,7 +2165,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2181,7 +2181,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2197,7 +2197,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2213,7 +2213,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2229,7 +2229,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2245,7 +2245,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2261,7 +2261,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2277,7 +2277,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2293,7 +2293,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2309,7 +2309,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2325,7 +2325,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2341,7 +2341,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2357,7 +2357,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2373,7 +2373,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2389,7 +2389,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2405,7 +2405,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2421,7 +2421,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2437,7 +2437,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2453,7 +2453,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2469,7 +2469,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2485,7 +2485,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2501,7 +2501,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2517,7 +2517,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2533,7 +2533,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2549,7 +2549,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2565,7 +2565,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2581,7 +2581,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2597,7 +2597,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2613,7 +2613,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2629,7 +2629,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2645,7 +2645,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2661,7 +2661,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2677,7 +2677,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2693,7 +2693,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2709,7 +2709,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2725,7 +2725,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2741,7 +2741,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2757,7 +2757,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2773,7 +2773,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2789,7 +2789,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2805,7 +2805,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2821,7 +2821,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2837,7 +2837,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2853,7 +2853,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2869,7 +2869,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2885,7 +2885,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2901,7 +2901,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2917,7 +2917,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2933,7 +2933,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2949,7 +2949,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2965,7 +2965,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2981,7 +2981,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2997,7 +2997,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3013,7 +3013,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3029,7 +3029,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3045,7 +3045,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3061,7 +3061,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3077,7 +3077,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3093,7 +3093,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3109,7 +3109,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3125,7 +3125,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3141,7 +3141,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3157,7 +3157,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3173,7 +3173,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3189,7 +3189,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3205,7 +3205,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3221,7 +3221,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3237,7 +3237,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3253,7 +3253,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3269,7 +3269,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3285,7 +3285,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3301,7 +3301,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3317,7 +3317,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3333,7 +3333,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3349,7 +3349,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3365,7 +3365,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3381,7 +3381,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3397,7 +3397,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3413,7 +3413,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3429,7 +3429,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3445,7 +3445,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3461,7 +3461,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3477,7 +3477,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3493,7 +3493,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3509,7 +3509,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3525,7 +3525,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3541,7 +3541,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3557,7 +3557,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3573,7 +3573,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3589,7 +3589,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3605,7 +3605,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3621,7 +3621,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3637,7 +3637,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3653,7 +3653,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3669,7 +3669,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3685,7 +3685,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3701,7 +3701,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3717,7 +3717,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3733,7 +3733,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3749,7 +3749,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3765,7 +3765,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3781,7 +3781,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3797,7 +3797,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3813,7 +3813,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3829,7 +3829,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3845,7 +3845,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3861,7 +3861,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3877,7 +3877,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3893,7 +3893,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3909,7 +3909,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3925,7 +3925,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3941,7 +3941,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3957,7 +3957,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3973,7 +3973,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3989,7 +3989,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4005,7 +4005,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4021,7 +4021,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4037,7 +4037,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4053,7 +4053,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4069,7 +4069,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4085,7 +4085,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4101,7 +4101,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4117,7 +4117,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4133,7 +4133,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4149,7 +4149,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4165,7 +4165,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4181,7 +4181,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4197,7 +4197,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4213,7 +4213,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4229,7 +4229,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4245,7 +4245,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4261,7 +4261,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4277,7 +4277,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4293,7 +4293,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4309,7 +4309,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4325,7 +4325,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4341,7 +4341,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4357,7 +4357,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4373,7 +4373,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4389,7 +4389,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4405,7 +4405,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4421,7 +4421,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4437,7 +4437,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4453,7 +4453,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4469,7 +4469,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4485,7 +4485,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4501,7 +4501,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4517,7 +4517,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4533,7 +4533,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4549,7 +4549,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4565,7 +4565,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4581,7 +4581,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4597,7 +4597,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4613,7 +4613,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4629,7 +4629,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4645,7 +4645,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4661,7 +4661,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4677,7 +4677,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4693,7 +4693,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4709,7 +4709,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4725,7 +4725,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4741,7 +4741,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4757,7 +4757,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4773,7 +4773,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4789,7 +4789,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4805,7 +4805,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4821,7 +4821,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4837,7 +4837,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4853,7 +4853,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4869,7 +4869,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4885,7 +4885,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4901,7 +4901,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4917,7 +4917,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4933,7 +4933,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4949,7 +4949,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4965,7 +4965,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4981,7 +4981,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4997,7 +4997,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5013,7 +5013,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5029,7 +5029,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5045,7 +5045,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5061,7 +5061,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5077,7 +5077,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5093,7 +5093,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5109,7 +5109,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5125,7 +5125,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5141,7 +5141,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5157,7 +5157,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5173,7 +5173,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5189,7 +5189,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5205,7 +5205,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5221,7 +5221,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5237,7 +5237,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5253,7 +5253,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5269,7 +5269,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5285,7 +5285,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5301,7 +5301,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5317,7 +5317,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5333,7 +5333,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5349,7 +5349,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5365,7 +5365,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5381,7 +5381,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5397,7 +5397,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5413,7 +5413,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5429,7 +5429,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5445,7 +5445,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5461,7 +5461,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5477,7 +5477,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5493,7 +5493,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5509,7 +5509,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5525,7 +5525,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5541,7 +5541,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5557,7 +5557,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5581,11 +5581,11 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.push_var, at = _U_11[tag]._read(data, at, depth)
+            self.push_var, at = _U_11[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -5610,11 +5610,11 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.pop_var, at = _U_11[tag]._read(data, at, depth)
+            self.pop_var, at = _U_11[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -5639,11 +5639,11 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.if_var, at = _U_3[tag]._read(data, at, depth)
+            self.if_var, at = _U_3[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -5668,11 +5668,11 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.else_if_var, at = _U_3[tag]._read(data, at, depth)
+            self.else_if_var, at = _U_3[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -5697,11 +5697,11 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.else_var, at = _U_11[tag]._read(data, at, depth)
+            self.else_var, at = _U_11[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -5726,11 +5726,11 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.end_if_var, at = _U_11[tag]._read(data, at, depth)
+            self.end_if_var, at = _U_11[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -5755,11 +5755,11 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.select_var, at = _U_3[tag]._read(data, at, depth)
+            self.select_var, at = _U_3[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -5784,11 +5784,11 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.case_var, at = _U_3[tag]._read(data, at, depth)
+            self.case_var, at = _U_3[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -5813,11 +5813,11 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.default_var, at = _U_11[tag]._read(data, at, depth)
+            self.default_var, at = _U_11[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -5842,11 +5842,11 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.end_select_var, at = _U_11[tag]._read(data, at, depth)
+            self.end_select_var, at = _U_11[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -5910,23 +5910,23 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.x, at = _U_3[tag]._read(data, at, depth)
+            self.x, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.y, at = _U_3[tag]._read(data, at, depth)
+            self.y, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.width, at = _U_3[tag]._read(data, at, depth)
+            self.width, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.height, at = _U_3[tag]._read(data, at, depth)
+            self.height, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.reference_to_data, at = _U_3[tag]._read(data, at, depth)
+            self.reference_to_data, at = _U_3[tag]._read(data, at, nesting)
             (image_type_,) = _S_b.unpack_from(data, at)
             self.image_type_rec = ReportDrawingDefinition.ImageTypeRec(_E_ReportDrawingDefinition_ImageType[image_type_])
             return self, at + 1
@@ -5965,7 +5965,7 @@ class ReportDrawingDefinition(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x00 or data[1] != 0x47: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -5978,7 +5978,7 @@ class ReportDrawingDefinition(rt.Message):
         for _ in range(graphics_command_list_count_):
             tag = data[at]
             at += 1
-            item_, at = _U_14[tag]._read(data, at, depth)
+            item_, at = _U_14[tag]._read(data, at, nesting)
             graphics_command_list_.append(item_)
         self.graphics_command_list = graphics_command_list_
         if at != size: raise rt.Reject
@@ -6079,7 +6079,7 @@ class ReportDataDefinition(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x01 or data[1] != 0x47: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -6155,7 +6155,7 @@ class ReportData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             self.data = data[at]
             return self, at + 1
@@ -6180,7 +6180,7 @@ class ReportData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (self.data,) = _S_h.unpack_from(data, at)
             return self, at + 2
@@ -6205,7 +6205,7 @@ class ReportData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (self.data,) = _S_i.unpack_from(data, at)
             return self, at + 4
@@ -6230,7 +6230,7 @@ class ReportData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (self.data,) = _S_q.unpack_from(data, at)
             return self, at + 8
@@ -6255,7 +6255,7 @@ class ReportData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (self.data,) = _S_H.unpack_from(data, at)
             return self, at + 2
@@ -6280,7 +6280,7 @@ class ReportData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (self.data,) = _S_I.unpack_from(data, at)
             return self, at + 4
@@ -6305,7 +6305,7 @@ class ReportData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (self.data,) = _S_Q.unpack_from(data, at)
             return self, at + 8
@@ -6330,7 +6330,7 @@ class ReportData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (data_,) = _S_f.unpack_from(data, at)
             if data_ - data_ != 0.0: raise rt.Reject
@@ -6359,7 +6359,7 @@ class ReportData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (data_,) = _S_d.unpack_from(data, at)
             if data_ - data_ != 0.0: raise rt.Reject
@@ -6388,7 +6388,7 @@ class ReportData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             byte_list_count_ = data[at]
             byte_list_end_ = at + 1 + byte_list_count_ * 1
@@ -6422,7 +6422,7 @@ class ReportData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             short_int_list_count_ = data[at]
             short_int_list_end_ = at + 1 + short_int_list_count_ * 2
@@ -6456,7 +6456,7 @@ class ReportData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             integer_list_count_ = data[at]
             integer_list_end_ = at + 1 + integer_list_count_ * 4
@@ -6490,7 +6490,7 @@ class ReportData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             long_int_list_count_ = data[at]
             long_int_list_end_ = at + 1 + long_int_list_count_ * 8
@@ -6524,7 +6524,7 @@ class ReportData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             u_short_int_list_count_ = data[at]
             u_short_int_list_end_ = at + 1 + u_short_int_list_count_ * 2
@@ -6558,7 +6558,7 @@ class ReportData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             u_integer_list_count_ = data[at]
             u_integer_list_end_ = at + 1 + u_integer_list_count_ * 4
@@ -6592,7 +6592,7 @@ class ReportData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             u_long_int_list_count_ = data[at]
             u_long_int_list_end_ = at + 1 + u_long_int_list_count_ * 8
@@ -6626,7 +6626,7 @@ class ReportData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             float_list_count_ = data[at]
             float_list_end_ = at + 1 + float_list_count_ * 4
@@ -6666,7 +6666,7 @@ class ReportData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             long_float_list_count_ = data[at]
             long_float_list_end_ = at + 1 + long_float_list_count_ * 8
@@ -6706,7 +6706,7 @@ class ReportData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             char_list_count_ = data[at]
             char_list_end_ = at + 1 + char_list_count_ * 1
@@ -6735,7 +6735,7 @@ class ReportData(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x02 or data[1] != 0x47: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -6748,7 +6748,7 @@ class ReportData(rt.Message):
         for _ in range(data_list_count_):
             tag = data[at]
             at += 1
-            item_, at = _U_32[tag]._read(data, at, depth)
+            item_, at = _U_32[tag]._read(data, at, nesting)
             data_list_.append(item_)
         self.data_list = data_list_
         if at != size: raise rt.Reject

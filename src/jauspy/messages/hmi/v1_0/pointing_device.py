@@ -24,7 +24,7 @@ class QueryPointingDeviceMovement(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data != b"\x03'": raise rt.Reject
         return rt.new(cls)
 
@@ -47,7 +47,7 @@ class QueryPointingDeviceAction(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data != b"\x04'": raise rt.Reject
         return rt.new(cls)
 
@@ -90,7 +90,7 @@ class ReportPointingDeviceMovement(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.x, self.y, valid_ = _S_H2ib.unpack(data)
         if code != 0x4703: raise rt.Reject
@@ -157,7 +157,7 @@ class ReportPointingDeviceAction(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, button_, state_, self.x, self.y, valid_ = _S_H2b2ib.unpack(data)
         if code != 0x4704: raise rt.Reject

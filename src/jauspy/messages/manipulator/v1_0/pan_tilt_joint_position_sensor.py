@@ -24,7 +24,7 @@ class QueryPanTiltJointPositions(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data != b'"&': raise rt.Reject
         return rt.new(cls)
 
@@ -66,7 +66,7 @@ class ReportPanTiltJointPositions(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, joint1_position_, joint2_position_ = _S_H2I.unpack(data)
         if code != 0x4622: raise rt.Reject

@@ -23,7 +23,7 @@ class QueryEndEffectorSpecification(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data != b'2&': raise rt.Reject
         return rt.new(cls)
 
@@ -46,7 +46,7 @@ class QueryEndEffectorEffort(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data != b'3&': raise rt.Reject
         return rt.new(cls)
 
@@ -77,7 +77,7 @@ class SetEndEffectorEffort(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, end_effector_effort_ = _S_2H.unpack(data)
         if code != 0x0633: raise rt.Reject
@@ -116,7 +116,7 @@ class ReportEndEffectorSpecification(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.parent_id = _S_HI.unpack(data)
         if code != 0x4632: raise rt.Reject
@@ -149,7 +149,7 @@ class ReportEndEffectorEffort(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, end_effector_effort_ = _S_2H.unpack(data)
         if code != 0x4633: raise rt.Reject

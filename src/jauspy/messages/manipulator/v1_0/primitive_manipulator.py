@@ -33,7 +33,7 @@ class QueryJointEfforts(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data != b'\x01&': raise rt.Reject
         return rt.new(cls)
 
@@ -66,7 +66,7 @@ class SetJointEfforts(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x01 or data[1] != 0x06: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -127,7 +127,7 @@ class ReportJointEfforts(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x01 or data[1] != 0x46: raise rt.Reject
         size = len(data)
         self = rt.new(cls)

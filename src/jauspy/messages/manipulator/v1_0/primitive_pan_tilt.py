@@ -32,7 +32,7 @@ class QueryPanTiltJointEfforts(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data != b'!&': raise rt.Reject
         return rt.new(cls)
 
@@ -66,7 +66,7 @@ class SetPanTiltJointEfforts(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, joint1_effort_, joint2_effort_ = _S_3H.unpack(data)
         if code != 0x0621: raise rt.Reject
@@ -122,7 +122,7 @@ class ReportPanTiltJointEfforts(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, joint1_effort_, joint2_effort_ = _S_3H.unpack(data)
         if code != 0x4621: raise rt.Reject

@@ -24,7 +24,7 @@ class QueryJointEffort(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data != b'\x01&': raise rt.Reject
         return rt.new(cls)
 
@@ -57,7 +57,7 @@ class SetJointEffort(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x01 or data[1] != 0x06: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -110,7 +110,7 @@ class ReportJointEffort(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x01 or data[1] != 0x46: raise rt.Reject
         size = len(data)
         self = rt.new(cls)

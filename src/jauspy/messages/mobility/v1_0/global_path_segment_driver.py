@@ -54,7 +54,7 @@ class SetGlobalPathSegment(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HB.unpack_from(data)
         if code != 0x040F: raise rt.Reject
         raw = iter(_M_SetGlobalPathSegment[mask & 0x7].unpack(data)).__next__
@@ -163,7 +163,7 @@ class ExecuteList(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HB.unpack_from(data)
         if code != 0x041E: raise rt.Reject
         raw = iter(_M_ExecuteList[mask & 0x1].unpack(data)).__next__
@@ -206,7 +206,7 @@ class QueryTravelSpeed(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data != b'\n$': raise rt.Reject
         return rt.new(cls)
 
@@ -237,7 +237,7 @@ class QueryGlobalPathSegment(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.presence_vector = _S_HB.unpack(data)
         if code != 0x240F: raise rt.Reject
@@ -262,7 +262,7 @@ class QueryActiveElement(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data != b'\x1e$': raise rt.Reject
         return rt.new(cls)
 
@@ -293,7 +293,7 @@ class ReportTravelSpeed(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, speed_ = _S_2H.unpack(data)
         if code != 0x440A: raise rt.Reject
@@ -354,7 +354,7 @@ class ReportGlobalPathSegment(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HB.unpack_from(data)
         if code != 0x440F: raise rt.Reject
         raw = iter(_M_SetGlobalPathSegment[mask & 0x7].unpack(data)).__next__
@@ -459,7 +459,7 @@ class ReportActiveElement(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.element_uid = _S_2H.unpack(data)
         if code != 0x441E: raise rt.Reject

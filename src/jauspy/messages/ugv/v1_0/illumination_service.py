@@ -24,7 +24,7 @@ class QueryIlluminationState(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data != b'\x13%': raise rt.Reject
         return rt.new(cls)
 
@@ -47,7 +47,7 @@ class QueryIlluminationConfiguration(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data != b'\x14%': raise rt.Reject
         return rt.new(cls)
 
@@ -215,7 +215,7 @@ class SetIlluminationState(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, illumination_ = _S_HI.unpack(data)
         if code != 0x0513: raise rt.Reject
@@ -422,7 +422,7 @@ class ReportIlluminationState(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, illumination_ = _S_HI.unpack(data)
         if code != 0x4513: raise rt.Reject
@@ -653,7 +653,7 @@ class ReportIlluminationConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, types_ = _S_HI.unpack(data)
         if code != 0x4514: raise rt.Reject
