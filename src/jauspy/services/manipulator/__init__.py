@@ -1,0 +1,1 @@
+"""Services of the manipulator set (AS6057)."""
