@@ -2,14 +2,13 @@
 
 import asyncio
 import contextlib
-import importlib.util
 import random
 import socket
 from collections.abc import Callable
 from pathlib import Path
-from types import ModuleType
 
 import pytest
+from tests.node import malformed
 
 from jauspy.ids import JausID
 from jauspy.node import NodeConfig, NodeManager
@@ -21,18 +20,6 @@ STREAMS = 800
 BETWEEN = 40
 """Malformed ones between two valid ones."""
 HERE, BESIDE, FAR = (JausID.parse(text) for text in ("101.1.1", "101.1.2", "42.1.1"))
-
-
-def _load() -> ModuleType:
-    spec = importlib.util.spec_from_file_location("malformed", Path(__file__).parent / "malformed.py")
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-malformed = _load()
 
 
 async def receive(sock: socket.socket) -> bytes:
