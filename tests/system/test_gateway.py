@@ -47,8 +47,7 @@ def folders(root: Path, switch: Callable[[int], Switch], start: Callable[..., ob
     hosts = switch(2)
     hosts.bridge()
     inside = hosts.behind(hosts.hosts[1])
-    inc1 = (Path(__file__).parents[2] / "src/jauspy/robots/inc1.toml").read_text()
-    (root / "behind.toml").write_text(inc1.replace("node = 1", "node = 2"))
+    (root / "behind.toml").write_text("extends = 'inc1'\nnode = 2\n")
     (root / "gateway.toml").write_text(GATEWAY)
     folders = {name: root / name for name in ("ocu", "gate", "behind")}
 
