@@ -17,15 +17,17 @@ from itertools import count
 import pytest
 
 from jauspy.codec.base import Message
+from jauspy.codec.registry import Registry
 from jauspy.component import Component
 from jauspy.ids import JausID
 from jauspy.ocu import OCU
 from jauspy.platform.contract import Pose, Twist
 from jauspy.protocol.header import Packet
 from jauspy.protocol.judp import unpack_all
+from jauspy.schema import Schema
 from jauspy.services.core import AccessControl, Discovery, Events, Identity, Liveness
 from jauspy.services.host import Host
-from jauspy.services.mobility import LocalPoseSensor, PrimitiveDriver, VelocityStateSensor
+from jauspy.services.mobility import LocalPoseSensor, PrimitiveDriver, Vehicle, VelocityStateSensor
 from jauspy.services.service import Service
 from jauspy.transport import LoopbackHub, LoopbackTransport
 
@@ -109,8 +111,12 @@ class World:
     def transport(self, id: JausID) -> LoopbackTransport:
         return LoopbackTransport(id, self.network)
 
-    async def component(self, id: JausID, services: Iterable[Service]) -> Component:
-        host = Host(id, services, utc_now=lambda: datetime.now(UTC), now=time.monotonic())
+    async def component(
+        self, id: JausID, services: Iterable[Service], schema: Schema | None = None, registry: Registry | None = None
+    ) -> Component:
+        host = Host(
+            id, services, utc_now=lambda: datetime.now(UTC), now=time.monotonic(), schema=schema, registry=registry
+        )
         return await self._stack.enter_async_context(Component(host, self.transport(id)))
 
     async def robot(self, id: JausID = ROBOT, *, drive: FakeDrive | None = None, timeout: int = 5) -> Component:
@@ -118,6 +124,7 @@ class World:
         drive = drive or FakeDrive()
         self.drives.append(drive)
         names = {2: Identity("test robot", 10001), 3: Identity("test node", 40001), 4: Identity("all in one", 60001)}
+        vehicle = Vehicle(drive)
         return await self.component(
             id,
             [
@@ -125,14 +132,17 @@ class World:
                 Events(timeout=1),
                 Discovery(names),
                 Liveness(),
-                PrimitiveDriver(drive),
-                LocalPoseSensor(drive),
-                VelocityStateSensor(drive),
+                PrimitiveDriver(vehicle),
+                LocalPoseSensor(vehicle),
+                VelocityStateSensor(vehicle),
             ],
         )
 
-    async def ocu(self, id: str = "42.1.1", *, timeout: float = 0.1, retries: int = 3) -> OCU:
-        ocu = OCU(id, transport=self.transport(JausID.parse(id)), timeout=timeout, retries=retries)
+    async def ocu(
+        self, id: str = "42.1.1", *, timeout: float = 0.1, retries: int = 3, registry: Registry | None = None
+    ) -> OCU:
+        transport = self.transport(JausID.parse(id))
+        ocu = OCU(id, transport=transport, timeout=timeout, retries=retries, registry=registry)
         return await self._stack.enter_async_context(ocu)
 
 
