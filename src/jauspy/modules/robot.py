@@ -15,7 +15,8 @@ from jauspy.ids import JausID
 from jauspy.modules.config import ModuleConfig, RobotConfig
 from jauspy.modules.description import robot_model
 from jauspy.modules.mobility import cm_mob, vehicle_of
-from jauspy.modules.realtime import RealTime, Snapshot
+from jauspy.modules.realtime import RealTime
+from jauspy.modules.snapshot import Snapshot
 from jauspy.platform import backends
 from jauspy.platform.contract import DriveBase, Robot
 from jauspy.services.core import Identity
