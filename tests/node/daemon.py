@@ -16,6 +16,8 @@ import pytest
 from jauspy.ids import JausID
 
 PATIENCE = 20
+IP_RECVTTL = 12
+"""From linux/in.h."""
 TEN = "00010203040506070809"
 CONFIG = """
 address = "127.0.0.1"
@@ -60,6 +62,11 @@ class End:
         while len(arrived) < len(plain(text)) // 2:
             arrived += self.socket.recv(1)
         assert arrived.hex() == plain(text)
+
+    def hears_ttl(self) -> int:
+        """How many routers the next datagram may still pass; set `IP_RECVTTL` before it comes."""
+        _, ((_, _, ttl),), _, _ = self.socket.recvmsg(70000, 100)
+        return int.from_bytes(ttl, sys.byteorder)
 
     def hears_nothing(self) -> None:
         """Until now; say before what would have come after it."""
