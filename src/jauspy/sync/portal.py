@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import asyncio
 import threading
-from collections.abc import Coroutine
+from collections.abc import AsyncGenerator, AsyncIterable, AsyncIterator, Coroutine, Iterator
 from concurrent.futures import Future, wait
+from contextlib import suppress
 from types import TracebackType
-from typing import Any, Final, Generic, Self, TypeVar
+from typing import Any, Final, Generic, Self, TypeVar, cast
 
 from jauspy.errors import TransportError
 
@@ -66,6 +67,21 @@ class Portal:
             call.interrupt()
             raise
 
+    def leave(self, coroutine: Coroutine[Any, Any, object]) -> None:
+        """Run what ends a `with` block; fine when the portal was closed inside, which has ended it already."""
+        with suppress(TransportError):
+            self.run(coroutine)
+
+    def iterate(self, iterable: AsyncIterable[T]) -> Iterator[T]:
+        """What `async for` would give; leaving the loop ends the asynchronous iterator, too."""
+        iterator = aiter(iterable)
+        try:
+            while (item := self.run(_next(iterator))) is not _END:
+                yield cast("T", item)
+        finally:
+            if isinstance(iterator, AsyncGenerator):
+                self.leave(_end(iterator))
+
     def __enter__(self) -> Self:
         self.open()
         return self
@@ -90,7 +106,7 @@ class _Call(Generic[T]):
         self.ended: Future[T] = Future()
         self._coroutine = coroutine
         self._loop: asyncio.AbstractEventLoop | None = None
-        self._task: asyncio.Task[None] | None = None
+        self._task: asyncio.Task[T] | None = None
 
     def hand_to(self, loop: asyncio.AbstractEventLoop) -> None:
         """Let it begin in the loop's thread."""
@@ -106,17 +122,33 @@ class _Call(Generic[T]):
             wait({self.ended}, CLEANUP)
 
     def _begin(self) -> None:
-        self._task = asyncio.create_task(self._run())
+        self._task = asyncio.create_task(self._coroutine)
+        self._task.add_done_callback(self._done)
 
     def _cancel(self) -> None:
         if self._task is not None:
             self._task.cancel()
+        else:  # interrupted on the way here: it was never begun
+            self._coroutine.close()
+            self.ended.set_exception(asyncio.CancelledError())
 
-    async def _run(self) -> None:
-        try:
-            self.ended.set_result(await self._coroutine)
-        except BaseException as error:  # noqa: BLE001 - it belongs to the caller in the other thread
+    def _done(self, task: asyncio.Task[T]) -> None:
+        error = asyncio.CancelledError() if task.cancelled() else task.exception()
+        if error is not None:
             self.ended.set_exception(error)
+        else:
+            self.ended.set_result(task.result())
+
+
+_END: Final = object()
+
+
+async def _next(iterator: AsyncIterator[T]) -> T | object:
+    return await anext(iterator, _END)
+
+
+async def _end(iterator: AsyncGenerator[Any, None]) -> None:
+    await iterator.aclose()
 
 
 def _live(ready: Future[asyncio.AbstractEventLoop]) -> None:
