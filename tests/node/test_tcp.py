@@ -1,6 +1,7 @@
 """JTCP of the running node manager: bytes of other implementations, several ids on a connection, faults, reconnects."""
 
 import asyncio
+import logging
 import socket
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
@@ -12,8 +13,9 @@ from jauspy.errors import TransportError
 from jauspy.ids import EVERYONE, JausID
 from jauspy.node import NodeConfig, NodeManager, tcp
 from jauspy.protocol import judp
+from jauspy.protocol.counters import Counters
 from jauspy.protocol.header import Broadcast, Packet
-from jauspy.transport import LocalTransport, TcpTransport
+from jauspy.transport import LocalTransport, TcpTransport, stream
 
 HERE, FAR, OTHER = JausID.parse("100.1.2"), JausID.parse("200.1.1"), JausID.parse("200.1.2")
 
@@ -217,6 +219,31 @@ async def test_peers_of_the_address_book_are_connected_to_and_again(root: Path, 
                 assert await a.next() == back
                 await b.transport.close()
         await a.transport.close()
+
+
+async def test_pauses_between_attempts_grow_and_begin_anew_after_a_connection(
+    free_port: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pauses: list[float] = []
+    sleep = asyncio.sleep
+
+    async def noted(seconds: float) -> None:
+        pauses.append(seconds)
+        await sleep(0.001)
+
+    monkeypatch.setattr(asyncio, "sleep", noted)
+    dialer = stream.Dialer(("127.0.0.1", free_port), Counters(logging.getLogger()), lambda link, datagram: None)
+    async with asyncio.timeout(20):
+        while len(pauses) < 10:
+            await sleep(0.001)
+        assert pauses[:10] == [0.1, 0.2, 0.4, 0.8, 1.6, 3.2, 6.4, 10.0, 10.0, 10.0]
+        with socket.create_server(("127.0.0.1", free_port)):
+            await dialer.connected.wait()
+            pauses.clear()
+        while not pauses:
+            await sleep(0.001)
+    assert pauses[0] == stream.FIRST_RETRY
+    await dialer.close()
 
 
 async def test_a_component_connects_again(root: Path, free_port: int) -> None:
