@@ -54,8 +54,11 @@ class End:
         else:
             self.socket.sendto(bytes.fromhex(text), self._node)
 
+    def next(self) -> str:
+        return self.socket.recv(70000).hex()
+
     def hears(self, text: str) -> None:
-        assert self.socket.recv(70000).hex() == plain(text)
+        assert self.next() == plain(text)
 
     def hears_stream(self, text: str) -> None:
         arrived = b""

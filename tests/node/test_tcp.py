@@ -188,6 +188,32 @@ async def test_a_peer_that_does_not_read_delays_nobody_and_gets_whole_packets(no
         assert numbers == sorted(numbers)
 
 
+async def test_ipv6_both_ways(root: Path, free_port: int) -> None:
+    try:
+        with socket.create_server(("::1", 0), family=socket.AF_INET6):
+            pass
+    except OSError:
+        pytest.skip("this system has no IPv6")
+    near = NodeConfig(address="127.0.0.1", port=free_port, local_root=root / "a", address6="::1", tcp=True)
+    book = {str(HERE): f"tcp://[::1]:{free_port}"}
+    far = NodeConfig(address="127.0.0.1", port=0, local_root=root / "b", addresses=book)
+    async with NodeManager(near) as first, NodeManager(far) as second:
+        a, b = Inbox(LocalTransport(HERE, root / "a")), Inbox(LocalTransport(FAR, root / "b"))
+        await a.transport.open()
+        await b.transport.open()
+        await until(lambda: second.counters["tcp.connected"] == 1)
+        there = judp.pack(Packet(FAR, HERE, b"\x02\x20", 1))
+        b.transport.send(there)
+        assert await a.next() == there
+        back = judp.pack(Packet(HERE, FAR, b"\x02\x40", 1))
+        a.transport.send(back)
+        assert await b.next() == back
+        (peer,) = (each["address"] for each in first.state.as_dict(0.0)["peers"])
+        assert peer.startswith("[::1]:")
+        await a.transport.close()
+        await b.transport.close()
+
+
 async def test_connections_are_bounded(node: NodeManager, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(tcp, "MAX_CONNECTIONS", 1)
     async with peer(node):
