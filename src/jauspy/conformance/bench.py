@@ -11,7 +11,7 @@ from collections.abc import Callable, Collection, Iterable
 from itertools import count
 from typing import Final
 
-from jauspy.conformance.wire import PORTS, RAW
+from jauspy.conformance.wire import PORTS, RAW, Arrival
 from jauspy.ids import JausID
 from jauspy.protocol import judp
 from jauspy.protocol.endpoint import Endpoint
@@ -98,7 +98,7 @@ class Bench:
         self._now = now
         self._order = count()
         self._air: list[tuple[float, int, bytes, UdpPort]] = []
-        self._arrived: deque[bytes] = deque()
+        self._arrived: deque[Arrival] = deque()
         self._listening: set[UdpPort] = {USUAL}
         for id, part in self.parts.items():
             self.node.components.register(int(id), LocalPort(f"{ROOT}/{int(id)}"))
@@ -134,7 +134,7 @@ class Bench:
         for each in self.inbound(datagram):
             heapq.heappush(self._air, (self._now + self._delay, next(self._order), each, port))
 
-    def receive(self, until: float) -> bytes | None:
+    def receive(self, until: float) -> Arrival | None:
         """What comes next; time passes until then, or until the time is over."""
         while not self._arrived and self._now < until:
             self._advance(min(until, self._next_event()))
@@ -182,5 +182,7 @@ class Bench:
             part = self.parts[JausID.from_int(int(port.path.rpartition("/")[2]))]
             part.handle(datagram, self._now)
             self._transmit(part)
-        elif isinstance(port, GroupPort) or (isinstance(port, UdpPort) and self.way_back(port) in self._listening):
-            self._arrived += self.outbound(datagram)
+        elif isinstance(port, GroupPort | UdpPort):
+            back = self.way_back(port) if isinstance(port, UdpPort) else USUAL
+            if back in self._listening:
+                self._arrived += (Arrival(each, back == STRANGE) for each in self.outbound(datagram))

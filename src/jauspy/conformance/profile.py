@@ -18,6 +18,7 @@ GROUP: Final = "jauspy.conformance"
 """Entry points of profiles: a name, and where the `Profile` is."""
 
 BUILT_IN: Final = {
+    "transport": "transport:PROFILE",
     "igvc-2015": "igvc_2015:PROFILE",
 }
 """Where the shipped ones are; loaded when they are run."""

@@ -13,7 +13,7 @@ from jauspy.conformance.expectation import Expectation
 from jauspy.conformance.outcome import Failed, Skipped
 from jauspy.conformance.results import Looked
 from jauspy.conformance.trace import Direction, Entry, Heard, named
-from jauspy.conformance.wire import Wire
+from jauspy.conformance.wire import Arrival, Wire
 from jauspy.ids import EVERYONE, JausID
 from jauspy.protocol import judp
 from jauspy.protocol.endpoint import Endpoint
@@ -103,19 +103,20 @@ class Tester:
     def pump(self, until: float, done: Callable[[], bool]) -> bool:
         """Take what comes until `done`, or until the time is over; says whether it was done."""
         while not done():
-            datagram = self.wire.receive(self._start + until)
-            if datagram is None:
+            arrival = self.wire.receive(self._start + until)
+            if arrival is None:
                 return done()
-            self._take(datagram)
+            self._take(arrival)
         return True
 
     def transmit(self, datagram: bytes, source: JausID, *, strange_port: bool = False) -> None:
         """Send these very bytes."""
-        self._record(Direction.SENT, datagram)
+        self._record(Direction.SENT, datagram, strange_port=strange_port)
         self.wire.send(datagram, source, strange_port=strange_port)
 
-    def _take(self, datagram: bytes) -> None:
-        self._record(Direction.RECEIVED, datagram)
+    def _take(self, arrival: Arrival) -> None:
+        datagram = arrival.data
+        self._record(Direction.RECEIVED, datagram, strange_port=arrival.strange_port)
         packets, errors = judp.unpack_all(datagram)
         for client in self._clients.values():
             if errors or any(each.destination.matches(client.id) for each in packets):
@@ -126,9 +127,9 @@ class Tester:
                 return
             self.memory["component"] = next(each.source for each in packets if self.target.matches(each.source))
 
-    def _record(self, direction: Direction, datagram: bytes) -> None:
+    def _record(self, direction: Direction, datagram: bytes, *, strange_port: bool) -> None:
         if len(self.entries) < MAX_ENTRIES:
-            self.entries.append(Entry(self.now, direction, datagram, self.registry))
+            self.entries.append(Entry(self.now, direction, datagram, self.registry, strange_port))
         else:
             self.left_out += 1
 
