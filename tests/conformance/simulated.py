@@ -17,9 +17,15 @@ TARGET = JausID(105, 1, 255)
 Maker = Callable[..., Bench]
 
 
-def robot(part: type[Part] = Part, bench: type[Bench] = Bench, **options: object) -> Bench:
-    """The whole robot; `part` and `bench` may be broken ones."""
+def robot(
+    part: type[Part] = Part, bench: type[Bench] = Bench, *, timeout: int | None = None, **options: object
+) -> Bench:
+    """The whole robot; `part` and `bench` may be broken ones, `timeout` is that of its access control."""
     config = robots.load("igvc")
+    if timeout is not None:
+        access = config.modules[0].access_control.model_copy(update={"timeout": timeout})
+        modules = tuple(each.model_copy(update={"access_control": access}) for each in config.modules)
+        config = config.model_copy(update={"modules": modules})
     body = backends.find("kinematic").open(config.model, config.world)
     made: list[Bench] = []
 

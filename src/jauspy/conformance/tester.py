@@ -23,6 +23,8 @@ M = TypeVar("M", bound=Message)
 
 TIMEOUT: Final = 1.5
 """Seconds that a judge of the public tests waits for an answer."""
+EVENT: Final = 0x41F1
+"""Event (AS5710): comes whenever it likes."""
 MAX_PENDING: Final = 1024
 """Messages of one client that nobody has looked at; the oldest go first. A target that floods is no news."""
 MAX_ENTRIES: Final = 200_000
@@ -209,9 +211,9 @@ class Client:
         self.tester.check("there is no answer", f"{came} came, where nothing should" if came else "")
 
     def unasked(self, besides: Collection[int] = ()) -> list[str]:
-        """The names of what waits to be looked at, events and these message ids left aside."""
+        """The names of what waits to be looked at; events, queries of the target and these ids left aside."""
         waiting = [each for each in self.pending if self.tester.target.matches(each.source)]
-        return [self.name_of(each) for each in waiting if each.code != EVENT and each.code not in besides]
+        return [self.name_of(each) for each in waiting if _is_answer(each.code) and each.code not in besides]
 
     def name_of(self, heard: Heard) -> str:
         """`ReportStatus 4002h`."""
@@ -234,5 +236,6 @@ class Client:
             self.raw(datagram)
 
 
-EVENT: Final = 0x41F1
-"""Event (AS5710): comes whenever it likes."""
+def _is_answer(code: int) -> bool:
+    """True for what comes because something was sent: no event, and no query (2000h to 3FFFh)."""
+    return code != EVENT and not 0x2000 <= code < 0x4000
