@@ -13,6 +13,7 @@ PUBLIC = {
     "ConfigError",
     "ControlRejected",
     "DecodeError",
+    "ElementRejected",
     "EncodeError",
     "EventRejected",
     "JausError",
