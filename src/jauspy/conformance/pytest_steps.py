@@ -37,7 +37,7 @@ def pytest_steps(
 ) -> pytest.MarkDecorator:
     """Parametrises a test with `step`, one for each step of a profile: call it, and it passes, fails or skips.
 
-    `wire` makes the way to the target; one is made for all steps, when the first is called, and they run in order on it.
+    `wire` makes the way to the target; one is made when the first step is called, and all run in order on it.
     Profiles whose steps depend on the target need `offers`: its services, by component.
     Raises `ConfigError` for an unknown profile, and when `offers` has nothing for it.
     """
