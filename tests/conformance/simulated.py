@@ -10,6 +10,7 @@ from jauspy.ids import JausID
 from jauspy.modules import robots
 from jauspy.modules.description import robot_model
 from jauspy.modules.mobility import cm_mob, vehicle_of
+from jauspy.modules.robot import announced
 from jauspy.platform import backends
 
 START = datetime(2026, 3, 14, 15, 9, 26, 535000, tzinfo=UTC)
@@ -33,11 +34,12 @@ def robot(
     def utc_now() -> datetime:
         return START + timedelta(seconds=made[0].now() if made else 0.0)
 
-    hosts = [
-        cm_mob(config.id_of(module), vehicle_of(config, body.drive), module, identities={}, utc_now=utc_now, now=0.0)
-        for module in config.modules
-    ]
-    made.append(bench([part(host) for host in hosts], tick=body.advance, **options))
+    parts = []
+    for module in config.modules:
+        vehicle = vehicle_of(config, body.drive)
+        host = cm_mob(config.id_of(module), vehicle, module, identities={}, utc_now=utc_now, now=0.0)
+        parts.append(part(host, announced(host, module) or (lambda _: False)))
+    made.append(bench(parts, tick=body.advance, **options))
     return made[0]
 
 

@@ -15,6 +15,7 @@ from jauspy.conformance.wire import PORTS, RAW, Arrival
 from jauspy.ids import JausID
 from jauspy.protocol import judp
 from jauspy.protocol.endpoint import Endpoint
+from jauspy.protocol.header import Packet
 from jauspy.protocol.node import NodeCore
 from jauspy.protocol.ports import GroupPort, LocalPort, Port, UdpPort
 from jauspy.services.host import Host
@@ -25,6 +26,7 @@ USUAL: Final = UdpPort("192.0.2.42", judp.PORT)
 STRANGE: Final = UdpPort("192.0.2.42", 49152)
 """Where the tester speaks from: documentation addresses (RFC 5737)."""
 
+Intercept = Callable[[Packet], bool]
 Tick = Callable[[float], None]
 """Lets so many seconds pass for something outside of the components, such as a robot."""
 
@@ -32,8 +34,10 @@ Tick = Callable[[float], None]
 class Part:
     """One component: its services and its endpoint. Made to be broken: a subclass may mangle what it hears and says."""
 
-    def __init__(self, host: Host) -> None:
+    def __init__(self, host: Host, intercept: Intercept = lambda _: False) -> None:
         self.host = host
+        self.intercept = intercept
+        """Sees every packet first; what it returns true for does not reach the services."""
         self.endpoint = Endpoint(host.id, first_sequence=1)
 
     def hear(self, payload: bytes, source: JausID, now: float) -> None:
@@ -58,7 +62,8 @@ class Part:
         """Do what is due; the datagrams to send."""
         self.endpoint.handle_timeout(now)
         while (packet := self.endpoint.next_event()) is not None:
-            self.hear(packet.payload, packet.source, now)
+            if not self.intercept(packet):
+                self.hear(packet.payload, packet.source, now)
         self.host.handle_timeout(now)
         for outgoing in self.host.poll_output(now):
             self.say(outgoing, now)

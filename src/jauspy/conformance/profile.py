@@ -24,6 +24,7 @@ BUILT_IN: Final = {
     "sensing-2.0": "service_sets:SENSING",
     "ugv-1.0": "service_sets:UGV",
     "transport": "transport:PROFILE",
+    "igvc-2011": "igvc_2011:PROFILE",
     "igvc-2015": "igvc_2015:PROFILE",
 }
 """Where the shipped ones are; loaded when they are run."""

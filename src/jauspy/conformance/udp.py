@@ -50,8 +50,7 @@ class UdpWire:
         """What did not work as it should, for the report."""
         if self.port != port:
             self.notes.append(f"UDP port {port} is taken on this machine; port {self.port} was used instead")
-        if peer is None:
-            self._listen(interface)
+        self._listen(interface)
 
     @property
     def port(self) -> int:
