@@ -39,7 +39,7 @@ def robot(
         vehicle = vehicle_of(config, body.drive)
         host = cm_mob(config.id_of(module), vehicle, module, identities={}, utc_now=utc_now, now=0.0)
         parts.append(part(host, announced(host, module) or (lambda _: False)))
-    made.append(bench(parts, tick=body.advance, **options))
+    made.append(bench(parts, **({"tick": body.advance} | options)))
     return made[0]
 
 

@@ -146,7 +146,7 @@ def events_are(*, listed: bool) -> Action:
 # --- the services of a component: 2 ---------------------------------------------------------------------------------
 
 
-def _of(uris: Iterable[str]) -> Check:
+def _of(*uris: str) -> Check:
     def listed(report: ReportServices) -> bool:
         found = {each.uri for node in report.node_list for part in node.component_list for each in part.service_list}
         return found >= set(uris)
@@ -157,7 +157,7 @@ def _of(uris: Iterable[str]) -> Check:
 SERVICES: Final = (
     that("lists a node", lambda report: bool(report.node_list)),
     that("lists a component of each node", lambda report: all(node.component_list for node in report.node_list)),
-    _of(f"urn:jaus:jss:core:{name}" for name in ("Transport", "Events", "AccessControl", "Management", "Discovery")),
+    _of(*(f"urn:jaus:jss:core:{name}" for name in ("Transport", "Events", "AccessControl", "Management", "Discovery"))),
 )
 CONFIGURATION: Final = that(
     "lists nodes with components",
