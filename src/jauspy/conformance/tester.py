@@ -15,6 +15,7 @@ from jauspy.conformance.results import Looked
 from jauspy.conformance.trace import Direction, Entry, Heard, named
 from jauspy.conformance.wire import Arrival, Wire
 from jauspy.ids import EVERYONE, JausID
+from jauspy.messages.core import CommandEvent, Event
 from jauspy.protocol import judp
 from jauspy.protocol.endpoint import Endpoint
 from jauspy.protocol.header import Ack
@@ -23,8 +24,8 @@ M = TypeVar("M", bound=Message)
 
 TIMEOUT: Final = 1.5
 """Seconds that a judge of the public tests waits for an answer."""
-EVENT: Final = 0x41F1
-"""Event (AS5710): comes whenever it likes."""
+EVENTS: Final = frozenset({Event.CODE, CommandEvent.CODE})
+"""These come whenever they like."""
 MAX_PENDING: Final = 1024
 """Messages of one client that nobody has looked at; the oldest go first. A target that floods is no news."""
 MAX_ENTRIES: Final = 200_000
@@ -238,4 +239,4 @@ class Client:
 
 def _is_answer(code: int) -> bool:
     """True for what comes because something was sent: no event, and no query (2000h to 3FFFh)."""
-    return code != EVENT and not 0x2000 <= code < 0x4000
+    return code not in EVENTS and not 0x2000 <= code < 0x4000

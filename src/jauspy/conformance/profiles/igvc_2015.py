@@ -6,7 +6,6 @@ or after 1.5 s. What is sent is, byte for byte, what a judge's console of 2015 s
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from typing import Final
 
 from jauspy.codec.base import Message

@@ -9,7 +9,7 @@ from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
 from jauspy.conformance.checks import Check, has
 from jauspy.conformance.outcome import Failed
-from jauspy.conformance.tester import EVENT, Tester
+from jauspy.conformance.tester import EVENTS, Tester
 from jauspy.conformance.trace import Heard, named
 from jauspy.conformance.walk.machine import Machine, Output, Prediction, Situation
 from jauspy.conformance.walk.stimulus import Stimulus
@@ -150,7 +150,9 @@ class Trial:
 
     def _heard(self, walker: Walker, role: str) -> list[Heard]:
         return [
-            each for each in walker.client(role).pending if each.source == self.subject.component and each.code != EVENT
+            each
+            for each in walker.client(role).pending
+            if each.source == self.subject.component and each.code not in EVENTS
         ]
 
     def _end(self, walker: Walker, fitting: list[Prediction], seconds: float) -> None:
