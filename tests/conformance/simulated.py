@@ -28,7 +28,8 @@ def robot(
         access = config.modules[0].access_control.model_copy(update={"timeout": timeout})
         modules = tuple(each.model_copy(update={"access_control": access}) for each in config.modules)
         config = config.model_copy(update={"modules": modules})
-    body = backends.find("kinematic").open(robot_model(config), config.world)
+    model = robot_model(config)
+    body = backends.find("kinematic").open(model, config.world)
     made: list[Bench] = []
 
     def utc_now() -> datetime:
@@ -36,7 +37,7 @@ def robot(
 
     parts = []
     for module in config.modules:
-        vehicle = vehicle_of(config, body.drive)
+        vehicle = vehicle_of(config, model, body.drive)
         host = cm_mob(config.id_of(module), vehicle, module, identities={}, utc_now=utc_now, now=0.0)
         parts.append(part(host, announced(host, module) or (lambda _: False)))
     made.append(bench(parts, **({"tick": body.advance} | options)))
