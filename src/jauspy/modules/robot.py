@@ -10,17 +10,20 @@ from types import TracebackType
 from typing import Final, Self
 
 from jauspy.component import Component
-from jauspy.component.shell import loop_time
+from jauspy.component.shell import Intercept, loop_time
 from jauspy.ids import JausID
+from jauspy.modules.announcement import Announcement
 from jauspy.modules.config import ModuleConfig, RobotConfig
 from jauspy.modules.description import robot_model
 from jauspy.modules.mobility import cm_mob, vehicle_of
 from jauspy.modules.realtime import RealTime
 from jauspy.modules.snapshot import Snapshot
 from jauspy.platform import backends
-from jauspy.platform.contract import DriveBase, Robot
+from jauspy.platform.contract import Robot
+from jauspy.platform.description import RobotModel
 from jauspy.services.core import Identity
 from jauspy.services.host import Host
+from jauspy.services.mobility import Vehicle
 from jauspy.transport import Transport
 
 LAPSE: Final = 1.0
@@ -82,12 +85,14 @@ class RobotRunner:
         if self._components:
             return
         async with AsyncExitStack() as stack:
-            realtime = self._bring_to_life(stack)
+            model = robot_model(self.config)
+            realtime = self._bring_to_life(stack, model)
             stack.push_async_callback(_cancel, asyncio.create_task(_heartbeat(realtime)))
             components = []
             for module in self.config.modules:
-                host = _host(self.config, module, realtime.drive)
-                components.append(await stack.enter_async_context(Component(host, self._transports(host.id))))
+                host = _host(self.config, module, vehicle_of(self.config, model, realtime.drive))
+                component = Component(host, self._transports(host.id), intercept=announced(host, module))
+                components.append(await stack.enter_async_context(component))
             self._realtime, self._components = realtime, tuple(components)
             self._stack = stack.pop_all()
 
@@ -111,13 +116,13 @@ class RobotRunner:
     ) -> None:
         await self.close()
 
-    def _bring_to_life(self, stack: AsyncExitStack) -> RealTime:
-        robot = backends.find(self.config.backend).open(robot_model(self.config), self.config.world)
+    def _bring_to_life(self, stack: AsyncExitStack, model: RobotModel) -> RealTime:
+        robot = backends.find(self.config.backend).open(model, self.config.world)
         stack.callback(robot.close)
         return stack.enter_context(self._in_time(robot))
 
 
-def _host(config: RobotConfig, module: ModuleConfig, drive: DriveBase) -> Host:
+def _host(config: RobotConfig, module: ModuleConfig, vehicle: Vehicle) -> Host:
     identities = {
         SYSTEM: Identity(config.name, _VEHICLE),
         SUBSYSTEM: Identity(config.name, _VEHICLE),
@@ -126,12 +131,17 @@ def _host(config: RobotConfig, module: ModuleConfig, drive: DriveBase) -> Host:
     }
     return cm_mob(
         config.id_of(module),
-        vehicle_of(config, drive),
+        vehicle,
         module,
         identities=identities,
         utc_now=lambda: datetime.now(UTC),
         now=loop_time(),
     )
+
+
+def announced(host: Host, module: ModuleConfig) -> Intercept | None:
+    """Has the component make itself known, when it is to, and sees the answers."""
+    return Announcement(host, JausID.parse(module.announce_to)).intercept if module.announce_to else None
 
 
 async def _heartbeat(realtime: RealTime) -> None:
