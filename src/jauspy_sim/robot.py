@@ -45,6 +45,16 @@ class SimulatedRobot:
         return cls(build(robot, world), robot)
 
     @property
+    def model(self) -> mujoco.MjModel:
+        """MuJoCo's model of the robot and its world."""
+        return self._model
+
+    @property
+    def data(self) -> mujoco.MjData:
+        """MuJoCo's state; whoever writes into it moves the world by hand."""
+        return self._data
+
+    @property
     def drive(self) -> TrackedDrive:
         """The tracked chassis."""
         return self._drive
@@ -65,9 +75,13 @@ class SimulatedRobot:
             raise ValueError(f"cannot advance by {dt} s; time only goes forward")
         self._owed += dt / TIMESTEP
         steps = math.floor(self._owed + ROUNDING)
+        if not steps:
+            return
         self._owed -= steps
+        before = self._drive.twist()
         self._run(steps)
         self._steps += steps
+        self._drive.moved(before, steps * TIMESTEP)
 
     def close(self) -> None:
         """Stop; MuJoCo's memory goes with the object."""

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import threading
+from importlib.util import find_spec
 
 import pytest
+from tests.modules.world import World
 
-from jauspy.platform.contract import Pose, Twist
+from jauspy.platform.contract import Acceleration, Pose, Twist
+from jauspy.platform.joints import JointGroup
 
 
 class FakeDrive:
@@ -29,11 +32,15 @@ class FakeDrive:
     def twist(self) -> Twist:
         return Twist()
 
+    def acceleration(self) -> Acceleration:
+        return Acceleration()
+
 
 class FakeRobot:
     """Counts the time it was given, and notices who touches it."""
 
     def __init__(self, breaks_after: int | None = None) -> None:
+        self.groups: dict[str, JointGroup] = {}
         self.drive = FakeDrive()
         self.time = 0.0
         self.closed = 0
@@ -69,3 +76,16 @@ def fake_robot() -> FakeRobot:
 @pytest.fixture
 def fragile_robot() -> FakeRobot:
     return FakeRobot(breaks_after=3)
+
+
+@pytest.fixture(
+    params=[
+        "kinematic",
+        pytest.param("sim", marks=pytest.mark.skipif(find_spec("mujoco") is None, reason="MuJoCo is not installed")),
+    ]
+)
+def world(request: pytest.FixtureRequest) -> World:
+    """A robot under control, in Ready, on each backend."""
+    world = World(request.param)
+    world.take_control()
+    return world
