@@ -107,7 +107,21 @@ class Binder:
         if action.name.rpartition(".")[2] == "Send":
             return self._send(owned, where)
         method = self._method(owner, action.name, f"{where}: action")
-        return Step(name, self._by_name(method, action.arguments, f"{where}: action {action.name}"))
+        call = self._by_name(method, action.arguments, f"{where}: action {action.name}")
+        # Newer definitions write sendReportX(msg, transportData) for what is Send('ReportX', transportData) in others.
+        answers = action.name.rpartition(".")[2].startswith("sendReport")
+        return Step(name, self._answering(call), sends=True) if answers else Step(name, call)
+
+    def _answering(self, call: Callable[[Trigger], object]) -> Callable[[Trigger], object]:
+        """The message that such an action returns is its answer."""
+        reply = self._reply
+
+        def answering(trigger: Trigger) -> object:
+            result = call(trigger)
+            reply(result, trigger, True)
+            return result
+
+        return answering
 
     def _send(self, owned: Owned[model.Action], where: str) -> Step:
         """`Send('Message', ['CODE',] [msg,] [transportData])`; without transportData to the controlling client."""
