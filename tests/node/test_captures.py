@@ -6,10 +6,11 @@ was captured, the difference is said.
 
 import os
 import select
+import socket
 import struct
 
 import pytest
-from tests.node.daemon import PATIENCE, TEN, Daemon, End, plain
+from tests.node.daemon import IP_RECVTTL, PATIENCE, TEN, Daemon, End, plain
 
 from jauspy.ids import JausID
 from jauspy.protocol.endpoint import Endpoint
@@ -55,6 +56,13 @@ def test_two_nodes_find_each_other(daemon: Daemon) -> None:
     near.hears("02000e003102016400010165000100")
     near.says(f"0200180001 01016500 02016400 {TEN} 0200")
     peer.hears(f"0200180001 01016500 02016400 {TEN} 0200")
+
+
+def test_multicasts_may_pass_16_routers(daemon: Daemon) -> None:
+    group, near = daemon.group(), daemon.component("100.1.2")
+    group.socket.setsockopt(socket.IPPROTO_IP, IP_RECVTTL, 1)
+    near.says(f"0200180009 ffffffff 02016400 {TEN} 0100")
+    assert group.hears_ttl() == 16
 
 
 def known(daemon: Daemon) -> tuple[End, End]:
@@ -118,6 +126,18 @@ def test_version_1_of_a_component(daemon: Daemon) -> None:
     old = f"01 0000 001a 06 02 3412 01016500 08016400 0a00 0100 {TEN}"
     daemon.component("100.1.8").says(old)
     peer.hears(old)
+
+
+def test_version_1_without_a_command_code_is_as5669a_in_old_clothes(daemon: Daemon) -> None:
+    near, peer = daemon.component("100.1.2"), daemon.peer()
+    peer.says("01 0000 0012 06 02 0000 02016400 01016500 0200 0100 0220")
+    near.hears("02 001000 01 02016400 01016500 0220 0100")
+
+
+def test_rubbish_behind_a_whole_packet_does_not_hide_it(daemon: Daemon) -> None:
+    near, peer = daemon.component("100.1.2"), daemon.peer()
+    peer.says("02 001000 01 02016400 0101c800 0a0b 0600 ffff")
+    near.hears("02 001000 01 02016400 0101c800 0a0b 0600")
 
 
 def test_a_peer_that_speaks_opc_is_answered_in_opc(daemon: Daemon) -> None:

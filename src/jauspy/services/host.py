@@ -35,6 +35,8 @@ if TYPE_CHECKING:
 S = TypeVar("S", bound=Service)
 
 _LOG: Final = logging.getLogger("jauspy.services")
+_SENDING: Final = {Broadcast.NONE: "Send", Broadcast.LOCAL: "BroadcastLocal", Broadcast.GLOBAL: "BroadcastGlobal"}
+"""The internal events of Transport."""
 
 
 class Host:
@@ -67,9 +69,10 @@ class Host:
         self._timers = Timers()
         self._agenda = Agenda(self._dispatch, lambda trigger: self.count("event_dropped", f"{trigger.key}"))
         self._logged: set[str] = set()
-        self._contain = Bugs(self.counters, self._fail if on_action_error == "failure" else lambda: None).attempt
+        self._bugs = Bugs(self.counters, self._fail if on_action_error == "failure" else lambda: None)
+        self._found: dict[type[Service], Service | None] = {}
         self._registry = registry or messages.registry
-        self._built: Built = build(services, schema, self._registry, self._reply, self._contain)
+        self._built: Built = build(services, schema, self._registry, self._reply, self._bugs)
         for service in self.services:
             service.host = self
         for service in self.services:
@@ -110,15 +113,15 @@ class Host:
         for due in self._timers.due(now):
             call = self._timers.take(due)
             if call is not None:
-                with self._contain(f"timer {due[2]}", Trigger("timer")):
+                try:
                     call()
+                except Exception as error:  # noqa: BLE001 - any bug of a service
+                    self._bugs.met(f"timer {due[2]}", Trigger("timer"), error)
 
     def unreachable(self, client: JausID, now: float) -> None:
         """Tell the services that messages to this client do not arrive any more: its events and its control end."""
         self.now = now
-        for service in self.services:
-            with self._contain(f"{type(service).__name__}.client_lost", Trigger("client_lost", source=client)):
-                service.client_lost(client)
+        self._tell_all(Trigger("client_lost", source=client), lambda service: service.client_lost(client))
 
     def close(self, now: float) -> None:
         """Tell the services that nobody is in control any more: what moves stops. Twice is fine."""
@@ -168,7 +171,9 @@ class Host:
 
     def service(self, kind: type[S]) -> S | None:
         """The service of this class, if the component has one."""
-        return next((service for service in self.services if isinstance(service, kind)), None)
+        if kind not in self._found:
+            self._found[kind] = next((each for each in self.services if isinstance(each, kind)), None)
+        return self._found[kind]  # type: ignore[return-value]  # kept by its class
 
     # --- what services call ---------------------------------------------------------------------------------------
 
@@ -186,15 +191,15 @@ class Host:
         except EncodeError as error:
             self.count("unencodable", f"{message.NAME}: {error}")
             return
-        event = {Broadcast.NONE: "Send", Broadcast.LOCAL: "BroadcastLocal", Broadcast.GLOBAL: "BroadcastGlobal"}
-        self._dispatch(Trigger(event[broadcast], Outgoing(destination, message, payload, priority, broadcast)))
-
-    def output(self, outgoing: Outgoing) -> None:
-        """Queue an encoded message; only the Transport service calls this."""
+        outgoing = Outgoing(destination, message, payload, priority, broadcast)
         if self._captured is not None:
             self._captured.append(outgoing)
         else:
-            self._outbox.put(outgoing)
+            self._dispatch(Trigger(_SENDING[broadcast], outgoing))
+
+    def output(self, outgoing: Outgoing) -> None:
+        """Queue an encoded message; only the Transport service calls this."""
+        self._outbox.put(outgoing)
 
     def ask(self, query: Message, source: JausID) -> tuple[Outcome, Outgoing | None]:
         """What the component would answer `source` now; nothing is sent, and the state cannot change."""
@@ -231,9 +236,7 @@ class Host:
 
     def control_lost(self) -> None:
         """Tell every service that the controlling client is gone, or is another one now."""
-        for service in self.services:
-            with self._contain(f"{type(service).__name__}.control_lost", Trigger("control_lost")):
-                service.control_lost()
+        self._tell_all(Trigger("control_lost"), lambda service: service.control_lost())
 
     def read(self, content: Message | bytes) -> Message | None:
         """A message inside another one as an input of this component; None when it is not one."""
@@ -259,6 +262,13 @@ class Host:
             _LOG.debug("%s: first %s: %s", self.id, reason, detail)
 
     # --- inside ---------------------------------------------------------------------------------------------------
+
+    def _tell_all(self, what: Trigger, tell: Callable[[Service], None]) -> None:
+        for service in self.services:
+            try:
+                tell(service)
+            except Exception as error:  # noqa: BLE001 - any bug of a service
+                self._bugs.met(f"{type(service).__name__}.{what.key}", what, error)
 
     def _fail(self) -> None:
         """Go to Failure, unless the component is there already: an action that fails there must not start over."""

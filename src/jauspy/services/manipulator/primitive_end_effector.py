@@ -5,6 +5,7 @@ from __future__ import annotations
 from jauspy.ids import JausID
 from jauspy.messages.manipulator import ReportEndEffectorEffort, ReportEndEffectorSpecification, SetEndEffectorEffort
 from jauspy.platform.joints import ControlMode, JointGroup, Target
+from jauspy.services.percent import percent
 from jauspy.services.service import Service
 
 
@@ -18,7 +19,7 @@ class PrimitiveEndEffector(Service, urn="urn:jaus:jss:manipulator:PrimitiveEndEf
 
     def set_end_effector_effort(self, msg: SetEndEffectorEffort) -> None:
         """Reached only in Ready, from the controlling client; the fingers' joints count from closed to open."""
-        self._effort = msg.end_effector_effort
+        self._effort = percent(msg.end_effector_effort)
         if not self._effort:
             self._gripper.hold()
             return

@@ -7,6 +7,7 @@ from jauspy.platform.joints import ControlMode, Target
 from jauspy.services.manipulator.arm import Arm
 from jauspy.services.manipulator.driver import ArmDriver
 from jauspy.services.manipulator.values import percents
+from jauspy.services.percent import percent
 
 
 class PrimitiveManipulator(ArmDriver, urn="urn:jaus:jss:manipulator:PrimitiveManipulator"):
@@ -18,12 +19,12 @@ class PrimitiveManipulator(ArmDriver, urn="urn:jaus:jss:manipulator:PrimitiveMan
 
     def set_joint_effort(self, msg: SetJointEffort) -> None:
         """Ignored, and counted, unless there is an effort for each joint."""
-        efforts = [record.joint_effort for record in msg.joint_effort_list]
+        efforts = [percent(record.joint_effort) for record in msg.joint_effort_list]
         if len(efforts) != len(self._efforts):
             self.host.count("wrong_joints", f"{msg}")
             return
         rows = zip(efforts, self.arm.joints.joints, self.arm.state().positions, strict=True)
-        self.arm.move(self, [_target(percent, joint.effort, position) for percent, joint, position in rows])
+        self.arm.move(self, [_target(share, joint.effort, position) for share, joint, position in rows])
         self._efforts = efforts
 
     def taken_over(self) -> None:
@@ -35,7 +36,7 @@ class PrimitiveManipulator(ArmDriver, urn="urn:jaus:jss:manipulator:PrimitiveMan
         return ReportJointEffort(percents(self._efforts))
 
 
-def _target(percent: float, most: float, position: float) -> Target:
-    if not percent:
+def _target(share: float, most: float, position: float) -> Target:
+    if not share:
         return Target(ControlMode.POSITION, position)
-    return Target(ControlMode.EFFORT, most * percent / 100.0)
+    return Target(ControlMode.EFFORT, most * share / 100.0)
