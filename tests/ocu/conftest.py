@@ -17,7 +17,7 @@ from itertools import count
 import pytest
 
 from jauspy.codec.base import Message
-from jauspy.component import Component
+from jauspy.component import Shell
 from jauspy.ids import JausID
 from jauspy.ocu import OCU
 from jauspy.platform.contract import Pose, Twist
@@ -109,11 +109,11 @@ class World:
     def transport(self, id: JausID) -> LoopbackTransport:
         return LoopbackTransport(id, self.network)
 
-    async def component(self, id: JausID, services: Iterable[Service]) -> Component:
+    async def component(self, id: JausID, services: Iterable[Service]) -> Shell:
         host = Host(id, services, utc_now=lambda: datetime.now(UTC), now=time.monotonic())
-        return await self._stack.enter_async_context(Component(host, self.transport(id)))
+        return await self._stack.enter_async_context(Shell(host, self.transport(id)))
 
-    async def robot(self, id: JausID = ROBOT, *, drive: FakeDrive | None = None, timeout: int = 5) -> Component:
+    async def robot(self, id: JausID = ROBOT, *, drive: FakeDrive | None = None, timeout: int = 5) -> Shell:
         """One component with everything, subsystem 101 unless told otherwise."""
         drive = drive or FakeDrive()
         self.drives.append(drive)

@@ -39,6 +39,7 @@ def load_schema(schema: Schema) -> Registry:
     sys.meta_path.append(_Finder(sources))
     registry = import_module(package).registry
     assert isinstance(registry, Registry)
+    registry.schema = schema
     registry.files.update({service.key: service.where.file for service in schema.services if service.where})
     for code in sorted({message.code for service in schema.services for message in service.messages}):
         if collision := registry.collision(code):

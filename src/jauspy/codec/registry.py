@@ -7,11 +7,14 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import cached_property
 from importlib import import_module
-from typing import Any, Literal, overload
+from typing import TYPE_CHECKING, Any, Literal, overload
 
 from jauspy.codec.base import FAST_ERRORS, MAX_NESTING, Deviation, Message
 from jauspy.codec.shape import same_layout
 from jauspy.errors import ConfigError, DecodeError
+
+if TYPE_CHECKING:
+    from jauspy.schema.model import Schema
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,6 +80,8 @@ class Registry:
         self._entries: tuple[Entry, ...] = (*self._own, *kept)
         self.files: dict[tuple[str, str], str] = {}
         """Which file defines a service (URN and version), as far as it is known; for reports only."""
+        self.schema: Schema | None = None
+        """The definitions that `jauspy.load` made these messages from: with it a component can run their services."""
         self._codes: dict[int, tuple[Entry, ...]] = {}
         self._names: dict[str, tuple[Entry, ...]] = {}
         for entry in self._entries:

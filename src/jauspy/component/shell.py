@@ -31,8 +31,8 @@ Intercept = Callable[[Packet], bool]
 """Sees every received packet first; what it returns true for does not reach the services."""
 
 
-class Component:
-    """Runs `host` on `transport`: `async with Component(host, transport): ...`, or `await component.run()`.
+class Shell:
+    """Runs `host` on `transport`: `async with Shell(host, transport): ...`, or `await shell.run()`.
 
     `clock` is monotonic, in seconds; `delivery` has the settings of reliable delivery and large messages.
     While the transport has no connection, what is sent is dropped and counted there, and everything goes on when it is
@@ -150,6 +150,17 @@ class Component:
         ticket = self._send(destination, message, priority, Broadcast.NONE, Ack.REQUIRED)
         await self._deliveries.wait(ticket, f"{destination} did not acknowledge {message.NAME}")
 
+    def move(self, id: JausID) -> None:
+        """Have another id from now on; events and control end, as they do when a component leaves.
+
+        Raises `TransportError` when the id is taken on this machine; the component then keeps the one it has.
+        """
+        self.host.ask_for_id(id)
+        self._flush_output()
+        if (problem := self._move()) is not None:
+            raise problem
+        self._flush()
+
     def wake(self) -> None:
         """Call this after acting on the host from outside: sends what it wants to send, sets its timers."""
         self._flush()
@@ -201,10 +212,33 @@ class Component:
         if self._loop is None:
             return
         with self._guard:
-            for each in self.host.poll_output(self._clock()):
-                self._pack(each.destination, each.payload, each.priority, each.broadcast)
-            self._transmit()
+            self._flush_output()
+            if self.host.wanted_id is not None and (problem := self._move()) is not None:
+                _LOG.error("%s keeps its id: %s", self.id, problem)
         self._schedule(self._loop)
+
+    def _flush_output(self) -> None:
+        for each in self.host.poll_output(self._clock()):
+            self._pack(each.destination, each.payload, each.priority, each.broadcast)
+        self._transmit()
+
+    def _move(self) -> TransportError | None:
+        """Take the id that the host wants, after goodbyes under the old one; returns why that is not possible."""
+        wanted, now = self.host.wanted_id, self._clock()
+        if wanted is None:
+            return None
+        self.host.leave(now)
+        self._flush_output()
+        try:
+            self.transport.move(wanted)
+        except TransportError as error:
+            self.host.take_id(self.id, now)
+            self._errors["move_failed"] += 1
+            return error
+        self._endpoint.move(wanted)
+        self.host.take_id(wanted, now)
+        self._flush_output()
+        return None
 
     def _pack(self, destination: JausID, payload: bytes, priority: Priority, broadcast: Broadcast) -> None:
         try:

@@ -10,7 +10,7 @@ from datetime import UTC, datetime
 from types import TracebackType
 from typing import Final, Self
 
-from jauspy.component import Component
+from jauspy.component import Shell
 from jauspy.ids import JausID
 from jauspy.modules.config import ModuleConfig, RobotConfig
 from jauspy.modules.mobility import cm_mob
@@ -47,11 +47,11 @@ class RobotRunner:
         self.config = config.model_copy(update={"backend": backend or config.backend, "world": world or config.world})
         self._transports = transports
         self._realtime: RealTime | None = None
-        self._components: tuple[Component, ...] = ()
+        self._components: tuple[Shell, ...] = ()
         self._stack = AsyncExitStack()
 
     @property
-    def components(self) -> tuple[Component, ...]:
+    def components(self) -> tuple[Shell, ...]:
         """The components, one per module, in the order of the configuration; empty when not open."""
         return self._components
 
@@ -78,7 +78,7 @@ class RobotRunner:
             components = []
             for module in self.config.modules:
                 host = _host(self.config, module, realtime.drive)
-                components.append(await stack.enter_async_context(Component(host, self._transports(host.id))))
+                components.append(await stack.enter_async_context(Shell(host, self._transports(host.id))))
             self._realtime, self._components = realtime, tuple(components)
             self._stack = stack.pop_all()
 

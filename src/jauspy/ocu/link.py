@@ -11,7 +11,7 @@ from typing import Final, Protocol
 
 from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
-from jauspy.component.shell import Component
+from jauspy.component import Shell
 from jauspy.errors import ConfigError, ControlRejected, ResponseTimeout, TransportError
 from jauspy.ids import JausID
 from jauspy.ocu.lanes import Lanes
@@ -27,6 +27,8 @@ MAX_ANSWERS: Final = 4096
 """Different components that one question may be answered by."""
 REPORT_OFFSET: Final = 0x2000
 """From the code of a query (2000h to 3FFFh) to that of its report (4000h to 5FFFh; AS5710)."""
+OWN: Final = 0xD000
+"""From here on ids are free for messages of one's own, of any kind."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,12 +71,12 @@ class Link:
         self.recorder = Recorder()
         self.replies = Replies(self.malformed)
         self.requests: Counter[JausID] = Counter()
-        self._component: Component | None = None
+        self._component: Shell | None = None
         self._lanes = Lanes()
         self._controls: dict[JausID, Held] = {}
         self._events: dict[tuple[JausID, int], set[object]] = {}
 
-    def attach(self, component: Component | None) -> None:
+    def attach(self, component: Shell | None) -> None:
         """Use this component for sending; None when the OCU is closed."""
         self._component = component
         if component is None:
@@ -210,6 +212,9 @@ class Link:
         """The class of the report that answers a query, of the same service and version."""
         if not is_query(type(query)):
             raise ConfigError(f"{query.NAME} is no query; say with `expects` which message answers it, or send it")
+        if query.CODE >= OWN:
+            name = f"Report{query.NAME.removeprefix('Query')}"
+            return self.registry.by_name(name, service=query.SERVICE, version=query.VERSION)
         found = self.registry.by_code(query.CODE + REPORT_OFFSET)
         for each in found:
             if (each.SERVICE, each.VERSION) == (query.SERVICE, query.VERSION):
@@ -258,14 +263,16 @@ class Link:
         self.recorder.malformed += 1
         _LOG.debug("malformed: %s", problem)
 
-    def _open(self) -> Component:
+    def _open(self) -> Shell:
         if self._component is None:
             raise TransportError("the OCU is not open; use it inside `async with jauspy.OCU(...) as ocu:`")
         return self._component
 
 
 def is_query(kind: type[Message]) -> bool:
-    """True for messages that ask (2000h to 3FFFh)."""
+    """True for messages that ask (2000h to 3FFFh); where ids are free, the name says it."""
+    if kind.CODE >= OWN:
+        return not kind.IS_COMMAND and kind.NAME.startswith("Query")
     return 0x2000 <= kind.CODE < 0x4000
 
 

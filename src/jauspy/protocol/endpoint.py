@@ -84,6 +84,11 @@ class Endpoint:
         for error in errors:
             self.counters.drop(f"malformed.{error.reason}", error)
 
+    def move(self, id: JausID) -> None:
+        """Be another component from now on; what is not acknowledged under the old id counts as not delivered."""
+        self._transfers.abandon()
+        self.id = id
+
     def poll_output(self) -> list[bytes]:
         """The datagrams to send now, in order."""
         out = list(self._output)

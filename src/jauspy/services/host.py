@@ -58,6 +58,8 @@ class Host:
         self.id = id
         self.utc_now = utc_now
         self.now = now
+        self.wanted_id: JausID | None = None
+        """The id that the component asks its shell for."""
         self.counters: Counter[str] = Counter()
         self._outbox = Outbox(max_output, self.counters)
         self._captured: list[Outgoing] | None = None
@@ -112,6 +114,21 @@ class Host:
         """Tell the services that nobody is in control any more: what moves stops. Twice is fine."""
         self.now = now
         self.control_lost()
+
+    def leave(self, now: float) -> None:
+        """Say goodbye under the id that is given up: the services end what clients know under it."""
+        self.now = now
+        for service in self.services:
+            with self._contain(f"{type(service).__name__}.leaving", Trigger("leaving")):
+                service.leaving()
+
+    def take_id(self, id: JausID, now: float) -> None:
+        """Have this id from now on."""
+        self.now = now
+        self.id, self.wanted_id = id, None
+        for service in self.services:
+            with self._contain(f"{type(service).__name__}.arrived", Trigger("arrived")):
+                service.arrived()
 
     # --- what may be asked ----------------------------------------------------------------------------------------
 
@@ -202,6 +219,10 @@ class Host:
         if not self._busy:
             self._busy = True
             self._settle()
+
+    def ask_for_id(self, id: JausID) -> None:
+        """Want to be the component of this id; the shell moves there as soon as what waits is sent."""
+        self.wanted_id = None if id == self.id else id
 
     def set_timer(self, key: Hashable, at: float, call: Callable[[], None]) -> None:
         """Call `call` at time `at`; a timer with the same key is replaced."""

@@ -58,6 +58,10 @@ class AccessControl(Service, urn="urn:jaus:jss:core:AccessControl"):
         if self.timeout:
             self.host.set_timer(_TIMER, self.host.now + self.timeout, self._time_out)
 
+    def leaving(self) -> None:
+        """The client in control knows the component by its old id, and is told that control ends."""
+        self.host.fire("Timedout")
+
     def _time_out(self) -> None:
         # Emergency swallows Timedout: the timer goes on, so that a dead client is dropped after the emergency.
         self.reset_timer()
@@ -73,6 +77,10 @@ class AccessControl(Service, urn="urn:jaus:jss:core:AccessControl"):
     def is_controlling_client(self, source: JausID) -> bool:
         """The sender is in control."""
         return self.controller == source
+
+    def is_control_available(self) -> bool:
+        """Clients may ask for control (version 1.0); a component that is controlled in another way overrides this."""
+        return True
 
     def is_default_authority_greater(self, msg: RequestControl) -> bool:
         """The request has not even the default authority."""

@@ -76,6 +76,11 @@ class Events(Service, urn="urn:jaus:jss:core:Events", private=True):
         self.subscriptions = Subscriptions(limit, limit_per_client)
         self._current: Subscription | None = None
 
+    def leaving(self) -> None:
+        """Clients know events by the id of the component: all end, and their clients are told."""
+        for each in self.subscriptions.all():
+            self.host.fire("Timeout", each, each.client)
+
     # --- predicates
 
     def is_supported(self, msg: CreateEvent | UpdateEvent, source: JausID) -> bool:

@@ -71,6 +71,10 @@ class Subscriptions:
         """The client's event of this kind with this very query."""
         return next((each for each in self.of(client) if each.kind == kind and each.query.encode() == query), None)
 
+    def all(self) -> tuple[Subscription, ...]:
+        """Everyone's events in the order of their ids."""
+        return tuple(each for _, each in sorted(self._by_id.items()))
+
     def of(self, client: JausID) -> Iterator[Subscription]:
         """The client's events in the order of their ids."""
-        return (each for _, each in sorted(self._by_id.items()) if each.client == client)
+        return (each for each in self.all() if each.client == client)
