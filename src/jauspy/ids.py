@@ -1,4 +1,4 @@
-"""JAUS ids: subsystem.node.component, with the standard's wildcards (AS5669A)."""
+"""JAUS ids: subsystem.node.component, with the standard's wildcards (AS5669A); and the names of services."""
 
 from __future__ import annotations
 
@@ -67,3 +67,9 @@ class JausID:
 
 
 EVERYONE: Final = JausID(ANY_SUBSYSTEM, ANY_NODE, ANY_COMPONENT)
+
+
+def is_called(urn: str, name: str) -> bool:
+    """True for a whole URN or its end: `mobility:PrimitiveDriver`, `PrimitiveDriver`; case does not matter."""
+    mine, wanted = urn.casefold(), name.casefold()
+    return bool(wanted) and (mine == wanted or mine.endswith(f":{wanted}"))

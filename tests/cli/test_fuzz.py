@@ -34,8 +34,8 @@ def test_hex_files_are_seeds(tmp_path):
 
 
 def test_findings_are_saved(tmp_path, monkeypatch):
-    def broken(data, depth):
-        raise ZeroDivisionError(depth)
+    def broken(data, nesting):
+        raise ZeroDivisionError(nesting)
 
     monkeypatch.setattr(ConfirmControl, "_unpack", broken)
     result = run("codec", "--cases", 20, "--message", "ConfirmControl", "--out", tmp_path)

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 from typing import Any
 
 import pytest
 from hypothesis import strategies as st
 
+import jauspy
 from jauspy.codec import runtime as rt
 from jauspy.codec.dynamic import load_schema
 from jauspy.codec.registry import Registry
@@ -208,3 +210,54 @@ def numbers(code: str, values: rt.Values) -> st.SearchStrategy[Any]:
     for low, high in values.intervals:
         kinds.append(st.integers(max(math.ceil(low), low_limit), min(math.floor(high), high_limit)))
     return st.one_of(kinds) if kinds else st.integers(low_limit, high_limit)
+
+
+SERVICE_FILE = """<?xml version="1.0" encoding="UTF-8"?>
+<service_def xmlns="urn:jaus:jsidl:{jsidl}" name="{name}" id="{urn}" version="{version}">
+  <description>A thing.</description>
+  <assumptions/>
+  <message_set>
+    <input_set>
+{messages}    </input_set>
+    <output_set/>
+  </message_set>
+  <internal_events_set/>
+  <protocol_behavior is_stateless="true"/>
+</service_def>
+"""
+MESSAGE = """      <message_def name="{message}" message_id="{code}" is_command="true">
+        <description>Sets it.</description>
+        <header name="Header"><record name="HeaderRec" optional="false">
+          <fixed_field name="MessageID" field_type="unsigned short integer" field_units="one" optional="false"/>
+        </record></header>
+        <body name="Body"><record name="Rec" optional="false">
+          <fixed_field name="Level" field_type="{type}" field_units="{units}" optional="false"/>
+        </record></body>
+        <footer name="Footer"/>
+      </message_def>
+"""
+
+
+class Folder:
+    """A folder of somebody else's JSIDL."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+
+    def add(self, name: str, vendor: str = "acme", **more: str) -> Path:
+        """One service with one message, and with those of `again`; what is not said is as in all others."""
+        values = {"version": "1.0", "jsidl": "1.1", "message": "SetLevel", "code": "D001", "type": "unsigned byte"}
+        values |= {"urn": f"urn:{vendor}:things:{name}", "units": "one", **more}
+        path = self.path / f"{vendor}-{name}-{values['version']}.xml"
+        names = (values["message"], *more.get("again", "").split())
+        messages = "".join(MESSAGE.format(**{**values, "message": each}) for each in names)
+        path.write_text(SERVICE_FILE.format(name=name, messages=messages, **values), encoding="utf-8")
+        return path
+
+    def load(self) -> Registry:
+        return jauspy.load(self.path)
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Folder:
+    return Folder(tmp_path)

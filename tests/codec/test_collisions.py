@@ -3,54 +3,15 @@
 from __future__ import annotations
 
 import logging
-from pathlib import Path
+from typing import Any
 
 import pytest
 
 import jauspy
-from jauspy.codec.registry import Collision, Entry, Registry
+from jauspy.codec.entries import Collision, Entry
+from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError, DecodeError, SchemaError
 from jauspy.messages import registry
-
-SERVICE = """<?xml version="1.0" encoding="UTF-8"?>
-<service_def xmlns="urn:jaus:jsidl:{jsidl}" name="{name}" id="{urn}" version="{version}">
-  <description>A thing.</description>
-  <assumptions/>
-  <message_set>
-    <input_set>
-      <message_def name="{message}" message_id="{code}" is_command="true">
-        <description>Sets it.</description>
-        <header name="Header"><record name="HeaderRec" optional="false">
-          <fixed_field name="MessageID" field_type="unsigned short integer" field_units="one" optional="false"/>
-        </record></header>
-        <body name="Body"><record name="Rec" optional="false">
-          <fixed_field name="Level" field_type="{type}" field_units="{units}" optional="false"/>
-        </record></body>
-        <footer name="Footer"/>
-      </message_def>
-    </input_set>
-    <output_set/>
-  </message_set>
-  <internal_events_set/>
-  <protocol_behavior is_stateless="true"/>
-</service_def>
-"""
-
-
-class Folder:
-    def __init__(self, path: Path) -> None:
-        self.path = path
-
-    def add(self, name: str, vendor: str = "acme", **more: str) -> Path:
-        """One service with one message; what is not said is as in all others."""
-        values = {"version": "1.0", "jsidl": "1.1", "message": "SetLevel", "code": "D001", "type": "unsigned byte"}
-        values |= {"urn": f"urn:{vendor}:things:{name}", "units": "one", **more}
-        path = self.path / f"{vendor}-{name}-{values['version']}.xml"
-        path.write_text(SERVICE.format(name=name, **values), encoding="utf-8")
-        return path
-
-    def load(self) -> Registry:
-        return jauspy.load(self.path)
 
 
 def fresh(own: Registry) -> list[Collision]:
@@ -58,12 +19,7 @@ def fresh(own: Registry) -> list[Collision]:
     return [collision for collision in own.collisions if collision not in registry.collisions]
 
 
-@pytest.fixture
-def folder(tmp_path: Path) -> Folder:
-    return Folder(tmp_path)
-
-
-def test_versions_of_a_service_live_beside_each_other(folder: Folder) -> None:
+def test_versions_of_a_service_live_beside_each_other(folder: Any) -> None:
     folder.add("Lamp", version="1.0", jsidl="1.0")
     folder.add("Lamp", version="1.10", type="unsigned short integer")
     folder.add("Lamp", version="1.9", type="unsigned integer")
@@ -76,7 +32,7 @@ def test_versions_of_a_service_live_beside_each_other(folder: Folder) -> None:
     assert fresh(own) == []
 
 
-def test_services_of_one_name_and_set_from_two_vendors(folder: Folder) -> None:
+def test_services_of_one_name_and_set_from_two_vendors(folder: Any) -> None:
     folder.add("Lamp", vendor="acme", code="D001")
     folder.add("Lamp", vendor="best", code="D002", message="SetLamp")
     own = folder.load()
@@ -84,7 +40,7 @@ def test_services_of_one_name_and_set_from_two_vendors(folder: Folder) -> None:
     assert own.decode(b"\x02\xd0\x05").SERVICE == "urn:best:things:Lamp"
 
 
-def test_a_collision_names_both_files_and_is_resolved_by_service(folder: Folder, caplog) -> None:
+def test_a_collision_names_both_files_and_is_resolved_by_service(folder: Any, caplog) -> None:
     lamp = folder.add("Lamp")
     horn = folder.add("Horn", message="Honk", type="unsigned short integer")
     with caplog.at_level(logging.WARNING):
@@ -99,11 +55,11 @@ def test_a_collision_names_both_files_and_is_resolved_by_service(folder: Folder,
     assert own.decode(b"\x01\xd0\x05", service="urn:acme:things:Lamp").NAME == "SetLevel"
     assert own.decode(b"\x01\xd0\x05\x00", service="urn:acme:things:Horn").NAME == "Honk"
     assert own.decode(b"\x01\xd0\x05", service="urn:acme:things:Lamp", strict=False)[0].NAME == "SetLevel"
-    with pytest.raises(DecodeError, match=r"message id 0xD001 is .* say which service is meant"):
+    with pytest.raises(DecodeError, match=r"message id 0xD001 is .* say which is meant with service="):
         own.decode(b"\x01\xd0\x05")
 
 
-def test_the_same_message_in_two_services_is_no_collision(folder: Folder) -> None:
+def test_the_same_message_in_two_services_is_no_collision(folder: Any) -> None:
     folder.add("Lamp")
     folder.add("LampClient", units="percent")
     own = folder.load()
@@ -111,13 +67,13 @@ def test_the_same_message_in_two_services_is_no_collision(folder: Folder) -> Non
     assert own.decode(b"\x01\xd0\x05").NAME == "SetLevel"
 
 
-def test_messages_that_look_alike_and_are_called_differently_collide(folder: Folder) -> None:
+def test_messages_that_look_alike_and_are_called_differently_collide(folder: Any) -> None:
     folder.add("Lamp")
     folder.add("Horn", message="Honk")
     assert len(fresh(folder.load())) == 1
 
 
-def test_a_collision_with_a_built_in_message(folder: Folder, caplog) -> None:
+def test_a_collision_with_a_built_in_message(folder: Any, caplog) -> None:
     path = folder.add("Lamp", code="4002")
     own = folder.load()
     [collision] = fresh(own)
@@ -126,10 +82,10 @@ def test_a_collision_with_a_built_in_message(folder: Folder, caplog) -> None:
     assert own.decode(b"\x02\x40\x05", service="urn:acme:things:Lamp").NAME == "SetLevel"
     assert own.decode(b"\x02\x40\x01\x00\x00\x00\x00", service="urn:jaus:jss:core:Management").NAME == "ReportStatus"
     assert "0x4002" in caplog.text
-    assert own.nested(b"\x02\x40\x05", 0) == b"\x02\x40\x05"
+    assert own.nesting.message(b"\x02\x40\x05") == b"\x02\x40\x05"
 
 
-def test_a_newer_set_replaces_an_older_one_under_other_names(folder: Folder) -> None:
+def test_a_newer_set_replaces_an_older_one_under_other_names(folder: Any) -> None:
     """As the manipulator set did: services and messages were renamed from 1.0 to 2.0, their ids stayed."""
     folder.add("JointEfforts", version="1.0", message="SetEfforts")
     folder.add("JointEffort", version="2.0", message="SetEffort", type="unsigned short integer")
@@ -139,7 +95,7 @@ def test_a_newer_set_replaces_an_older_one_under_other_names(folder: Folder) -> 
     assert own.decode(b"\x01\xd0\x05", version="1.0").NAME == "SetEfforts"
 
 
-def test_a_service_defined_again_replaces_the_built_in_one(folder: Folder) -> None:
+def test_a_service_defined_again_replaces_the_built_in_one(folder: Any) -> None:
     folder.add("Time", urn="urn:jaus:jss:core:Time", version="1.1", message="SetTime", code="0011")
     own = folder.load()
     assert own.decode(b"\x11\x00\x05").to_dict() == {"level": 5}
@@ -148,7 +104,7 @@ def test_a_service_defined_again_replaces_the_built_in_one(folder: Folder) -> No
     assert registry.by_name("QueryTime").NAME == "QueryTime"
 
 
-def test_other_xml_in_a_folder_is_left_alone(folder: Folder) -> None:
+def test_other_xml_in_a_folder_is_left_alone(folder: Any) -> None:
     folder.add("Lamp")
     (folder.path / "package.xml").write_text("<package><name>vendor</name></package>")
     assert folder.load().by_name("SetLevel").CODE == 0xD001
@@ -159,7 +115,7 @@ def test_other_xml_in_a_folder_is_left_alone(folder: Folder) -> None:
         folder.load()
 
 
-def test_a_misspelt_state_does_not_cost_the_messages(folder: Folder) -> None:
+def test_a_misspelt_state_does_not_cost_the_messages(folder: Any) -> None:
     path = folder.add("Lamp")
     start = (
         '<start state_machine_name="M" state_name="Nowhere"/><state_machine name="M"><state name="A"/></state_machine>'
@@ -176,11 +132,50 @@ def test_files_of_generated_packages_are_their_modules() -> None:
 
 
 def test_built_in_messages_collide_only_where_the_published_ones_do() -> None:
-    assert {collision.code for collision in registry.collisions} <= {0xF92A}
+    assert {collision.code for collision in registry.collisions} == {0xF92A, 0xF932}
 
 
-def test_one_id_twice_in_one_service_is_not_resolved_by_service() -> None:
-    """The published CBRNSensor has that: the first message is taken."""
-    first = registry.entries[0]
-    again = Entry(first.code, "Other", first.service, first.version, first.module, first.cls)
-    assert Registry([first, again]).collisions == ()
+def test_one_id_twice_in_one_service_is_resolved_by_name() -> None:
+    """The published CBRNSensor has that."""
+    data = registry.by_name("RNDetailedMeasurement")(station_number=1, measurement="x").encode()
+    [collision] = [each for each in registry.collisions if each.code == 0xF932]
+    assert {entry.name for entry in collision.entries} == {"RNDetailedMeasurement", "CBDetailedMeasurement"}
+    for hints in ({}, {"service": "iop:CBRNSensor"}, {"version": "1.1"}):
+        with pytest.raises(DecodeError, match=r"0xF932 is .*RNDetailedMeasurement.* and .*; say which is .* message="):
+            registry.decode(data, **hints)  # type: ignore[call-overload]
+    assert registry.decode(data, message="CBDetailedMeasurement").NAME == "CBDetailedMeasurement"
+    assert registry.decode(data, message="rndetailedmeasurement", strict=False)[0].NAME == "RNDetailedMeasurement"
+    assert registry.nesting.message(data) == data
+    with pytest.raises(DecodeError, match=r"unknown message id 0xF932 SetLevel"):
+        registry.decode(data, message="SetLevel")
+
+
+def test_one_id_twice_in_one_service_of_a_user(folder: Any, caplog) -> None:
+    folder.add("Lamp", message="SetLevel", again="SetShade")
+    with caplog.at_level(logging.WARNING):
+        own = folder.load()
+    [collision] = fresh(own)
+    assert [entry.name for entry in collision.entries] == ["SetLevel", "SetShade"]
+    assert "0xD001" in caplog.text
+    assert "message=" in caplog.text
+    assert own.decode(b"\x01\xd0\x05", message="SetShade").NAME == "SetShade"
+
+
+def test_a_service_is_called_by_the_end_of_its_urn(folder: Any) -> None:
+    folder.add("Lamp")
+    folder.add("Horn", message="Honk")
+    own = folder.load()
+    for name in ("Lamp", "things:lamp", "acme:things:Lamp", "urn:acme:things:Lamp"):
+        assert own.decode(b"\x01\xd0\x05", service=name).NAME == "SetLevel"
+        assert own.by_name("setlevel", service=name).NAME == "SetLevel"
+    with pytest.raises(DecodeError, match="unknown message id 0xD001 of amp"):
+        own.decode(b"\x01\xd0\x05", service="amp")
+    with pytest.raises(ConfigError, match="no message Honk of Lamp is known"):
+        own.by_name("Honk", service="Lamp")
+
+
+def test_a_version_alone_may_leave_several_meanings(folder: Any) -> None:
+    folder.add("Lamp")
+    folder.add("Horn", message="Honk")
+    with pytest.raises(DecodeError, match="say which is meant with service="):
+        folder.load().decode(b"\x01\xd0\x05", version="1.0")

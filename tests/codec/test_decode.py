@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from array import array
+from typing import Any
+
 import pytest
 
 from jauspy.codec.base import Message
@@ -28,14 +31,14 @@ from jauspy.messages.mobility import ReportVelocityState, SetWrenchEffort
         ("", 0, "", "too short for a message id"),
         ("0f", 0, "", "too short for a message id"),
         ("0fff", 0, "", "unknown message id 0xFF0F"),
-        ("0f00", 2, "response_code", "needs 1 bytes, 0 are left"),
+        ("0f00", 2, "response_code", "needs 1 byte, 0 left"),
         ("0f0003", 2, "response_code", "3 is none of 0 CONTROL_ACCEPTED"),
-        ("0f000100", 3, "", "1 bytes left over"),
-        ("1100", 2, "", "needs 1 bytes"),
-        ("110001e8", 3, "time_stamp", "needs 4 bytes, 1 are left"),
+        ("0f000100", 3, "", "1 byte left over"),
+        ("1100", 2, "", "needs 1 byte"),
+        ("110001e8", 3, "time_stamp", "needs 4 bytes, 1 left"),
         ("110001ffffffff", 3, "time_stamp.milliseconds", "1023 is none of 0..999"),
-        ("000b02", 2, "service_list", "count 2 needs at least 6 bytes, 0 are left"),
-        ("000b0105414243", 3, "service_list[0].uri", "count 5 needs at least 5 bytes, 3 are left"),
+        ("000b02", 2, "service_list", "count 2 needs at least 6 bytes, 0 left"),
+        ("000b0105414243", 3, "service_list[0].uri", "count 5 needs at least 5 bytes, 3 left"),
         ("f02107", 2, "query_events_var", "tag 7 is outside 0..3"),
         ("f001000000ffffffff", 5, "query_message", "needs"),
     ],
@@ -147,3 +150,16 @@ def test_match_statement_and_repr() -> None:
             pytest.fail("no match")
     assert repr(message) == "ReportVelocityState(velocity_x=1.5)"
     assert repr(ReportVelocityState()) == "ReportVelocityState()"
+
+
+@pytest.mark.parametrize("wrong", [7, True, None, "0f00", [15, 0], 1.5])
+def test_what_is_not_bytes_is_refused(wrong: Any) -> None:
+    for decode in (ConfirmControl.decode, registry.decode):
+        with pytest.raises(DecodeError, match="a message is bytes, not"):
+            decode(wrong)
+
+
+def test_all_kinds_of_bytes_are_taken() -> None:
+    data = b"\x0f\x00\x00"
+    for same in (bytearray(data), memoryview(data), array("B", data), memoryview(data[::-1])[::-1]):
+        assert ConfirmControl.decode(same) == registry.decode(same) == ConfirmControl(0)  # type: ignore[arg-type]

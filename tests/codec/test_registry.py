@@ -117,7 +117,7 @@ def test_tracebacks_show_generated_source(tmp_path: Path) -> None:
     (tmp_path / "Lamp.xml").write_text(VENDOR)
     lamp = jauspy.load(tmp_path).by_name("SetLamp")
     try:
-        lamp._unpack(b"", 0)
+        lamp._unpack(b"", None)
     except struct.error:
         assert ".unpack(data)" in traceback.format_exc()
     else:

@@ -27,7 +27,7 @@ def check(message: Message) -> bytes:
     assert message._pack() == data
     assert careful.encode(message, clamp=False, strict=True) == data
     decoded = type(message).decode(data)
-    assert type(message)._unpack(data, 0) == decoded
+    assert type(message)._unpack(data, None) == decoded
     assert careful.decode(type(message), data) == decoded
     assert decoded.encode() == data
     assert careful.decode_tolerant(type(message), data) == (decoded, [])

@@ -20,7 +20,7 @@ def plant(monkeypatch: pytest.MonkeyPatch) -> Callable[[Callable[[Decode, bytes]
 
     def put(bug: Callable[[Decode, bytes], Any]) -> None:
         right = RegisterServices._unpack
-        monkeypatch.setattr(RegisterServices, "_unpack", lambda data, depth: bug(right, data))
+        monkeypatch.setattr(RegisterServices, "_unpack", lambda data, nesting: bug(right, data))
 
     return put
 

@@ -24,18 +24,18 @@ ONE = "000b01" + "00" * 3
 def wrong_exception(right: Any, data: bytes) -> Any:
     if len(data) > 6:
         raise ZeroDivisionError("planted")
-    return right(data, 0)
+    return right(data, None)
 
 
 def wrong_value(right: Any, data: bytes) -> Any:
-    message = right(data, 0)
+    message = right(data, None)
     for service in message.service_list:
         service.minor_version_number &= 0x7F
     return message
 
 
 def drops_a_service(right: Any, data: bytes) -> Any:
-    message = right(data, 0)
+    message = right(data, None)
     if len(message.service_list) > 2:
         message.service_list.pop()
     return message
@@ -47,7 +47,7 @@ def hungry(right: Any, data: bytes) -> Any:
 
 
 def unstable(right: Any, data: bytes) -> Any:
-    message = right(data, 0)
+    message = right(data, None)
     for service in message.service_list:
         service.uri = service.uri.replace("\xff", "?")
     return message
@@ -142,7 +142,7 @@ def test_quadratic_time(plant: Any, monkeypatch: pytest.MonkeyPatch) -> None:
 
     def quadratic(right: Callable[[bytes, int], Any], data: bytes) -> Any:
         clock.now += 20 * len(data) ** 2
-        return right(data, 0)
+        return right(data, None)
 
     plant(quadratic)
     plan = Plan(0, only=("RegisterServices",))
@@ -166,7 +166,7 @@ def test_no_end(plant: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     def endless(right: Callable[[bytes, int], Any], data: bytes) -> Any:
         while data[2] == 2:
             pass
-        return right(data, 0)
+        return right(data, None)
 
     made = fuzzer(Plan(0, only=("RegisterServices",)))
     target = next(target for target in made.targets if target.cls is RegisterServices)

@@ -35,7 +35,7 @@ def test_bytes_to_message_to_bytes(row: Any, vectors: ModuleType) -> None:
 
 def test_careful_codec_agrees_with_straight_line_code(row: Any, vectors: ModuleType) -> None:
     cls = vectors.find(registry, row)
-    message = cls._unpack(row.right, 0)
+    message = cls._unpack(row.right, None)
     assert careful.decode(cls, row.right) == message
     assert careful.decode_tolerant(cls, row.right) == cls.decode(row.right, strict=False) == (message, [])
     assert message._pack() == careful.encode(message, clamp=False, strict=True) == row.right

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Final
 
-from jauspy.codec.base import Message
+from jauspy.codec.base import Message, too_short
 from jauspy.codec.registry import Registry
 from jauspy.errors import DecodeError, EncodeError, ProtocolError
 from jauspy.protocol import judp, junior
@@ -110,7 +110,7 @@ def local_control(data: bytes) -> Dissection | None:
 def read_message(payload: bytes, registry: Registry) -> Content:
     """Decode a bare message (message id first)."""
     if len(payload) < 2:
-        return Content(payload, problem=f"{len(payload)} bytes are too short for a message id", broken=True)
+        return Content(payload, problem=too_short(payload).reason, broken=True)
     try:
         message, deviations = registry.decode(payload, strict=False)
     except DecodeError:

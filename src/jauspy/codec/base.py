@@ -18,6 +18,7 @@ from jauspy.errors import DecodeError
 
 if TYPE_CHECKING:
     from jauspy.codec.item import Item
+    from jauspy.codec.nesting import Nesting
 
 MAX_NESTING: Final = 8
 """Levels of messages inside messages that are decoded; deeper ones stay bytes."""
@@ -65,7 +66,7 @@ class Struct:
     __slots__ = ()
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: Nesting | None) -> tuple[Self, int]:
         """Decode valid bytes from `at` on, and say where they end; anything else ends in one of `FAST_ERRORS`."""
         raise Reject
 
@@ -92,7 +93,11 @@ class Struct:
     @classmethod
     def from_dict(cls, data: dict[str, Any]) -> Self:
         """The inverse of `to_dict`; enum members by name or number. Raises `EncodeError` with the field path."""
-        value = cls.layout().from_json(data, "")
+        return cls._from_json(data, "", None)
+
+    @classmethod
+    def _from_json(cls, data: object, path: str, nesting: Nesting | None) -> Self:
+        value = cls.layout().from_json(data, path, nesting)
         assert isinstance(value, cls)
         return value
 
@@ -118,8 +123,11 @@ class Message(Struct):
     IS_COMMAND: ClassVar[bool]
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        """Decode valid bytes; anything else ends in one of `FAST_ERRORS`."""
+    def _unpack(cls, data: bytes, nesting: Nesting | None) -> Self:
+        """Decode valid bytes; anything else ends in one of `FAST_ERRORS`.
+
+        `nesting` knows the messages inside; None stands for those of the registry the class itself is of.
+        """
         raise Reject
 
     def _pack(self) -> bytes:
@@ -162,12 +170,12 @@ class Message(Struct):
         the bytes are valid. Values outside their set stay numbers, what is missing gets a default, bytes left over are
         reported. Then only id bytes of another message raise `DecodeError`.
         """
-        if data.__class__ is not bytes:
-            data = bytes(data)
+        if type(data) is not bytes:
+            data = as_bytes(data)
         try:
             if strict:
-                return cls._unpack(data, 0)
-            return cls._unpack(data, 0), []
+                return cls._unpack(data, None)
+            return cls._unpack(data, None), []
         except FAST_ERRORS:
             pass
         from jauspy.codec import careful  # noqa: PLC0415 - off the fast road
@@ -175,10 +183,28 @@ class Message(Struct):
         return careful.decode(cls, data) if strict else careful.decode_tolerant(cls, data)
 
 
+def as_bytes(data: object) -> bytes:
+    """A copy of anything that is bytes; `DecodeError` for all else, of which `bytes` would make some."""
+    try:
+        return memoryview(data).tobytes()  # type: ignore[arg-type]  # the check is what this is for
+    except TypeError:
+        raise DecodeError(f"a message is bytes, not {type(data).__name__}") from None
+
+
+def too_short(data: bytes) -> DecodeError:
+    """What is wrong with fewer than two bytes."""
+    return DecodeError(f"{counted(len(data), 'byte')}: too short for a message id")
+
+
+def counted(number: int, what: str) -> str:
+    """`1 byte`, `2 bytes`."""
+    return f"{number} {what}" if number == 1 else f"{number} {what}s"
+
+
 def check_code(cls: type[Message], data: bytes) -> None:
     """Raise `DecodeError` unless the two id bytes are those of `cls`."""
     if len(data) < 2:
-        raise DecodeError(f"{len(data)} bytes are too short for a message id")
+        raise too_short(data)
     code = data[0] | data[1] << 8
     if code != cls.CODE:
         raise DecodeError(f"message id 0x{code:04X} is not 0x{cls.CODE:04X} ({cls.NAME})")

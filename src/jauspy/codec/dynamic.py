@@ -25,9 +25,9 @@ def load(*sources: str | Path) -> Registry:
     """The messages of JSIDL files, folders or patterns (`load("vendor/*.xml")`), in front of the built-in ones.
 
     The files may refer to each other and to everything built in, in any mix of versions. A service they define in a
-    version that is built in replaces that one; message ids that mean something else in another service are in
-    `Registry.collisions` and in the log. Raises `SchemaError` with file and line, `ConfigError` when there is no such
-    file.
+    version that is built in replaces that one; message ids that mean several things are in `Registry.collisions` and in
+    the log. When the registry decodes a built-in message, it finds its own messages inside. Raises `SchemaError` with
+    file and line, `ConfigError` when there is no such file.
     """
     return load_schema(load_own(sources))
 
@@ -43,7 +43,7 @@ def load_schema(schema: Schema) -> Registry:
     registry.files.update({service.key: service.where.file for service in schema.services if service.where})
     for code in sorted({message.code for service in schema.services for message in service.messages}):
         if collision := registry.collision(code):
-            _log.warning("%s; decoding needs to know the service", collision)
+            _log.warning("%s; decode it with %s", collision, collision.remedy)
     return registry
 
 

@@ -42,11 +42,11 @@ def decode_method(plan: ClassPlan, constants: Constants) -> list[str]:
     """The lines of `_unpack` of a message, or `_read` of what is inside one; most of that is read in place."""
     if plan.kind == "message":
         lines = _Decoder(plan, constants, Position("", 2)).message()
-        return ["@classmethod", "def _unpack(cls, data: bytes, depth: int) -> Self:", *indent(lines)]
+        return ["@classmethod", "def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:", *indent(lines)]
     if plan.kind == "bits" or not plan.called:
         return []
     lines = _Decoder(plan, constants, Position("at", 0)).inner()
-    head = "def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:"
+    head = "def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:"
     return ["@classmethod", head, *indent(lines)]
 
 
@@ -87,9 +87,11 @@ class _Decoder:
         return len(found) == 1 and is_fixed_run(found[0])
 
     def _fixed_message(self, code: int, codes: list[str]) -> list[str]:
+        if not codes:
+            return [*reject_if(f"data != {code.to_bytes(2, 'little')!r}"), "return rt.new(cls)"]
         raw = self._raw_slots(list(self.plan.slots), "self")
         packer = self.constants.packer("H" + "".join(codes))
-        targets = ", ".join(["code", *raw.targets]) + ("," if not raw.targets else "")
+        targets = ", ".join(["code", *raw.targets])
         return [
             "self = rt.new(cls)",
             f"{targets} = {packer}.unpack(data)",
@@ -216,14 +218,14 @@ class _Decoder:
                 return [f'{target} = ""']
             case BlobPlan():
                 lines, chunk = self._chunk(item.count, hint)
-                return [*lines, f"{target} = {f'_registry.nested({chunk}, depth)' if item.is_message else chunk}"]
+                return [*lines, f"{target} = {_inside(chunk) if item.is_message else chunk}"]
             case ObjectPlan() if item.cls.kind == "composite" and not item.cls.presence:
                 return self._inline(item.cls, hint, target)
             case ObjectPlan():
-                return [*self.position.settle(), f"{target}, at = {item.cls.path}._read(data, at, depth)"]
+                return [*self.position.settle(), f"{target}, at = {item.cls.path}._read(data, at, nesting)"]
             case UnionPlan():
                 arms = self.constants.arms([arm.path for arm in item.arms])
-                read = f"{target}, at = {arms}[tag]._read(data, at, depth)"
+                read = f"{target}, at = {arms}[tag]._read(data, at, nesting)"
                 return [*self._number(item.code, "tag"), *self.position.settle(), read]
             case RepeatPlan():
                 return self._repeat(item, hint, target)
@@ -334,4 +336,9 @@ class _Decoder:
         if not self.plan.message_formats:
             return [*lines, f"self.data = {chunk}"]
         chosen = f"format in {set(self.plan.message_formats)}"
-        return [*lines, f"self.data = _registry.nested({chunk}, depth) if {chosen} else {chunk}"]
+        return [*lines, f"self.data = {_inside(chunk)} if {chosen} else {chunk}"]
+
+
+def _inside(chunk: str) -> str:
+    """A message inside this one, of the registry that decodes this one, else of the one this class is of."""
+    return f"(nesting or _registry.nesting).message({chunk})"

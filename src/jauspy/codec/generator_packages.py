@@ -54,7 +54,7 @@ def table(modules: Iterable[ModulePlan], package: str) -> str:
             "",
             "from typing import Final",
             "",
-            "from jauspy.codec.registry import entries",
+            "from jauspy.codec.entries import entries",
             "",
             "TABLE: Final = (",
             *indent(rows),

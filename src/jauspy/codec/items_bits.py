@@ -9,8 +9,9 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from jauspy.codec.base import Struct
-from jauspy.codec.item import Item, check_class, check_keys, integer_of, join
+from jauspy.codec.item import Item, check_class, check_keys, cut, integer_of, join, shown
 from jauspy.codec.items_numbers import ANY, Number, Real, Values
+from jauspy.codec.nesting import Nesting
 from jauspy.codec.streams import Reader, Writer
 from jauspy.codec.wire import SIZES, limits
 from jauspy.errors import EncodeError
@@ -66,7 +67,8 @@ class Bits(Item):
         if self.reserved:
             reserved = integer_of(value.reserved_bits, join(path, "reserved_bits"))
             if reserved & ~self.reserved:
-                raise EncodeError(f"0x{reserved:X} has bits outside 0x{self.reserved:X}", path=f"{path}.reserved_bits")
+                reason = f"{cut(f'0x{reserved:X}')} has bits outside 0x{self.reserved:X}"
+                raise EncodeError(reason, path=join(path, "reserved_bits"))
             raw |= reserved
         writer.number(self.code, raw)
 
@@ -76,9 +78,9 @@ class Bits(Item):
         if writer.clamp:
             part = int(bit.values.clamp(min(max(part, 0), bit.mask)))
         if not 0 <= part <= bit.mask:
-            raise EncodeError(f"{part} is outside 0..{bit.mask}", path=path)
+            raise EncodeError(f"{shown(part)} is outside 0..{bit.mask}", path=path)
         if writer.strict and not bit.values.allows(part):
-            raise EncodeError(f"{part} is none of {bit.values}", path=path)
+            raise EncodeError(f"{shown(part)} is none of {bit.values}", path=path)
         return part
 
     def to_json(self, value: Any) -> Any:
@@ -87,12 +89,12 @@ class Bits(Item):
             data["reserved_bits"] = value.reserved_bits
         return data
 
-    def from_json(self, data: Any, path: str) -> Struct:
+    def from_json(self, data: Any, path: str, nesting: Nesting | None) -> Struct:  # noqa: ARG002 - others need it
         names = [bit.name for bit in self.bits]
         check_keys(data, names, ["reserved_bits"] if self.reserved else [], path)
         values = {bit.name: bit.values.from_json(data[bit.name], join(path, bit.name)) for bit in self.bits}
         if "reserved_bits" in data:
-            values["reserved_bits"] = data["reserved_bits"]
+            values["reserved_bits"] = integer_of(data["reserved_bits"], join(path, "reserved_bits"))
         return self.cls(**values)
 
 
@@ -122,7 +124,7 @@ class Choice(Item):
         check_class(value, self.cls, path)
         chosen = integer_of(value.choice, join(path, "choice"))
         if chosen not in self.items:
-            raise EncodeError(f"{chosen} is none of {self.index}", path=join(path, "choice"))
+            raise EncodeError(f"{shown(chosen)} is none of {self.index}", path=join(path, "choice"))
         writer.number("B", chosen)
         self.items[chosen].write(writer, value.value, join(path, "value"))
 
@@ -133,9 +135,11 @@ class Choice(Item):
             "value": item.to_json(value.value) if item else value.value,
         }
 
-    def from_json(self, data: Any, path: str) -> Struct:
+    def from_json(self, data: Any, path: str, nesting: Nesting | None) -> Struct:
         check_keys(data, ["choice", "value"], [], path)
         chosen = self.index.from_json(data["choice"], join(path, "choice"))
-        item = self.items.get(chosen) if isinstance(chosen, int) else None
-        value = item.from_json(data["value"], join(path, "value")) if item else data["value"]
+        item = self.items.get(chosen)
+        if item is None:
+            raise EncodeError(f"{shown(chosen)} is none of {self.index}", path=join(path, "choice"))
+        value = item.from_json(data["value"], join(path, "value"), nesting)
         return self.cls(choice=chosen, value=value)  # type: ignore[call-arg]  # generated fields

@@ -7,9 +7,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from jauspy.codec.base import Message, Struct
-from jauspy.codec.item import Item, Nesting, check_class, check_keys, integer_of, join
+from jauspy.codec.base import Message, Struct, counted
+from jauspy.codec.item import Item, check_class, check_keys, integer_of, join, shown
 from jauspy.codec.items_numbers import Values
+from jauspy.codec.nesting import Nesting, Source
 from jauspy.codec.streams import Reader, Writer
 from jauspy.codec.wire import SIZES, limits
 from jauspy.errors import EncodeError
@@ -32,7 +33,9 @@ class Count:
         if not self.minimum <= count <= self.maximum:
             reader.report(f"count {count} is outside {self.minimum}..{self.maximum}", path, offset)
         if count * each > reader.left and reader.strict:
-            reader.report(f"count {count} needs at least {count * each} bytes, {reader.left} are left", path, offset)
+            reader.report(
+                f"count {count} needs at least {counted(count * each, 'byte')}, {reader.left} left", path, offset
+            )
         return count
 
     def write(self, writer: Writer, count: int, path: str) -> None:
@@ -62,7 +65,7 @@ class Text(Item):
 
     def write(self, writer: Writer, value: Any, path: str) -> None:
         if not isinstance(value, str):
-            raise EncodeError(f"{value!r} is not a string", path=path)
+            raise EncodeError(f"{shown(value)} is not a string", path=path)
         try:
             data = value.encode("latin-1")
         except UnicodeEncodeError as error:
@@ -73,13 +76,18 @@ class Text(Item):
             raise EncodeError(f"{len(data)} characters are more than {self.length}", path=path)
         writer.out += data.ljust(self.length, b"\0")
 
+    def from_json(self, data: Any, path: str, nesting: Nesting | None) -> str:  # noqa: ARG002 - others need it
+        if not isinstance(data, str):
+            raise EncodeError(f"{shown(data)} is not a string", path=path)
+        return data
+
 
 @dataclass(frozen=True, slots=True)
 class Blob(Item):
     """Counted bytes; with `nested`, a message where the bytes are one."""
 
     count: Count
-    nested: Nesting | None = None
+    nested: Source | None = None
 
     @property
     def minimum(self) -> int:
@@ -87,7 +95,7 @@ class Blob(Item):
 
     def read(self, reader: Reader, path: str) -> Message | bytes:
         data = reader.take(self.count.read(reader, path), path) or b""
-        return self.nested.nested(data, 0) if self.nested and not reader.stopped else data
+        return (reader.nesting or self.nested.nesting).message(data) if self.nested and not reader.stopped else data
 
     def write(self, writer: Writer, value: Any, path: str) -> None:
         data = blob_bytes(writer, value, path, nested=self.nested is not None)
@@ -97,8 +105,8 @@ class Blob(Item):
     def to_json(self, value: Any) -> Any:
         return blob_to_json(value)
 
-    def from_json(self, data: Any, path: str) -> Any:
-        return blob_from_json(data, path, self.nested)
+    def from_json(self, data: Any, path: str, nesting: Nesting | None) -> Any:
+        return blob_from_json(data, path, inside(self.nested, nesting))
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,7 +116,7 @@ class Formatted(Item):
     cls: type[Struct]
     formats: Values
     count: Count
-    nested: Nesting | None = None
+    nested: Source | None = None
     nested_formats: frozenset[int] = frozenset()
 
     @property
@@ -123,14 +131,14 @@ class Formatted(Item):
         where = join(path, "data")
         data: Message | bytes = reader.take(self.count.read(reader, where), where) or b""
         if self.nested and chosen in self.nested_formats and isinstance(data, bytes):
-            data = self.nested.nested(data, 0)
+            data = (reader.nesting or self.nested.nesting).message(data)
         return self.cls(format=self.formats.named(chosen or 0), data=data)  # type: ignore[call-arg]  # generated fields
 
     def write(self, writer: Writer, value: Any, path: str) -> None:
         check_class(value, self.cls, path)
         chosen = integer_of(value.format, join(path, "format"))
         if not 0 <= chosen <= 255 or (writer.strict and not self.formats.allows(chosen)):
-            raise EncodeError(f"{chosen} is none of {self.formats}", path=join(path, "format"))
+            raise EncodeError(f"{shown(chosen)} is none of {self.formats}", path=join(path, "format"))
         data = blob_bytes(writer, value.data, join(path, "data"), nested=chosen in self.nested_formats)
         writer.number("B", chosen)
         self.count.write(writer, len(data), join(path, "data"))
@@ -139,10 +147,16 @@ class Formatted(Item):
     def to_json(self, value: Any) -> Any:
         return {"format": self.formats.to_json(value.format), "data": blob_to_json(value.data)}
 
-    def from_json(self, data: Any, path: str) -> Struct:
+    def from_json(self, data: Any, path: str, nesting: Nesting | None) -> Struct:
         check_keys(data, ["format", "data"], [], path)
         chosen = self.formats.from_json(data["format"], join(path, "format"))
-        return self.cls(format=chosen, data=blob_from_json(data["data"], join(path, "data"), self.nested))  # type: ignore[call-arg]  # generated fields
+        content = blob_from_json(data["data"], join(path, "data"), inside(self.nested, nesting))
+        return self.cls(format=chosen, data=content)  # type: ignore[call-arg]  # generated fields
+
+
+def inside(known: Source | None, nesting: Nesting | None) -> Nesting | None:
+    """What knows the messages inside a field: whoever reads it, else the registry its class is of."""
+    return (nesting or known.nesting) if known else None
 
 
 def blob_bytes(writer: Writer, value: Any, path: str, *, nested: bool) -> bytes:
@@ -153,7 +167,7 @@ def blob_bytes(writer: Writer, value: Any, path: str, *, nested: bool) -> bytes:
         inner.message(value, path)
         return bytes(inner.out)
     if not isinstance(value, (bytes, bytearray, memoryview)):
-        raise EncodeError(f"{value!r} is not {'a message or ' if nested else ''}bytes", path=path)
+        raise EncodeError(f"{shown(value)} is not {'a message or ' if nested else ''}bytes", path=path)
     return bytes(value)
 
 
@@ -176,7 +190,7 @@ def blob_from_json(data: Any, path: str, nesting: Nesting | None) -> Any:
         try:
             return bytes.fromhex(data["hex"])
         except ValueError as error:
-            raise EncodeError(f"{data['hex']!r} is not hexadecimal", path=path) from error
+            raise EncodeError(f"{shown(data['hex'])} is not hexadecimal", path=path) from error
     if nesting and isinstance(data, dict) and isinstance(data.get("message"), str):
-        return nesting.from_dict(data)
-    raise EncodeError(f'{data!r} is neither {{"hex": ...}} nor {{"message": ..., "fields": ...}}', path=path)
+        return nesting.from_dict(data, path)
+    raise EncodeError(f'{shown(data)} is neither {{"hex": ...}} nor {{"message": ..., "fields": ...}}', path=path)

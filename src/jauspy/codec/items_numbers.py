@@ -5,12 +5,15 @@
 from __future__ import annotations
 
 import math
+import re
+import struct
 from dataclasses import dataclass
 from enum import IntEnum
 from functools import lru_cache
-from typing import Any
+from typing import Any, Final
 
-from jauspy.codec.item import Item, integer_of, number_of
+from jauspy.codec.item import Item, integer_of, number_of, shown
+from jauspy.codec.nesting import Nesting
 from jauspy.codec.scaling import Rounding, Scaling, exact_raw
 from jauspy.codec.streams import Reader, Writer, codec_of
 from jauspy.codec.wire import FLOATS, SIZES, limits
@@ -66,15 +69,35 @@ class Values:
         return self.named(value).name if isinstance(self.named(value), IntEnum) else value
 
     def from_json(self, data: Any, path: str) -> Any:
-        """Accepts names and numbers."""
+        """Accepts names and integers."""
         if isinstance(data, str) and self.enum:
             if data not in self.enum.__members__:
-                raise EncodeError(f"{data!r} is none of {', '.join(self.enum.__members__)}", path=path)
+                raise EncodeError(f"{shown(data)} is none of {', '.join(self.enum.__members__)}", path=path)
             return self.enum[data]
-        return self.named(data) if isinstance(data, int) else data
+        return self.named(integer_of(data, path))
 
 
 ANY = Values()
+
+
+_NAN: Final = "nan:"
+
+
+def odd_to_json(value: float) -> str:
+    """What JSON has no numbers for: `inf`, `-inf`, `nan`, or `nan:` and the 64 bits of one with a sign or a payload."""
+    bits = struct.pack(">d", value).hex()
+    return f"{_NAN}{bits}" if math.isnan(value) and bits != struct.pack(">d", math.nan).hex() else str(value)
+
+
+def odd_from_json(text: str) -> float | None:
+    """The inverse; None for all else."""
+    if text in ("nan", "inf", "-inf"):
+        return float(text)
+    bits = text.removeprefix(_NAN)
+    if bits == text or not re.fullmatch(r"[0-9a-f]{16}", bits):
+        return None
+    value: float = struct.unpack(">d", bytes.fromhex(bits))[0]
+    return value if math.isnan(value) else None
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,7 +134,7 @@ class Number(Item):
             if writer.clamp:
                 number = int(self.values.clamp(min(max(number, lowest), highest)))
             if not lowest <= number <= highest:
-                raise EncodeError(f"{number} is outside {lowest}..{highest}", path=path)
+                raise EncodeError(f"{shown(number)} is outside {lowest}..{highest}", path=path)
             self._check(writer, number, path)
             writer.number(self.code, number)
 
@@ -133,17 +156,18 @@ class Number(Item):
 
     def _check(self, writer: Writer, number: float, path: str) -> None:
         if writer.strict and not self.values.allows(number):
-            raise EncodeError(f"{number} is none of {self.values}", path=path)
+            raise EncodeError(f"{shown(number)} is none of {self.values}", path=path)
 
     def to_json(self, value: Any) -> Any:
         if isinstance(value, float) and not math.isfinite(value):
-            return str(value)
+            return odd_to_json(value)
         return self.values.to_json(value)
 
-    def from_json(self, data: Any, path: str) -> Any:
-        if self.code in FLOATS and data in ("nan", "inf", "-inf"):
-            return float(data)
-        return self.values.from_json(data, path)
+    def from_json(self, data: Any, path: str, nesting: Nesting | None) -> Any:  # noqa: ARG002 - others need it
+        if self.code not in FLOATS or (isinstance(data, str) and self.values.enum):
+            return self.values.from_json(data, path)
+        odd = odd_from_json(data) if isinstance(data, str) else None
+        return self.values.named(number_of(data, path)) if odd is None else odd
 
 
 @dataclass(frozen=True, slots=True)
@@ -180,6 +204,9 @@ class Real(Item):
             units = "" if self.units == "one" else f" {self.units}"
             raise EncodeError(f"{number} is outside {lower}..{upper}{units}", path=path)
         writer.number(self.code, raw)
+
+    def from_json(self, data: Any, path: str, nesting: Nesting | None) -> float:  # noqa: ARG002 - others need it
+        return number_of(data, path)
 
     def _negative_raw(self, number: float) -> int | None:
         """The raw value below 0 that a tolerant decoder read, for signed types."""

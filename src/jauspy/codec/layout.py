@@ -9,8 +9,9 @@ from difflib import get_close_matches
 from typing import Any
 
 from jauspy.codec.base import Struct
-from jauspy.codec.item import Item, check_class, integer_of, join
+from jauspy.codec.item import Item, check_class, cut, integer_of, join, shown
 from jauspy.codec.items_bytes import Count
+from jauspy.codec.nesting import Nesting
 from jauspy.codec.streams import Reader, Writer
 from jauspy.codec.wire import SIZES, limits
 from jauspy.errors import EncodeError
@@ -78,7 +79,7 @@ class Composite(Item):
         if self.undefined:
             mask = integer_of(value.reserved_presence, join(path, "reserved_presence"))
             if mask & ~self.undefined:
-                reason = f"0x{mask:X} has bits outside 0x{self.undefined:X}"
+                reason = f"{cut(f'0x{mask:X}')} has bits outside 0x{self.undefined:X}"
                 raise EncodeError(reason, path=join(path, "reserved_presence"))
         bit = 1
         for slot in self.slots:
@@ -97,21 +98,21 @@ class Composite(Item):
             data["reserved_presence"] = value.reserved_presence
         return data
 
-    def from_json(self, data: Any, path: str) -> Struct:
+    def from_json(self, data: Any, path: str, nesting: Nesting | None) -> Struct:
         names = [slot.name for slot in self.slots]
         if not isinstance(data, dict):
-            raise EncodeError(f"{data!r} is not a mapping of fields", path=path)
+            raise EncodeError(f"{shown(data)} is not a mapping of fields", path=path)
         for key in data:
             if key not in names and not (key == "reserved_presence" and self.undefined):
-                raise EncodeError(f"unknown field {key!r}{_hint(key, names)}", path=path)
+                raise EncodeError(f"unknown field {shown(key)}{_hint(key, names)}", path=path)
         values: dict[str, Any] = {}
         for slot in self.slots:
             part = data.get(slot.name)
             if part is None and not slot.optional:
                 raise EncodeError("a value is required", path=join(path, slot.name))
-            values[slot.name] = None if part is None else slot.item.from_json(part, join(path, slot.name))
+            values[slot.name] = None if part is None else slot.item.from_json(part, join(path, slot.name), nesting)
         if "reserved_presence" in data:
-            values["reserved_presence"] = data["reserved_presence"]
+            values["reserved_presence"] = integer_of(data["reserved_presence"], join(path, "reserved_presence"))
         return self.cls(**values)
 
 
@@ -156,7 +157,7 @@ class Repeat(Item):
 
     def write(self, writer: Writer, value: Any, path: str) -> None:
         if not isinstance(value, (list, tuple)):
-            raise EncodeError(f"{value!r} is not a list", path=path)
+            raise EncodeError(f"{shown(value)} is not a list", path=path)
         self.count.write(writer, len(value), path)
         for number, part in enumerate(value):
             self.item.write(writer, part, f"{path}[{number}]")
@@ -164,10 +165,10 @@ class Repeat(Item):
     def to_json(self, value: Any) -> Any:
         return [self.item.to_json(part) for part in value]
 
-    def from_json(self, data: Any, path: str) -> list[Any]:
+    def from_json(self, data: Any, path: str, nesting: Nesting | None) -> list[Any]:
         if not isinstance(data, (list, tuple)):
-            raise EncodeError(f"{data!r} is not a list", path=path)
-        return [self.item.from_json(part, f"{path}[{number}]") for number, part in enumerate(data)]
+            raise EncodeError(f"{shown(data)} is not a list", path=path)
+        return [self.item.from_json(part, f"{path}[{number}]", nesting) for number, part in enumerate(data)]
 
 
 @dataclass(frozen=True, slots=True)
@@ -203,16 +204,16 @@ class Union(Item):
                 arm.write(writer, value, join(path, name))
                 return
         classes = ", ".join(arm.cls.__qualname__ for arm in self.arms.values())
-        raise EncodeError(f"{value!r} is none of {classes}", path=path)
+        raise EncodeError(f"{shown(value)} is none of {classes}", path=path)
 
     def to_json(self, value: Any) -> Any:
         return {name: arm.to_json(value) for name, arm in self.arms.items() if arm.cls is type(value)}
 
-    def from_json(self, data: Any, path: str) -> Struct:
+    def from_json(self, data: Any, path: str, nesting: Nesting | None) -> Struct:
         if not isinstance(data, dict) or len(data) != 1 or next(iter(data)) not in self.arms:
-            raise EncodeError(f"{data!r} is not a mapping with one of {', '.join(self.arms)}", path=path)
+            raise EncodeError(f"{shown(data)} is not a mapping with one of {', '.join(self.arms)}", path=path)
         name, fields = next(iter(data.items()))
-        return self.arms[name].from_json(fields, join(path, name))
+        return self.arms[name].from_json(fields, join(path, name), nesting)
 
 
 @dataclass(frozen=True, slots=True)
@@ -238,7 +239,7 @@ class Grid(Item):
 
     def write(self, writer: Writer, value: Any, path: str) -> None:
         if not isinstance(value, (list, tuple)) or len(value) != self.sizes[0]:
-            raise EncodeError(f"{value!r} is not a list of {self.sizes[0]}", path=path)
+            raise EncodeError(f"{shown(value)} is not a list of {self.sizes[0]}", path=path)
         inner = self._inner()
         for number, part in enumerate(value):
             inner.write(writer, part, f"{path}[{number}]")
@@ -247,8 +248,8 @@ class Grid(Item):
         inner = self._inner()
         return [inner.to_json(part) for part in value]
 
-    def from_json(self, data: Any, path: str) -> list[Any]:
-        if not isinstance(data, (list, tuple)):
-            raise EncodeError(f"{data!r} is not a list", path=path)
+    def from_json(self, data: Any, path: str, nesting: Nesting | None) -> list[Any]:
+        if not isinstance(data, (list, tuple)) or len(data) != self.sizes[0]:
+            raise EncodeError(f"{shown(data)} is not a list of {self.sizes[0]}", path=path)
         inner = self._inner()
-        return [inner.from_json(part, f"{path}[{number}]") for number, part in enumerate(data)]
+        return [inner.from_json(part, f"{path}[{number}]", nesting) for number, part in enumerate(data)]

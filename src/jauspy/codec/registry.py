@@ -3,73 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import cached_property
-from importlib import import_module
 from typing import TYPE_CHECKING, Any, Literal, overload
 
-from jauspy.codec.base import FAST_ERRORS, MAX_NESTING, Deviation, Message
-from jauspy.codec.shape import same_layout
-from jauspy.errors import ConfigError, DecodeError
+from jauspy.codec import careful
+from jauspy.codec.base import FAST_ERRORS, Deviation, Message, as_bytes, too_short
+from jauspy.codec.entries import NO_HINTS, Collision, Entry, Hints, meanings
+from jauspy.codec.item import join, shown
+from jauspy.codec.nesting import Nesting
+from jauspy.errors import ConfigError, DecodeError, EncodeError
 
 if TYPE_CHECKING:
     from jauspy.schema.model import Schema
-
-
-@dataclass(frozen=True, slots=True)
-class Entry:
-    """One message of one service version, and the module and class it lives in."""
-
-    code: int
-    name: str
-    service: str
-    version: str
-    module: str
-    cls: str
-
-    def load(self) -> type[Message]:
-        """The message class."""
-        found = getattr(import_module(self.module), self.cls)
-        assert isinstance(found, type)
-        assert issubclass(found, Message)
-        return found
-
-    @property
-    def order(self) -> tuple[int, ...]:
-        """Orders versions, oldest first."""
-        return tuple(int(part) for part in self.version.split(".") if part.isdigit())
-
-
-def entries(module: str, service: str, version: str, *messages: tuple[Any, ...]) -> Iterator[Entry]:
-    """The entries of one module: for each message its code and name, and its class where that has another name."""
-    for code, name, *cls in messages:
-        yield Entry(code, name, service, version, module, cls[0] if cls else name)
-
-
-@dataclass(frozen=True, slots=True)
-class Collision:
-    """A message id that means different things in different services; only `service=` tells which is meant."""
-
-    code: int
-    entries: tuple[Entry, ...]
-    """One for each meaning."""
-    files: tuple[str, ...]
-    """Where those are defined, in the same order."""
-
-    def __str__(self) -> str:
-        meanings = (
-            f"{entry.name} of {entry.service} {entry.version} ({file})"
-            for entry, file in zip(self.entries, self.files, strict=True)
-        )
-        return f"message id 0x{self.code:04X} is {' and '.join(meanings)}"
 
 
 class Registry:
     """The known messages.
 
     One layered over another (`base`) finds its own first; a service that it has in the same version replaces that of
-    the base. Different services may use one message id: see `collisions`.
+    the base. Different services, and careless single ones, may use one message id for several messages: see
+    `collisions`.
     """
 
     def __init__(self, entries: Iterable[Entry], base: Registry | None = None) -> None:
@@ -88,7 +42,11 @@ class Registry:
             self._codes[entry.code] = (*self._codes.get(entry.code, ()), entry)
             key = entry.name.casefold()
             self._names[key] = (*self._names.get(key, ()), entry)
-        self._newest: dict[int, type[Message]] = {}
+        self.nesting = Nesting(self)
+        """What messages that this registry decodes know about messages inside them: that they are of this one."""
+        self._plain: dict[int, type[Message] | None] = {}
+        self._found: dict[tuple[int, Hints], Collision | None] = {}
+        self._hinted: dict[Hints, dict[int, type[Message] | None]] = {}
 
     def __len__(self) -> int:
         return len(self._entries)
@@ -105,37 +63,44 @@ class Registry:
         """What is known without importing a message: own layer first, newest version first."""
         return self._entries
 
+    def entries_of(self, code: int) -> tuple[Entry, ...]:
+        """Those of one message id, in the same order."""
+        return self._codes.get(code, ())
+
     @cached_property
     def collisions(self) -> tuple[Collision, ...]:
-        """The message ids that mean different things in different services, lowest first.
+        """The message ids that mean different things, lowest first.
 
-        `decode` refuses them unless it is told the service. A newer version of a message, in its own service or in
-        another one of the same set, replaces the older one and collides with nothing.
+        `decode` refuses them unless it is told the service, or the message where one service has one id twice. A newer
+        version of a message, in its own service or in another one of the same set, replaces the older one and collides
+        with nothing.
         """
         found = map(self.collision, sorted(self._codes))
         return tuple(collision for collision in found if collision)
 
-    def collision(self, code: int) -> Collision | None:
-        """What a message id means in different services; None when that is one thing, or nothing."""
-        if len(self._codes.get(code, ())) < 2:
+    def collision(self, code: int, hints: Hints = NO_HINTS) -> Collision | None:
+        """What a message id still means when `hints` are given; None when that is one thing, or nothing."""
+        if code not in self._codes:
             return None
-        meanings = _meanings(self._candidates(code))
-        if len(meanings) < 2:
-            return None
-        return Collision(code, meanings, tuple(self.file_of(entry) for entry in meanings))
+        if (code, hints) not in self._found:
+            several = self._meanings(code, hints)
+            files = tuple(map(self.file_of, several)) if len(several) > 1 else ()
+            self._found[code, hints] = Collision(code, several, files) if files else None
+        return self._found[code, hints]
 
-    def _candidates(self, code: int) -> list[Entry]:
-        """The first entry of each service set, and its equals: other services' entries of the same layer and version.
+    def _meanings(self, code: int, hints: Hints) -> tuple[Entry, ...]:
+        candidates = self._candidates(entry for entry in self.entries_of(code) if hints.fit(entry))
+        return tuple(candidates) if len(candidates) < 2 else meanings(candidates)
 
-        Of a service that has one id twice, as one published does, the first counts: no service tells those apart.
-        """
+    def _candidates(self, entries: Iterable[Entry]) -> list[Entry]:
+        """Of each service set what counts: the entries of the same layer and version as its first one."""
         firsts: dict[str, tuple[bool, str]] = {}
-        found: dict[str, Entry] = {}
-        for entry in self._codes.get(code, ()):
+        found: list[Entry] = []
+        for entry in entries:
             rank = (entry in self._own, entry.version)
             if firsts.setdefault(entry.service.rpartition(":")[0], rank) == rank:
-                found.setdefault(entry.service, entry)
-        return list(found.values())
+                found.append(entry)
+        return found
 
     def file_of(self, entry: Entry) -> str:
         """The file that defines a message; its Python module where that is not known."""
@@ -148,17 +113,21 @@ class Registry:
 
     def by_code(self, code: int) -> tuple[type[Message], ...]:
         """The classes of this message id, newest version first; empty when there is none."""
-        return tuple(entry.load() for entry in self._codes.get(code, ()))
+        return tuple(entry.load() for entry in self.entries_of(code))
 
     def by_name(self, name: str, *, service: str | None = None, version: str | None = None) -> type[Message]:
-        """The newest message of this JAUS name, upper and lower case alike; `ConfigError` with close matches."""
-        found = _choose(self._names.get(name.casefold(), ()), service, version)
-        if found is not None:
-            return found.load()
-        names = sorted({entry.name for entry in self._entries})
+        """The newest message of this JAUS name, upper and lower case alike; `ConfigError` with close matches.
+
+        `service` is a URN or the end of one, as in `mobility:PrimitiveDriver`.
+        """
+        hints = Hints(service, version)
+        for entry in self._names.get(name.casefold(), ()):
+            if hints.fit(entry):
+                return entry.load()
+        names = sorted({entry.name for entry in self._entries if hints.fit(entry)})
         by_key = {known.casefold(): known for known in names}
         close = [by_key[key] for key in get_close_matches(name.casefold(), by_key, 3, 0.6)]
-        which = " ".join(part for part in (name, f"of {service}" if service else "", version) if part)
+        which = " ".join(part for part in (name, str(hints)) if part)
         hint = f"; did you mean {' or '.join(close)}?" if close else ""
         raise ConfigError(f"no message {which} is known{hint}")
 
@@ -169,6 +138,7 @@ class Registry:
         *,
         service: str | None = None,
         version: str | None = None,
+        message: str | None = None,
         strict: Literal[True] = True,
     ) -> Message: ...
 
@@ -179,6 +149,7 @@ class Registry:
         *,
         service: str | None = None,
         version: str | None = None,
+        message: str | None = None,
         strict: Literal[False],
     ) -> tuple[Message, list[Deviation]]: ...
 
@@ -188,69 +159,68 @@ class Registry:
         *,
         service: str | None = None,
         version: str | None = None,
+        message: str | None = None,
         strict: bool = True,
     ) -> Message | tuple[Message, list[Deviation]]:
         """The message these bytes are, newest version unless told otherwise; raises `DecodeError`.
 
-        A message id that means different things in different services (see `collisions`) needs `service`.
-        `strict=False` as in `Message.decode`: then only an unknown, ambiguous or missing message id raises.
+        A message id that means different things (see `collisions`) needs `service` (a URN or the end of one), or
+        `message` (a name). Messages inside the message are of this registry, too. `strict=False` as in
+        `Message.decode`: then only an unknown, ambiguous or missing message id raises.
         """
-        cls = self._class_for(bytes(data), service, version)
-        return cls.decode(data) if strict else cls.decode(data, strict=False)
+        if type(data) is not bytes:
+            data = as_bytes(data)
+        hints = NO_HINTS if service is version is message is None else Hints(service, version, message)
+        cls = self.class_of(data, hints)
+        if cls is None:
+            raise self._refusal(data, hints)
+        try:
+            found = cls._unpack(data, self.nesting)
+        except FAST_ERRORS:
+            return (careful.decode if strict else careful.decode_tolerant)(cls, data, self.nesting)
+        return found if strict else (found, [])
 
-    def _class_for(self, data: bytes, service: str | None, version: str | None) -> type[Message]:
+    def class_of(self, data: bytes, hints: Hints = NO_HINTS) -> type[Message] | None:
+        """The class of the message these bytes begin like; None when it is unknown, or when there are several."""
         if len(data) < 2:
-            raise DecodeError(f"{len(data)} bytes are too short for a message id")
+            return None
         code = data[0] | data[1] << 8
-        if service is None and version is None:
-            cls = self._newest.get(code)
-            if cls is not None:
-                return cls
-        entry = _choose(self._codes.get(code, ()), service, version)
-        if entry is None:
-            which = " ".join(part for part in (f"of {service}" if service else "", version) if part)
-            raise DecodeError(f"unknown message id 0x{code:04X}{' ' + which if which else ''}")
-        cls = entry.load()
-        if service is None and version is None:
-            if collision := self.collision(code):
-                raise DecodeError(f"{collision}; say which service is meant")
-            self._newest[code] = cls
+        known = self._plain if hints is NO_HINTS else self._hinted.setdefault(hints, {})
+        cls = known.get(code)
+        if cls is None and code in self._codes and code not in known:
+            found = self._meanings(code, hints)
+            cls = known[code] = found[0].load() if len(found) == 1 else None
         return cls
 
-    def nested(self, data: bytes, depth: int) -> Message | bytes:
-        """The message inside a message when it decodes strictly and encodes to the same bytes, else the bytes."""
-        if depth >= MAX_NESTING or len(data) < 2 or (data[0] | data[1] << 8) not in self._codes:
-            return data
-        try:
-            message = self._class_for(data, None, None)._unpack(data, depth + 1)  # noqa: SLF001 - the fast road
-            return message if message._pack() == data else data  # noqa: SLF001
-        except (DecodeError, *FAST_ERRORS):
-            return data
+    def _refusal(self, data: bytes, hints: Hints) -> DecodeError:
+        if len(data) < 2:
+            return too_short(data)
+        code = data[0] | data[1] << 8
+        if collision := self.collision(code, hints):
+            return DecodeError(f"{collision}; say which is meant with {collision.remedy}")
+        return DecodeError(f"unknown message id 0x{code:04X} {hints}".rstrip())
 
     def from_dict(self, data: Mapping[str, Any]) -> Message:
-        """The inverse of `message_to_dict`: `message` names it, `service` and `version` may, `fields` has the rest."""
-        name = data.get("message")
-        if not isinstance(name, str):
-            raise ConfigError(f"{data!r} does not say which message it is")
-        cls = self.by_name(name, service=data.get("service"), version=data.get("version"))
-        return cls.from_dict(dict(data.get("fields") or {}))
+        """The inverse of `message_to_dict`: `message` names it, `service` and `version` may, `fields` has the rest.
 
+        Raises `EncodeError` with the field path. Messages inside the message are of this registry, too.
+        """
+        return self.message_from(data, self.nesting, "")
 
-def _choose(entries: tuple[Entry, ...], service: str | None, version: str | None) -> Entry | None:
-    for entry in entries:
-        if service in (None, entry.service) and version in (None, entry.version):
-            return entry
-    return None
-
-
-def _meanings(entries: Iterable[Entry]) -> tuple[Entry, ...]:
-    """The first entry of each name and layout."""
-    names: dict[str, list[Entry]] = {}
-    for entry in entries:
-        same_name = names.setdefault(entry.name, [])
-        if not any(same_layout(other.load().layout(), entry.load().layout()) for other in same_name):
-            same_name.append(entry)
-    return tuple(entry for same_name in names.values() for entry in same_name)
+    def message_from(self, data: object, nesting: Nesting, path: str) -> Message:
+        """The same for a message inside another one, which is at `path`."""
+        if not isinstance(data, Mapping) or not isinstance(data.get("message"), str):
+            raise EncodeError(f"{shown(data)} does not say which message it is", path=path)
+        named = {key: data.get(key) for key in ("service", "version")}
+        for key, value in named.items():
+            if not isinstance(value, str | None):
+                raise EncodeError(f"{shown(value)} is no {key}", path=join(path, key))
+        try:
+            cls = self.by_name(data["message"], **named)
+        except ConfigError as error:
+            raise EncodeError(str(error), path=join(path, "message")) from None
+        fields = data.get("fields")
+        return cls._from_json({} if fields is None else fields, join(path, "fields") if path else "", nesting)
 
 
 def _shipped_file(entry: Entry) -> str:

@@ -29,6 +29,7 @@ from jauspy.codec.items import (
     composite,
     real,
 )
+from jauspy.codec.nesting import Nesting
 from jauspy.codec.scaling import Scaling, exact_raw
 
 __all__ = [
@@ -44,6 +45,7 @@ __all__ = [
     "Item",
     "Masks",
     "Message",
+    "Nesting",
     "Number",
     "Packer",
     "Real",

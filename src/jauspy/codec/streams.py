@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import struct
 from functools import lru_cache
+from typing import TYPE_CHECKING
 
-from jauspy.codec.base import MAX_NESTING, Deviation, Message
+from jauspy.codec.base import MAX_NESTING, Deviation, Message, counted
 from jauspy.codec.wire import SIZES
 from jauspy.errors import DecodeError, EncodeError
+
+if TYPE_CHECKING:
+    from jauspy.codec.nesting import Nesting
 
 
 @lru_cache(maxsize=32)
@@ -19,13 +23,15 @@ def codec_of(code: str) -> struct.Struct:
 class Reader:
     """A position in the bytes of a message, and what was wrong so far.
 
-    `stopped` is set when the rest cannot be read any more; all that follows gets defaults.
+    `stopped` is set when the rest cannot be read any more; all that follows gets defaults. `nesting` knows the messages
+    inside; None stands for those of the registry the class that is read is of.
     """
 
-    __slots__ = ("at", "data", "deviations", "stopped", "strict")
+    __slots__ = ("at", "data", "deviations", "nesting", "stopped", "strict")
 
-    def __init__(self, data: bytes, *, strict: bool) -> None:
+    def __init__(self, data: bytes, *, strict: bool, nesting: Nesting | None = None) -> None:
         self.data = data
+        self.nesting = nesting
         self.at = 2
         self.strict = strict
         self.deviations: list[Deviation] = []
@@ -68,7 +74,7 @@ class Reader:
             return None
         start = self.at
         if self.left < size:
-            self.stop(f"needs {size} bytes, {self.left} are left", path)
+            self.stop(f"needs {counted(size, 'byte')}, {self.left} left", path)
         taken = self.data[start : start + size]
         self.at = start + len(taken)
         return taken
@@ -76,7 +82,7 @@ class Reader:
     def has(self, size: int, path: str) -> bool:
         """True when `size` bytes are there; else reports and stops."""
         if not self.stopped and self.left < size:
-            self.stop(f"needs {size} bytes, {self.left} are left", path)
+            self.stop(f"needs {counted(size, 'byte')}, {self.left} left", path)
         return not self.stopped
 
 

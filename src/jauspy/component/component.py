@@ -45,15 +45,15 @@ class Component:
         connect: str | None = None,
         transport: Transport | None = None,
         delivery: Delivery | None = None,
-        clock: Callable[[], float] = time.monotonic,
+        clock: Callable[[], float] | None = None,
         utc_now: Callable[[], datetime] = lambda: datetime.now(UTC),
     ) -> None:
         me = _usable(id)
-        self.host = Host(me, with_core(services, name), utc_now=utc_now, now=clock())
+        self.host = Host(me, with_core(services, name), utc_now=utc_now, now=(clock or _loop_time)())
         self._connect = connect
         self._transport = transport
         self._delivery = delivery
-        self._clock = clock
+        self._clock = clock or _loop_time
         self._shell: Shell | None = None
         self._closed = asyncio.Event()
 
@@ -159,6 +159,14 @@ class Component:
         if self._connect is None:
             return LocalTransport(self.id, Path(DEFAULT_ROOT))
         return await transport_for(self.id, self._connect)
+
+
+def _loop_time() -> float:
+    """Seconds of the event loop's clock, also before there is a loop."""
+    try:
+        return asyncio.get_running_loop().time()
+    except RuntimeError:
+        return time.monotonic()
 
 
 def _parsed(id: str | JausID) -> JausID:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import asyncio
 import logging
 import random
-import time
 from collections import Counter
 from collections.abc import Callable
 from types import TracebackType
@@ -27,6 +26,12 @@ _LOG: Final = logging.getLogger("jauspy.component")
 MAX_PER_WAKEUP: Final = 256
 """Packets handled before the event loop gets its turn; the rest, which is bounded, is handled right after that."""
 
+
+def loop_time() -> float:
+    """Seconds of the clock that the running event loop lives on: the monotonic one, or a virtual one in tests."""
+    return asyncio.get_running_loop().time()
+
+
 Intercept = Callable[[Packet], bool]
 """Sees every received packet first; what it returns true for does not reach the services."""
 
@@ -34,9 +39,9 @@ Intercept = Callable[[Packet], bool]
 class Shell:
     """Runs `host` on `transport`: `async with Shell(host, transport): ...`, or `await shell.run()`.
 
-    `clock` is monotonic, in seconds; `delivery` has the settings of reliable delivery and large messages.
-    While the transport has no connection, what is sent is dropped and counted there, and everything goes on when it is
-    back. The network, and bugs of services, raise nothing here.
+    `clock` is monotonic, in seconds, the event loop's unless given; `delivery` has the settings of reliable delivery
+    and large messages. While the transport has no connection, what is sent is dropped and counted there, and
+    everything goes on when it is back. The network, and bugs of services, raise nothing here.
     """
 
     def __init__(
@@ -44,7 +49,7 @@ class Shell:
         host: Host,
         transport: Transport,
         *,
-        clock: Callable[[], float] = time.monotonic,
+        clock: Callable[[], float] = loop_time,
         intercept: Intercept | None = None,
         first_sequence: int | None = None,
         delivery: Delivery | None = None,

@@ -105,6 +105,9 @@ class Checks:
             twice, found = _only("tolerant", (), lambda: careful.decode_tolerant(target.cls, again))
             if found != deviations or repr(twice) != repr(tolerant):
                 _fail("tolerant", "values", "decodes to two different messages")
+            carried = _only("json", (), lambda: target.cls.from_dict(json.loads(json.dumps(tolerant.to_dict()))))
+            if _only("json", (), lambda: carried.encode(strict=False)) != data:
+                _fail("json", "", f"{tolerant!r} becomes {carried!r}")
 
     @staticmethod
     def _check_reference(target: Target, data: bytes, message: Message | None) -> None:

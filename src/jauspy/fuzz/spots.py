@@ -139,7 +139,7 @@ class _Scanner:
         """The spots of a message inside the message."""
         from jauspy.messages import registry  # noqa: PLC0415 - what messages inside messages are looked up in
 
-        found = registry.nested(self.data[start:end], 0)
+        found = registry.nesting.message(self.data[start:end])
         if isinstance(found, Message):
             for spot in spots_of(type(found).layout(), self.data[start:end]):
                 cuts = tuple(cut + start for cut in spot.cuts)

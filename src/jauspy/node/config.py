@@ -145,6 +145,9 @@ class NodeConfig(NetworkConfig):
     """Messages that a source may send at once under `rate_limit`."""
     local_udp: bool = True
     """Let components of this machine connect by UDP, as those of ROS/IOP do."""
+    header_compression: Literal["off", "accept", "propose"] = "accept"
+    """Compressed headers on UDP. accept: take what peers propose, and compress for those that do. propose: ask all
+    peers, with an empty packet that those who know nothing of it misread and drop. off: read past proposals."""
     tcp: bool = False
     """Take JTCP connections. TCP peers among the addresses are connected to in any case."""
     tcp_port: int | None = Field(default=None, ge=0, le=65535, examples=[3794])

@@ -49,6 +49,7 @@ class NodeManager:
             addresses=self._known,
             address_lifetime=self.config.address_lifetime,
             local_udp=self.config.local_udp,
+            compression=self.config.header_compression,
             is_dead=self._is_dead,
             networks=[network.name for network in self.config.all_networks],
             gateway=policy.gateway(self.config),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from jauspy.ids import JausID
+from jauspy.ids import JausID, is_called
 from jauspy.messages.core import ReportIdentification
 
 
@@ -18,8 +18,7 @@ class ServiceInfo:
 
     def is_called(self, name: str) -> bool:
         """True for the whole URN or its end: `mobility:PrimitiveDriver`, `PrimitiveDriver`; case does not matter."""
-        mine, wanted = self.urn.casefold(), name.casefold()
-        return bool(wanted) and (mine == wanted or mine.endswith(f":{wanted}"))
+        return is_called(self.urn, name)
 
     @property
     def short(self) -> str:

@@ -133,10 +133,16 @@ def parse_alone(datagram: bytes | memoryview) -> RawPacket | None:
 
 
 def peek_priority(datagram: bytes, skip: int = 0) -> int:
-    """The priority of a datagram that nobody has checked yet; 0 when it is no packet of this version."""
+    """The priority of a datagram that nobody has checked yet; 0 when it is no packet of this version.
+
+    That of a compressed packet is in its template; what is compressed here is never the most urgent.
+    """
     if len(datagram) < skip + OVERHEAD + 1 or datagram[skip] != VERSION:
-        return 0
-    return datagram[skip + (6 if datagram[skip + 1] & 0xC0 else 4)] & 3
+        return Priority.STANDARD if datagram[skip : skip + 1] == b"\x02" and datagram[skip + 1 :] >= b"\xc0" else 0
+    flags = datagram[skip + 1] & 0xC0
+    if flags == 0xC0:
+        return Priority.STANDARD
+    return datagram[skip + (6 if flags else 4)] & 3
 
 
 def parse_header(data: bytes | memoryview, start: int = 0) -> RawPacket:

@@ -8,12 +8,13 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Callable, Mapping, Sequence
-from typing import Final
+from typing import Final, Literal, TypeAlias
 
 from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
 from jauspy.protocol import addressing, junior, wire
 from jauspy.protocol.address_book import LIFETIME, AddressBook
+from jauspy.protocol.compression import Compression, applies_to
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.directory import ComponentPort, Directory
 from jauspy.protocol.echoes import Echoes
@@ -31,11 +32,15 @@ _RECEIVED: Final[dict[type, str]] = {port: f"received.{kind}" for port, kind in 
 _ROUTED: Final[dict[type, str]] = {port: f"routed.{kind}" for port, kind in _KINDS.items()}
 
 
+CompressionUse: TypeAlias = Literal["off", "accept", "propose"]
+
+
 class NodeCore:
     """Routing between the components of this machine (`LocalPort`) and the networks (all other ports).
 
     `local_root` is the folder of the components' sockets. `addresses` are entries that are never forgotten; others are,
     `address_lifetime` seconds after they were heard. With `local_udp`, components of this machine may connect by UDP.
+    `compression` is what is done with compressed headers on UDP.
     Packets cross from one of the `networks` to another only by a `gateway`; it and `sources` may change at run time.
     `is_dead` says whether nobody listens on a socket any more; it is asked when somebody else speaks as its component.
     """
@@ -50,6 +55,7 @@ class NodeCore:
         sources: Sources | None = None,
         address_lifetime: float = LIFETIME,
         local_udp: bool = True,
+        compression: CompressionUse = "accept",
         is_dead: Callable[[str], bool] = lambda _: False,
     ) -> None:
         self.counters = Counters(_LOGGER)
@@ -66,6 +72,9 @@ class NodeCore:
         self._echoes = Echoes()
         self._local_udp = local_udp
         self._dialects = wire.Dialects()
+        self._compression = (
+            None if compression == "off" else Compression(self.counters, self._send, probes=compression == "propose")
+        )
         self._reports = Reports(_LOGGER)
 
     # --- upward contract -----------------------------------------------------------------------------------------
@@ -191,7 +200,7 @@ class NodeCore:
         elif (own := self.components.port(destination)) is not None:
             self._deliver(own, datagram)
         elif (address := self.address_book.find(destination, now)) is not None:
-            self._forward(address, destination, datagram)
+            self._forward(address, destination, datagram, now)
         elif destination == 0:
             self.counters.drop("no_destination", JausID.from_int(raw.source))
         else:
@@ -208,6 +217,10 @@ class NodeCore:
         if data[:1] == b"\x01" and junior.parse(data) is not None:
             self.counters.drop("connect_from_network", f"{port.host}:{port.port}")
             return
+        if self._compression is not None and type(port) is UdpPort and applies_to(data):
+            data = self._compression.expand(data, port, now)
+            if not data:
+                return
         for raw, datagram, dialect in wire.packets(data):
             settled = self.sources.is_settled(raw.source, port, now)
             if (why := self._refusal(raw, datagram, port, now, settled=settled)) is not None:
@@ -248,7 +261,7 @@ class NodeCore:
             if (probe := self._waiting.add(destination, datagram, now)) is not None:
                 self._multicast(wire.asking(probe), onward, now)
         elif address.network in onward:
-            self._forward(address, destination, datagram)
+            self._forward(address, destination, datagram, now)
             self.counters["relayed"] += 1
         else:
             self.counters.drop("not_here", JausID.from_int(destination))
@@ -276,7 +289,7 @@ class NodeCore:
         if self.address_book.learn(id, port, now):
             for datagram in self._waiting.found(id):
                 if port.network in self._where_to_ask(wire.header_of(datagram), now):
-                    self._forward(port, id, datagram)
+                    self._forward(port, id, datagram, now)
 
     # --- out -----------------------------------------------------------------------------------------------------
 
@@ -291,15 +304,20 @@ class NodeCore:
             self._deliver(port, datagram)
         return len(reached)
 
-    def _forward(self, port: NetworkPort, destination: int, datagram: bytes) -> None:
-        self._send(port, self._dialects.spoken_to(destination, datagram))
-        self.counters[_ROUTED[type(port)]] += 1
+    def _forward(self, port: NetworkPort, destination: int, datagram: bytes, now: float) -> None:
+        if self._compression is not None and self._compression.is_used and type(port) is UdpPort:
+            datagram = self._compression.shrink(datagram, port, now)
+        self._send_to(port, destination, datagram)
 
     def _copy_to_told(self, destination: int, datagram: bytes, networks: Sequence[str]) -> None:
         """A broadcast to the addresses that the configuration names: not every network has multicast."""
         for port in self.address_book.told_about(destination):
             if port.network in networks:
-                self._forward(port, destination, datagram)
+                self._send_to(port, destination, datagram)
+
+    def _send_to(self, port: NetworkPort, destination: int, datagram: bytes) -> None:
+        self._send(port, self._dialects.spoken_to(destination, datagram))
+        self.counters[_ROUTED[type(port)]] += 1
 
     def _multicast(self, datagram: bytes, networks: Sequence[str], now: float) -> None:
         for network in networks:

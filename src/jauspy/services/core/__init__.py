@@ -3,9 +3,22 @@
 from jauspy.services.core.access_control import AccessControl
 from jauspy.services.core.discovery import Discovery, Identity
 from jauspy.services.core.events import Events
+from jauspy.services.core.list_driver import ListDriver
+from jauspy.services.core.list_manager import ListManager
 from jauspy.services.core.liveness import Liveness
 from jauspy.services.core.management import Management
 from jauspy.services.core.time import Time
 from jauspy.services.core.transport import Transport
 
-__all__ = ["AccessControl", "Discovery", "Events", "Identity", "Liveness", "Management", "Time", "Transport"]
+__all__ = [
+    "AccessControl",
+    "Discovery",
+    "Events",
+    "Identity",
+    "ListDriver",
+    "ListManager",
+    "Liveness",
+    "Management",
+    "Time",
+    "Transport",
+]

@@ -7,10 +7,20 @@ from typing import Final
 
 from jauspy.services.core.access_control import AccessControl
 from jauspy.services.core.events import Events
+from jauspy.services.core.list_manager import ListManager, ManipulatorListManager, MobilityListManager
 from jauspy.services.core.management import Management
 from jauspy.services.core.transport import Transport
 from jauspy.services.service import Service
 
 DEFAULTS: Final[Mapping[str, Callable[[], Service]]] = {
-    kind.urn: kind for kind in (Transport, Events, AccessControl, Management)
+    kind.urn: kind
+    for kind in (
+        Transport,
+        Events,
+        AccessControl,
+        Management,
+        ListManager,
+        MobilityListManager,
+        ManipulatorListManager,
+    )
 }

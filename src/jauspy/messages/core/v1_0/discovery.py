@@ -42,7 +42,7 @@ class QueryIdentification(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, query_type_ = _S_HB.unpack(data)
         if code != 0x2B00: raise rt.Reject
@@ -84,7 +84,7 @@ class QueryConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, query_type_ = _S_HB.unpack(data)
         if code != 0x2B01: raise rt.Reject
@@ -110,11 +110,9 @@ class QuerySubsystemList(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2B02: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'\x02+': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2B02)
@@ -165,7 +163,7 @@ class QueryServices(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x03 or data[1] != 0x2B: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -236,7 +234,7 @@ class RegisterServices(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x00 or data[1] != 0x0B: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -320,7 +318,7 @@ class ReportIdentification(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x00 or data[1] != 0x4B: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -404,7 +402,7 @@ class ReportConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x01 or data[1] != 0x4B: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -471,7 +469,7 @@ class ReportSubsystemList(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x02 or data[1] != 0x4B: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -572,7 +570,7 @@ class ReportServices(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x03 or data[1] != 0x4B: raise rt.Reject
         size = len(data)
         self = rt.new(cls)

@@ -49,7 +49,7 @@ class CreateEvent(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0xF0 or data[1] != 0x01: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -58,7 +58,7 @@ class CreateEvent(rt.Message):
         self.requested_periodic_rate = requested_periodic_rate_ * 0.016662851911192492
         (query_message_end_,) = _S_I.unpack_from(data, 6)
         query_message_end_ += 10
-        self.query_message = _registry.nested(data[10:query_message_end_], depth)
+        self.query_message = (nesting or _registry.nesting).message(data[10:query_message_end_])
         if query_message_end_ != size: raise rt.Reject
         return self
 
@@ -119,7 +119,7 @@ class UpdateEvent(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0xF1 or data[1] != 0x01: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -128,7 +128,7 @@ class UpdateEvent(rt.Message):
         self.requested_periodic_rate = requested_periodic_rate_ * 0.016662851911192492
         (query_message_end_,) = _S_I.unpack_from(data, 7)
         query_message_end_ += 11
-        self.query_message = _registry.nested(data[11:query_message_end_], depth)
+        self.query_message = (nesting or _registry.nesting).message(data[11:query_message_end_])
         if query_message_end_ != size: raise rt.Reject
         return self
 
@@ -174,7 +174,7 @@ class CancelEvent(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.request_id, self.event_id = _S_H2B.unpack(data)
         if code != 0x01F2: raise rt.Reject
@@ -217,7 +217,7 @@ class QueryEvents(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (self.message_code,) = _S_H.unpack_from(data, at)
             return self, at + 2
@@ -242,7 +242,7 @@ class QueryEvents(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             self.event_id = data[at]
             return self, at + 1
@@ -260,13 +260,13 @@ class QueryEvents(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0xF0 or data[1] != 0x21: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
         tag = data[2]
         at = 3
-        self.query_events_var, at = _U_8[tag]._read(data, at, depth)
+        self.query_events_var, at = _U_8[tag]._read(data, at, nesting)
         if at != size: raise rt.Reject
         return self
 
@@ -307,7 +307,7 @@ class ConfirmEventRequest(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.request_id, self.event_id, confirmed_periodic_rate_ = _S_H2BH.unpack(data)
         if code != 0x01F3: raise rt.Reject
@@ -363,7 +363,7 @@ class RejectEventRequest(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HB.unpack_from(data)
         if code != 0x01F4: raise rt.Reject
         raw = iter(_M_RejectEventRequest[mask & 0x3].unpack(data)).__next__
@@ -450,7 +450,7 @@ class ReportEvents(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0xF0 or data[1] != 0x41: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -465,7 +465,7 @@ class ReportEvents(rt.Message):
             item_.event_type = _E_ReportEvents_EventType[event_type_]
             (query_message_end_,) = _S_I.unpack_from(data, at + 2)
             query_message_end_ += at + 6
-            item_.query_message = _registry.nested(data[at + 6:query_message_end_], depth)
+            item_.query_message = (nesting or _registry.nesting).message(data[at + 6:query_message_end_])
             at = query_message_end_
             event_list_.append(item_)
         self.event_list = event_list_
@@ -518,7 +518,7 @@ class Event(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0xF1 or data[1] != 0x41: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -526,7 +526,7 @@ class Event(rt.Message):
         self.sequence_number = data[3]
         (report_message_end_,) = _S_I.unpack_from(data, 4)
         report_message_end_ += 8
-        self.report_message = _registry.nested(data[8:report_message_end_], depth)
+        self.report_message = (nesting or _registry.nesting).message(data[8:report_message_end_])
         if report_message_end_ != size: raise rt.Reject
         return self
 

@@ -39,7 +39,7 @@ class SetTime(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HB.unpack_from(data)
         if code != 0x0011: raise rt.Reject
         raw = iter(_M_SetTime[mask & 0x3].unpack(data)).__next__
@@ -125,7 +125,7 @@ class QueryTime(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.presence_vector = _S_HB.unpack(data)
         if code != 0x2011: raise rt.Reject
@@ -165,7 +165,7 @@ class ReportTime(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HB.unpack_from(data)
         if code != 0x4011: raise rt.Reject
         raw = iter(_M_SetTime[mask & 0x3].unpack(data)).__next__

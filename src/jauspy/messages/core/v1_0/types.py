@@ -145,7 +145,7 @@ class EventTypeRec(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         event_type_ = data[at]
         self.event_type = _E_EventTypeRec_EventType[event_type_]
@@ -174,7 +174,7 @@ class AllEventsRec(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         all_events_ = data[at]
         if all_events_ > 0: raise rt.Reject
@@ -244,13 +244,13 @@ class ElementRec(rt.Struct):
             return rt.Formatted(cls, rt.Values(ElementRec.ElementDataFormat), rt.Count("H", 0, 65535), _registry, frozenset({0}))
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             format = data[at]
             self.format = _E_ElementRec_ElementDataFormat[format]
             (data_end_,) = _S_H.unpack_from(data, at + 1)
             data_end_ += at + 3
-            self.data = _registry.nested(data[at + 3:data_end_], depth) if format in {0} else data[at + 3:data_end_]
+            self.data = (nesting or _registry.nesting).message(data[at + 3:data_end_]) if format in {0} else data[at + 3:data_end_]
             return self, data_end_
 
         def _write(self, out: bytearray) -> None:

@@ -108,7 +108,7 @@ class QueryServiceList(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             component_id_ = data[at + 1]
@@ -184,7 +184,7 @@ class QueryServiceList(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x04 or data[1] != 0x2B: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -212,7 +212,7 @@ class QueryServiceList(rt.Message):
                 at += 2
                 component_list_ = []
                 for _ in range(component_list_count_):
-                    item_3_, at = QueryServiceList.ComponentRec._read(data, at, depth)
+                    item_3_, at = QueryServiceList.ComponentRec._read(data, at, nesting)
                     component_list_.append(item_3_)
                 item_2_.component_list = component_list_
                 node_list_.append(item_2_)
@@ -407,7 +407,7 @@ class ReportServiceList(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x04 or data[1] != 0x4B: raise rt.Reject
         size = len(data)
         self = rt.new(cls)

@@ -50,7 +50,7 @@ class CreateEvent(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0xF0 or data[1] != 0x01: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -60,7 +60,7 @@ class CreateEvent(rt.Message):
         (query_message_end_,) = _S_I.unpack_from(data, 6)
         if query_message_end_ > 2147483647: raise rt.Reject
         query_message_end_ += 10
-        self.query_message = _registry.nested(data[10:query_message_end_], depth)
+        self.query_message = (nesting or _registry.nesting).message(data[10:query_message_end_])
         if query_message_end_ != size: raise rt.Reject
         return self
 
@@ -110,7 +110,7 @@ class CreateCommandEvent(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0xF6 or data[1] != 0x01: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -118,7 +118,7 @@ class CreateCommandEvent(rt.Message):
         (command_message_end_,) = _S_I.unpack_from(data, 7)
         if command_message_end_ > 2147483647: raise rt.Reject
         command_message_end_ += 11
-        self.command_message = _registry.nested(data[11:command_message_end_], depth)
+        self.command_message = (nesting or _registry.nesting).message(data[11:command_message_end_])
         if command_message_end_ != size: raise rt.Reject
         return self
 
@@ -173,7 +173,7 @@ class UpdateEvent(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0xF1 or data[1] != 0x01: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -183,7 +183,7 @@ class UpdateEvent(rt.Message):
         (query_message_end_,) = _S_I.unpack_from(data, 7)
         if query_message_end_ > 2147483647: raise rt.Reject
         query_message_end_ += 11
-        self.query_message = _registry.nested(data[11:query_message_end_], depth)
+        self.query_message = (nesting or _registry.nesting).message(data[11:query_message_end_])
         if query_message_end_ != size: raise rt.Reject
         return self
 
@@ -235,11 +235,9 @@ class QueryEventTimeout(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x21F2: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'\xf2!': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x21F2)
@@ -286,7 +284,7 @@ class ReportEvents(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0xF0 or data[1] != 0x41: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -302,7 +300,7 @@ class ReportEvents(rt.Message):
             (query_message_end_,) = _S_I.unpack_from(data, at + 2)
             if query_message_end_ > 2147483647: raise rt.Reject
             query_message_end_ += at + 6
-            item_.query_message = _registry.nested(data[at + 6:query_message_end_], depth)
+            item_.query_message = (nesting or _registry.nesting).message(data[at + 6:query_message_end_])
             at = query_message_end_
             event_list_.append(item_)
         self.event_list = event_list_
@@ -356,7 +354,7 @@ class Event(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0xF1 or data[1] != 0x41: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -365,7 +363,7 @@ class Event(rt.Message):
         (report_message_end_,) = _S_I.unpack_from(data, 4)
         if report_message_end_ > 2147483647: raise rt.Reject
         report_message_end_ += 8
-        self.report_message = _registry.nested(data[8:report_message_end_], depth)
+        self.report_message = (nesting or _registry.nesting).message(data[8:report_message_end_])
         if report_message_end_ != size: raise rt.Reject
         return self
 
@@ -412,7 +410,7 @@ class CommandEvent(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.event_id, command_result_ = _S_H2B.unpack(data)
         if code != 0x41F6: raise rt.Reject
@@ -453,7 +451,7 @@ class ReportEventTimeout(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, timeout_ = _S_HB.unpack(data)
         if code != 0x41F2: raise rt.Reject

@@ -55,7 +55,7 @@ class SetElement(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x1A or data[1] != 0x04: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -69,7 +69,7 @@ class SetElement(rt.Message):
             item_ = rt.new(core_v1_0_types.ElementRec)
             item_.element_uid, item_.previous_uid, item_.next_uid = _S_3H.unpack_from(data, at)
             at += 6
-            item_.element_data, at = core_v1_0_types.ElementRec.ElementData._read(data, at, depth)
+            item_.element_data, at = core_v1_0_types.ElementRec.ElementData._read(data, at, nesting)
             element_list_.append(item_)
         self.element_list = element_list_
         if at != size: raise rt.Reject
@@ -150,7 +150,7 @@ class DeleteElement(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x1B or data[1] != 0x04: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -201,7 +201,7 @@ class QueryElement(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.element_uid = _S_2H.unpack(data)
         if code != 0x241A: raise rt.Reject
@@ -226,11 +226,9 @@ class QueryElementList(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x241B: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'\x1b$': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x241B)
@@ -251,11 +249,9 @@ class QueryElementCount(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x241C: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'\x1c$': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x241C)
@@ -284,7 +280,7 @@ class ConfirmElementRequest(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.request_id = _S_HB.unpack(data)
         if code != 0x041C: raise rt.Reject
@@ -331,7 +327,7 @@ class RejectElementRequest(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.request_id, response_code_ = _S_H2B.unpack(data)
         if code != 0x041D: raise rt.Reject
@@ -378,13 +374,13 @@ class ReportElement(rt.Message):
             return rt.Formatted(cls, rt.Values(ReportElement.ElementDataFormat), rt.Count("H", 0, 65535), _registry, frozenset({0}))
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             format = data[at]
             self.format = _E_ReportElement_ElementDataFormat[format]
             (data_end_,) = _S_H.unpack_from(data, at + 1)
             data_end_ += at + 3
-            self.data = _registry.nested(data[at + 3:data_end_], depth) if format in {0} else data[at + 3:data_end_]
+            self.data = (nesting or _registry.nesting).message(data[at + 3:data_end_]) if format in {0} else data[at + 3:data_end_]
             return self, data_end_
 
         def _write(self, out: bytearray) -> None:
@@ -411,13 +407,13 @@ class ReportElement(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x1A or data[1] != 0x44: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
         self.element_uid, self.previous_uid, self.next_uid = _S_3H.unpack_from(data, 2)
         at = 8
-        self.element_data, at = ReportElement.ElementData._read(data, at, depth)
+        self.element_data, at = ReportElement.ElementData._read(data, at, nesting)
         if at != size: raise rt.Reject
         return self
 
@@ -469,7 +465,7 @@ class ReportElementList(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x1B or data[1] != 0x44: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -515,7 +511,7 @@ class ReportElementCount(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.element_count = _S_2H.unpack(data)
         if code != 0x441C: raise rt.Reject

@@ -80,7 +80,7 @@ class SetAnalogVideoSensorConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x06 or data[1] != 0x08: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -147,7 +147,7 @@ class QueryAnalogVideoSensorConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x11 or data[1] != 0x28: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -209,7 +209,7 @@ class QueryAnalogVideoSensorCapabilities(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x10 or data[1] != 0x28: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -284,7 +284,7 @@ class ReportAnalogVideoSensorConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x11 or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -351,7 +351,7 @@ class ReportAnalogVideoSensorCapabilities(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x10 or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)

@@ -43,7 +43,7 @@ class ControlDigitalVideoSensorStream(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.sensor_id, stream_state_ = _S_2HB.unpack(data)
         if code != 0x0805: raise rt.Reject
@@ -162,7 +162,7 @@ class SetDigitalVideoSensorConfiguration(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_SetDigitalVideoSensorConfiguration_DigitalVideoSensorConfigurationRec_0[mask & 0x1F]
@@ -227,7 +227,7 @@ class SetDigitalVideoSensorConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x04 or data[1] != 0x08: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -238,7 +238,7 @@ class SetDigitalVideoSensorConfiguration(rt.Message):
         at = 5
         digital_video_sensor_list_ = []
         for _ in range(digital_video_sensor_list_count_):
-            item_, at = SetDigitalVideoSensorConfiguration.DigitalVideoSensorConfigurationRec._read(data, at, depth)
+            item_, at = SetDigitalVideoSensorConfiguration.DigitalVideoSensorConfigurationRec._read(data, at, nesting)
             digital_video_sensor_list_.append(item_)
         self.digital_video_sensor_list = digital_video_sensor_list_
         if at != size: raise rt.Reject
@@ -300,7 +300,7 @@ class QueryDigitalVideoSensorConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x09 or data[1] != 0x28: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -363,7 +363,7 @@ class QueryDigitalVideoSensorCapabilities(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x08 or data[1] != 0x28: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -436,7 +436,7 @@ class ReportDigitalVideoSensorCapabilities(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_ReportDigitalVideoSensorCapabilities_DigitalVideoSensorCapabilitiesRec_0[mask & 0x3F]
@@ -580,7 +580,7 @@ class ReportDigitalVideoSensorCapabilities(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x08 or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -589,7 +589,7 @@ class ReportDigitalVideoSensorCapabilities(rt.Message):
         at = 4
         digital_video_sensor_list_ = []
         for _ in range(digital_video_sensor_list_count_):
-            item_, at = ReportDigitalVideoSensorCapabilities.DigitalVideoSensorCapabilitiesRec._read(data, at, depth)
+            item_, at = ReportDigitalVideoSensorCapabilities.DigitalVideoSensorCapabilitiesRec._read(data, at, nesting)
             digital_video_sensor_list_.append(item_)
         self.digital_video_sensor_list = digital_video_sensor_list_
         if at != size: raise rt.Reject
@@ -696,7 +696,7 @@ class ReportDigitalVideoSensorConfiguration(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_SetDigitalVideoSensorConfiguration_DigitalVideoSensorConfigurationRec_0[mask & 0x1F]
@@ -759,7 +759,7 @@ class ReportDigitalVideoSensorConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x09 or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -768,7 +768,7 @@ class ReportDigitalVideoSensorConfiguration(rt.Message):
         at = 4
         digital_video_sensor_configuration_list_ = []
         for _ in range(digital_video_sensor_configuration_list_count_):
-            item_, at = ReportDigitalVideoSensorConfiguration.DigitalVideoSensorConfigurationRec._read(data, at, depth)
+            item_, at = ReportDigitalVideoSensorConfiguration.DigitalVideoSensorConfigurationRec._read(data, at, nesting)
             digital_video_sensor_configuration_list_.append(item_)
         self.digital_video_sensor_configuration_list = digital_video_sensor_configuration_list_
         if at != size: raise rt.Reject

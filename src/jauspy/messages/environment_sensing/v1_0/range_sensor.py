@@ -89,7 +89,7 @@ class SetRangeSensorConfiguration(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (mask,) = _S_H.unpack_from(data, at)
             packer = _M_SetRangeSensorConfiguration_RangeSensorConfigurationRec_0[mask & 0xFF]
@@ -193,7 +193,7 @@ class SetRangeSensorConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x02 or data[1] != 0x08: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -204,7 +204,7 @@ class SetRangeSensorConfiguration(rt.Message):
         at = 5
         range_sensor_configuration_list_ = []
         for _ in range(range_sensor_configuration_list_count_):
-            item_, at = SetRangeSensorConfiguration.RangeSensorConfigurationRec._read(data, at, depth)
+            item_, at = SetRangeSensorConfiguration.RangeSensorConfigurationRec._read(data, at, nesting)
             range_sensor_configuration_list_.append(item_)
         self.range_sensor_configuration_list = range_sensor_configuration_list_
         if at != size: raise rt.Reject
@@ -263,7 +263,7 @@ class QuerySensorGeometricProperties(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x05 or data[1] != 0x28: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -348,7 +348,7 @@ class QueryRangeSensorCompressedData(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x04 or data[1] != 0x28: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -424,7 +424,7 @@ class QueryRangeSensorData(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x03 or data[1] != 0x28: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -489,7 +489,7 @@ class QueryRangeSensorCapabilities(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x01 or data[1] != 0x28: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -554,7 +554,7 @@ class QueryRangeSensorConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x02 or data[1] != 0x28: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -630,7 +630,7 @@ class ConfirmSensorConfiguration(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (self.sensor_id,) = _S_H.unpack_from(data, at)
             return self, at + 2
@@ -650,7 +650,7 @@ class ConfirmSensorConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x01 or data[1] != 0x08: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -663,7 +663,7 @@ class ConfirmSensorConfiguration(rt.Message):
         for _ in range(confirm_sensor_list_count_):
             tag = data[at]
             at += 1
-            item_, at = _U_13[tag]._read(data, at, depth)
+            item_, at = _U_13[tag]._read(data, at, nesting)
             confirm_sensor_list_.append(item_)
         self.confirm_sensor_list = confirm_sensor_list_
         if at != size: raise rt.Reject
@@ -759,7 +759,7 @@ class ReportRangeSensorCapabilities(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (mask,) = _S_H.unpack_from(data, at)
             (self.sensor_id,) = _S_H.unpack_from(data, at + 2)
@@ -911,7 +911,7 @@ class ReportRangeSensorCapabilities(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x01 or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -920,7 +920,7 @@ class ReportRangeSensorCapabilities(rt.Message):
         at = 4
         range_sensor_capabilities_list_ = []
         for _ in range(range_sensor_capabilities_list_count_):
-            item_, at = ReportRangeSensorCapabilities.RangeSensorCapabilitiesRec._read(data, at, depth)
+            item_, at = ReportRangeSensorCapabilities.RangeSensorCapabilitiesRec._read(data, at, nesting)
             range_sensor_capabilities_list_.append(item_)
         self.range_sensor_capabilities_list = range_sensor_capabilities_list_
         if at != size: raise rt.Reject
@@ -999,7 +999,7 @@ class ReportRangeSensorConfiguration(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (mask,) = _S_H.unpack_from(data, at)
             packer = _M_SetRangeSensorConfiguration_RangeSensorConfigurationRec_0[mask & 0xFF]
@@ -1101,7 +1101,7 @@ class ReportRangeSensorConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x02 or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -1110,7 +1110,7 @@ class ReportRangeSensorConfiguration(rt.Message):
         at = 4
         range_sensor_configuration_list_ = []
         for _ in range(range_sensor_configuration_list_count_):
-            item_, at = ReportRangeSensorConfiguration.RangeSensorConfigurationRec._read(data, at, depth)
+            item_, at = ReportRangeSensorConfiguration.RangeSensorConfigurationRec._read(data, at, nesting)
             range_sensor_configuration_list_.append(item_)
         self.range_sensor_configuration_list = range_sensor_configuration_list_
         if at != size: raise rt.Reject
@@ -1172,7 +1172,7 @@ class ReportRangeSensorData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             self.sensor_id, data_error_code_ = _S_HB.unpack_from(data, at)
             self.data_error_code = _E_ReportRangeSensorData_DataErrorCode[data_error_code_]
@@ -1279,7 +1279,7 @@ class ReportRangeSensorData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (mask,) = _S_H.unpack_from(data, at)
             packer = _M_ReportRangeSensorData_RangeSensorDataPointRec_0[mask & 0x7F]
@@ -1399,7 +1399,7 @@ class ReportRangeSensorData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             size = len(data)
             self = rt.new(cls)
             sensor_id_, report_coordinate_system_, time_stamp_ = _S_HBI.unpack_from(data, at)
@@ -1419,7 +1419,7 @@ class ReportRangeSensorData(rt.Message):
             at += 9
             range_sensor_data_point_list_ = []
             for _ in range(range_sensor_data_point_list_count_):
-                item_, at = ReportRangeSensorData.RangeSensorDataPointRec._read(data, at, depth)
+                item_, at = ReportRangeSensorData.RangeSensorDataPointRec._read(data, at, nesting)
                 range_sensor_data_point_list_.append(item_)
             self.range_sensor_data_point_list = range_sensor_data_point_list_
             return self, at
@@ -1459,7 +1459,7 @@ class ReportRangeSensorData(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x03 or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -1470,7 +1470,7 @@ class ReportRangeSensorData(rt.Message):
         for _ in range(range_sensor_data_list_count_):
             tag = data[at]
             at += 1
-            item_, at = _U_35[tag]._read(data, at, depth)
+            item_, at = _U_35[tag]._read(data, at, nesting)
             range_sensor_data_list_.append(item_)
         self.range_sensor_data_list = range_sensor_data_list_
         if at != size: raise rt.Reject
@@ -1532,7 +1532,7 @@ class ReportRangeSensorCompressedData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             self.sensor_id, data_error_code_ = _S_HB.unpack_from(data, at)
             self.data_error_code = _E_ReportRangeSensorCompressedData_DataErrorCode[data_error_code_]
@@ -1591,7 +1591,7 @@ class ReportRangeSensorCompressedData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             self.sensor_id, report_coordinate_system_, time_stamp_, data_compression_ = _S_HBIB.unpack_from(data, at)
             self.report_coordinate_system = _E_ReportRangeSensorCompressedData_ReportCoordinateSystem[report_coordinate_system_]
@@ -1644,7 +1644,7 @@ class ReportRangeSensorCompressedData(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x04 or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -1655,7 +1655,7 @@ class ReportRangeSensorCompressedData(rt.Message):
         for _ in range(range_sensor_compressed_data_list_count_):
             tag = data[at]
             at += 1
-            item_, at = _U_42[tag]._read(data, at, depth)
+            item_, at = _U_42[tag]._read(data, at, nesting)
             range_sensor_compressed_data_list_.append(item_)
         self.range_sensor_compressed_data_list = range_sensor_compressed_data_list_
         if at != size: raise rt.Reject
@@ -1713,7 +1713,7 @@ class ReportSensorGeometricProperties(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1737,11 +1737,11 @@ class ReportSensorGeometricProperties(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.no_geometric_properties_variant, at = _U_44[tag]._read(data, at, depth)
+            self.no_geometric_properties_variant, at = _U_44[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -1778,7 +1778,7 @@ class ReportSensorGeometricProperties(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x05 or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -1792,7 +1792,7 @@ class ReportSensorGeometricProperties(rt.Message):
             item_.sensor_id_rec = ReportSensorGeometricProperties.SensorIdRec(sensor_id_)
             tag = data[at + 2]
             at += 3
-            item_.geometric_properties_variant, at = _U_46[tag]._read(data, at, depth)
+            item_.geometric_properties_variant, at = _U_46[tag]._read(data, at, nesting)
             geometric_properties_list_.append(item_)
         self.geometric_properties_list = geometric_properties_list_
         if at != size: raise rt.Reject

@@ -112,7 +112,7 @@ class SetStillImageSensorConfiguration(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_SetStillImageSensorConfiguration_StillImageSensorConfigurationRec_0[mask & 0x3]
@@ -162,7 +162,7 @@ class SetStillImageSensorConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x07 or data[1] != 0x08: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -173,7 +173,7 @@ class SetStillImageSensorConfiguration(rt.Message):
         at = 5
         still_image_sensor_list_ = []
         for _ in range(still_image_sensor_list_count_):
-            item_, at = SetStillImageSensorConfiguration.StillImageSensorConfigurationRec._read(data, at, depth)
+            item_, at = SetStillImageSensorConfiguration.StillImageSensorConfigurationRec._read(data, at, nesting)
             still_image_sensor_list_.append(item_)
         self.still_image_sensor_list = still_image_sensor_list_
         if at != size: raise rt.Reject
@@ -244,7 +244,7 @@ class QueryStillImageData(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x14 or data[1] != 0x28: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -309,7 +309,7 @@ class QueryStillImageSensorConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x13 or data[1] != 0x28: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -372,7 +372,7 @@ class QueryStillImageSensorCapabilities(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x12 or data[1] != 0x28: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -441,7 +441,7 @@ class ReportStillImageData(rt.Message):
             return rt.Formatted(cls, rt.Values(ReportStillImageData.ImageFrameFormat), rt.Count("I", 0, 4294967295))
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             format = data[at]
             self.format = _E_ReportStillImageData_ImageFrameFormat[format]
@@ -485,7 +485,7 @@ class ReportStillImageData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_ReportStillImageData_StillImageDataRec_0[mask & 0x1]
@@ -508,7 +508,7 @@ class ReportStillImageData(rt.Message):
                 if day_ < 1: raise rt.Reject
                 self.time_stamp = core_v1_0_types.TimeStamp(milliseconds_, seconds_, minutes_, hour_, day_)
             else: self.time_stamp = None
-            self.image_frame, at = ReportStillImageData.ImageFrame._read(data, at, depth)
+            self.image_frame, at = ReportStillImageData.ImageFrame._read(data, at, nesting)
             self.reserved_presence = mask & 0xFE
             return self, at
 
@@ -553,7 +553,7 @@ class ReportStillImageData(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x14 or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -562,7 +562,7 @@ class ReportStillImageData(rt.Message):
         at = 4
         still_image_data_list_ = []
         for _ in range(still_image_data_list_count_):
-            item_, at = ReportStillImageData.StillImageDataRec._read(data, at, depth)
+            item_, at = ReportStillImageData.StillImageDataRec._read(data, at, nesting)
             still_image_data_list_.append(item_)
         self.still_image_data_list = still_image_data_list_
         if at != size: raise rt.Reject
@@ -664,7 +664,7 @@ class ReportStillImageSensorConfiguration(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_SetStillImageSensorConfiguration_StillImageSensorConfigurationRec_0[mask & 0x3]
@@ -712,7 +712,7 @@ class ReportStillImageSensorConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x13 or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -721,7 +721,7 @@ class ReportStillImageSensorConfiguration(rt.Message):
         at = 4
         still_image_sensor_configuration_list_ = []
         for _ in range(still_image_sensor_configuration_list_count_):
-            item_, at = ReportStillImageSensorConfiguration.StillImageSensorConfigurationRec._read(data, at, depth)
+            item_, at = ReportStillImageSensorConfiguration.StillImageSensorConfigurationRec._read(data, at, nesting)
             still_image_sensor_configuration_list_.append(item_)
         self.still_image_sensor_configuration_list = still_image_sensor_configuration_list_
         if at != size: raise rt.Reject
@@ -778,7 +778,7 @@ class ReportStillImageSensorCapabilities(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_ReportStillImageSensorCapabilities_StillImageSensorCapabilitiesRec_0[mask & 0x3]
@@ -910,7 +910,7 @@ class ReportStillImageSensorCapabilities(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x12 or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -919,7 +919,7 @@ class ReportStillImageSensorCapabilities(rt.Message):
         at = 4
         still_image_sensor_list_ = []
         for _ in range(still_image_sensor_list_count_):
-            item_, at = ReportStillImageSensorCapabilities.StillImageSensorCapabilitiesRec._read(data, at, depth)
+            item_, at = ReportStillImageSensorCapabilities.StillImageSensorCapabilitiesRec._read(data, at, nesting)
             still_image_sensor_list_.append(item_)
         self.still_image_sensor_list = still_image_sensor_list_
         if at != size: raise rt.Reject

@@ -120,7 +120,7 @@ class SensorIdRec(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         (sensor_id_,) = _S_H.unpack_from(data, at)
         if sensor_id_ < 1: raise rt.Reject
@@ -168,7 +168,7 @@ class RangeSensorErrorRec(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         sensor_id_, range_sensor_error_code_ = _S_HB.unpack_from(data, at)
         if sensor_id_ < 1: raise rt.Reject
@@ -234,7 +234,7 @@ class VisualSensorErrorRec(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         sensor_id_, visual_sensor_error_code_ = _S_HB.unpack_from(data, at)
         if sensor_id_ < 1: raise rt.Reject
@@ -291,7 +291,7 @@ class DigitalVideoSensorErrorRec(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         sensor_id_, digital_video_error_code_ = _S_HB.unpack_from(data, at)
         if sensor_id_ < 1: raise rt.Reject
@@ -342,7 +342,7 @@ class AnalogVideoSensorErrorRec(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         sensor_id_, analog_video_error_code_ = _S_HB.unpack_from(data, at)
         if sensor_id_ < 1: raise rt.Reject
@@ -395,7 +395,7 @@ class StillImageSensorErrorRec(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         sensor_id_, still_image_error_code_ = _S_HB.unpack_from(data, at)
         if sensor_id_ < 1: raise rt.Reject
@@ -451,7 +451,7 @@ class H264VideoEncodingErrorRec(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         sensor_id_, h264_video_encoding_error_code_ = _S_HB.unpack_from(data, at)
         if sensor_id_ < 1: raise rt.Reject
@@ -506,7 +506,7 @@ class DigitalAudioSensorErrorRec(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         sensor_id_, digital_audio_sensor_error_code_ = _S_HB.unpack_from(data, at)
         if sensor_id_ < 1: raise rt.Reject
@@ -558,7 +558,7 @@ class DigitalAudioOutputErrorRec(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         sensor_id_, digital_audio_output_error_code_ = _S_HB.unpack_from(data, at)
         if sensor_id_ < 1: raise rt.Reject
@@ -611,7 +611,7 @@ class VideoIlluminatorErrorRec(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         self.illuminator_id, video_illuminator_error_rec_code_ = _S_HB.unpack_from(data, at)
         self.video_illuminator_error_rec_code = _E_VideoIlluminatorErrorRec_VideoIlluminatorErrorRecCode[video_illuminator_error_rec_code_]
@@ -1310,7 +1310,7 @@ class RangeSensorErrorRecV1(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         self.sensor_id, range_sensor_error_code_ = _S_HB.unpack_from(data, at)
         self.range_sensor_error_code = _E_RangeSensorErrorRecV1_RangeSensorErrorCode[range_sensor_error_code_]
@@ -1372,7 +1372,7 @@ class VisualSensorErrorRecV1(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         self.sensor_id, visual_sensor_error_code_ = _S_HB.unpack_from(data, at)
         self.visual_sensor_error_code = _E_VisualSensorErrorRecV1_VisualSensorErrorCode[visual_sensor_error_code_]
@@ -1425,7 +1425,7 @@ class DigitalVideoSensorErrorRecV1(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         self.sensor_id, digital_video_error_code_ = _S_HB.unpack_from(data, at)
         self.digital_video_error_code = _E_DigitalVideoSensorErrorRecV1_DigitalVideoErrorCode[digital_video_error_code_]
@@ -1472,7 +1472,7 @@ class AnalogVideoSensorErrorRecV1(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         self.sensor_id, analog_video_error_code_ = _S_HB.unpack_from(data, at)
         self.analog_video_error_code = _E_AnalogVideoSensorErrorRecV1_AnalogVideoErrorCode[analog_video_error_code_]
@@ -1521,7 +1521,7 @@ class StillImageSensorErrorRecV1(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         self.sensor_id, still_image_error_code_ = _S_HB.unpack_from(data, at)
         self.still_image_error_code = _E_StillImageSensorErrorRecV1_StillImageErrorCode[still_image_error_code_]
@@ -1657,7 +1657,7 @@ class StaticGeometricPropertiesRec(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         sensor_position_ = []
         for _ in range(3):
@@ -1726,7 +1726,7 @@ class ManipulatorGeometricPropertiesRec(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         self.subsystem_id, self.node_id, self.component_id, self.joint_number = _S_H3B.unpack_from(data, at)
         at += 5

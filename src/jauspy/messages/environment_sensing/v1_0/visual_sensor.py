@@ -61,7 +61,7 @@ class QueryVisualSensorConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x07 or data[1] != 0x28: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -126,7 +126,7 @@ class QueryVisualSensorCapabilities(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x06 or data[1] != 0x28: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -315,7 +315,7 @@ class SetVisualSensorConfiguration(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (mask,) = _S_H.unpack_from(data, at)
             packer = _M_SetVisualSensorConfiguration_VisualSensorConfigurationRec_0[mask & 0xFFFF]
@@ -489,7 +489,7 @@ class SetVisualSensorConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x03 or data[1] != 0x08: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -500,7 +500,7 @@ class SetVisualSensorConfiguration(rt.Message):
         at = 5
         visual_sensor_configuration_list_ = []
         for _ in range(visual_sensor_configuration_list_count_):
-            item_, at = SetVisualSensorConfiguration.VisualSensorConfigurationRec._read(data, at, depth)
+            item_, at = SetVisualSensorConfiguration.VisualSensorConfigurationRec._read(data, at, nesting)
             visual_sensor_configuration_list_.append(item_)
         self.visual_sensor_configuration_list = visual_sensor_configuration_list_
         if at != size: raise rt.Reject
@@ -688,7 +688,7 @@ class ReportVisualSensorConfiguration(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (mask,) = _S_H.unpack_from(data, at)
             packer = _M_SetVisualSensorConfiguration_VisualSensorConfigurationRec_0[mask & 0xFFFF]
@@ -860,7 +860,7 @@ class ReportVisualSensorConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x07 or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -869,7 +869,7 @@ class ReportVisualSensorConfiguration(rt.Message):
         at = 4
         visual_sensor_configuration_list_ = []
         for _ in range(visual_sensor_configuration_list_count_):
-            item_, at = ReportVisualSensorConfiguration.VisualSensorConfigurationRec._read(data, at, depth)
+            item_, at = ReportVisualSensorConfiguration.VisualSensorConfigurationRec._read(data, at, nesting)
             visual_sensor_configuration_list_.append(item_)
         self.visual_sensor_configuration_list = visual_sensor_configuration_list_
         if at != size: raise rt.Reject
@@ -1032,7 +1032,7 @@ class ReportVisualSensorCapabilities(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (mask,) = _S_H.unpack_from(data, at)
             (self.sensor_id,) = _S_H.unpack_from(data, at + 2)
@@ -1286,7 +1286,7 @@ class ReportVisualSensorCapabilities(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x06 or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -1295,7 +1295,7 @@ class ReportVisualSensorCapabilities(rt.Message):
         at = 4
         visual_sensor_capabilities_list_ = []
         for _ in range(visual_sensor_capabilities_list_count_):
-            item_, at = ReportVisualSensorCapabilities.VisualSensorCapabilitiesRec._read(data, at, depth)
+            item_, at = ReportVisualSensorCapabilities.VisualSensorCapabilitiesRec._read(data, at, nesting)
             visual_sensor_capabilities_list_.append(item_)
         self.visual_sensor_capabilities_list = visual_sensor_capabilities_list_
         if at != size: raise rt.Reject

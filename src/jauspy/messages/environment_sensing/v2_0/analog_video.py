@@ -80,7 +80,7 @@ class SetAnalogVideoSensorConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x06 or data[1] != 0x08: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -139,7 +139,7 @@ class QueryAnalogVideoSensorConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x11 or data[1] != 0x28: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -187,7 +187,7 @@ class QueryAnalogVideoSensorCapabilities(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x10 or data[1] != 0x28: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -262,7 +262,7 @@ class ReportAnalogVideoSensorConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x11 or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -335,7 +335,7 @@ class ReportAnalogVideoSensorCapabilities(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x10 or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)

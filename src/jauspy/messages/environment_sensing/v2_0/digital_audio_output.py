@@ -82,7 +82,7 @@ class SetDigitalAudioOutputSource(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x18 or data[1] != 0x08: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -163,7 +163,7 @@ class QueryDigitalAudioOutputSource(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, sensor_id_ = _S_2H.unpack(data)
         if code != 0x2818: raise rt.Reject
@@ -202,7 +202,7 @@ class QueryDigitalAudioOutputCapabilities(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, sensor_id_ = _S_2H.unpack(data)
         if code != 0x2819: raise rt.Reject
@@ -266,7 +266,7 @@ class ConfirmSensorConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x01 or data[1] != 0x08: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -279,7 +279,7 @@ class ConfirmSensorConfiguration(rt.Message):
         for _ in range(confirm_sensor_list_count_):
             tag = data[at]
             at += 1
-            item_, at = _U_7[tag]._read(data, at, depth)
+            item_, at = _U_7[tag]._read(data, at, nesting)
             confirm_sensor_list_.append(item_)
         self.confirm_sensor_list = confirm_sensor_list_
         if at != size: raise rt.Reject
@@ -353,7 +353,7 @@ class ReportDigitalAudioOutputSource(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x18 or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -453,7 +453,7 @@ class ReportDigitalAudioOutputCapabilities(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_ReportDigitalAudioOutputCapabilities_DigitalAudioOutputCapabilitiesRec_0[mask & 0x3F]
@@ -579,7 +579,7 @@ class ReportDigitalAudioOutputCapabilities(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x19 or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -588,7 +588,7 @@ class ReportDigitalAudioOutputCapabilities(rt.Message):
         at = 4
         digital_audio_output_capabilities_list_ = []
         for _ in range(digital_audio_output_capabilities_list_count_):
-            item_, at = ReportDigitalAudioOutputCapabilities.DigitalAudioOutputCapabilitiesRec._read(data, at, depth)
+            item_, at = ReportDigitalAudioOutputCapabilities.DigitalAudioOutputCapabilitiesRec._read(data, at, nesting)
             digital_audio_output_capabilities_list_.append(item_)
         self.digital_audio_output_capabilities_list = digital_audio_output_capabilities_list_
         if at != size: raise rt.Reject

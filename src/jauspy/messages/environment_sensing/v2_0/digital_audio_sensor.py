@@ -123,7 +123,7 @@ class SetDigitalAudioSensorConfiguration(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_SetDigitalAudioSensorConfiguration_DigitalAudioSensorConfigurationRec_0[mask & 0x7F]
@@ -210,7 +210,7 @@ class SetDigitalAudioSensorConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x0F or data[1] != 0x08: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -221,7 +221,7 @@ class SetDigitalAudioSensorConfiguration(rt.Message):
         at = 5
         digital_audio_sensor_configuration_list_ = []
         for _ in range(digital_audio_sensor_configuration_list_count_):
-            item_, at = SetDigitalAudioSensorConfiguration.DigitalAudioSensorConfigurationRec._read(data, at, depth)
+            item_, at = SetDigitalAudioSensorConfiguration.DigitalAudioSensorConfigurationRec._read(data, at, nesting)
             digital_audio_sensor_configuration_list_.append(item_)
         self.digital_audio_sensor_configuration_list = digital_audio_sensor_configuration_list_
         if at != size: raise rt.Reject
@@ -269,7 +269,7 @@ class QueryDigitalAudioSensorCapabilities(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, sensor_id_ = _S_2H.unpack(data)
         if code != 0x2817: raise rt.Reject
@@ -308,7 +308,7 @@ class QueryDigitalAudioSensorConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, sensor_id_ = _S_2H.unpack(data)
         if code != 0x280F: raise rt.Reject
@@ -464,7 +464,7 @@ class ReportDigitalAudioSensorCapabilities(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_ReportDigitalAudioSensorCapabilities_DigitalAudioSensorCapabilitiesRec_0[mask & 0x7F]
@@ -615,7 +615,7 @@ class ReportDigitalAudioSensorCapabilities(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x17 or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -624,7 +624,7 @@ class ReportDigitalAudioSensorCapabilities(rt.Message):
         at = 4
         digital_audio_sensor_capabilities_list_ = []
         for _ in range(digital_audio_sensor_capabilities_list_count_):
-            item_, at = ReportDigitalAudioSensorCapabilities.DigitalAudioSensorCapabilitiesRec._read(data, at, depth)
+            item_, at = ReportDigitalAudioSensorCapabilities.DigitalAudioSensorCapabilitiesRec._read(data, at, nesting)
             digital_audio_sensor_capabilities_list_.append(item_)
         self.digital_audio_sensor_capabilities_list = digital_audio_sensor_capabilities_list_
         if at != size: raise rt.Reject
@@ -737,7 +737,7 @@ class ReportDigitalAudioSensorConfiguration(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_SetDigitalAudioSensorConfiguration_DigitalAudioSensorConfigurationRec_0[mask & 0x7F]
@@ -822,7 +822,7 @@ class ReportDigitalAudioSensorConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x0F or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -831,7 +831,7 @@ class ReportDigitalAudioSensorConfiguration(rt.Message):
         at = 4
         digital_audio_sensor_configuration_list_ = []
         for _ in range(digital_audio_sensor_configuration_list_count_):
-            item_, at = ReportDigitalAudioSensorConfiguration.DigitalAudioSensorConfigurationRec._read(data, at, depth)
+            item_, at = ReportDigitalAudioSensorConfiguration.DigitalAudioSensorConfigurationRec._read(data, at, nesting)
             digital_audio_sensor_configuration_list_.append(item_)
         self.digital_audio_sensor_configuration_list = digital_audio_sensor_configuration_list_
         if at != size: raise rt.Reject

@@ -25,11 +25,9 @@ class QueryDigitalResourceEndpoint(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2816: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'\x16(': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2816)
@@ -107,7 +105,7 @@ class RegisterDigitalResourceEndpoint(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             server_type_ = data[at + 1]
@@ -165,14 +163,14 @@ class RegisterDigitalResourceEndpoint(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x08 or data[1] != 0x08: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
         request_id_ = data[2]
         self.request_id_rec = RegisterDigitalResourceEndpoint.RequestIDRec(request_id_)
         at = 3
-        self.digital_resource_endpoint_rec, at = RegisterDigitalResourceEndpoint.DigitalResourceEndpointRec._read(data, at, depth)
+        self.digital_resource_endpoint_rec, at = RegisterDigitalResourceEndpoint.DigitalResourceEndpointRec._read(data, at, nesting)
         if at != size: raise rt.Reject
         return self
 
@@ -213,7 +211,7 @@ class RemoveDigitalResourceEndpoint(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.id, self.request_id = _S_H2B.unpack(data)
         if code != 0x0809: raise rt.Reject
@@ -278,7 +276,7 @@ class ReportDigitalResourceEndpoint(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             server_type_ = data[at + 1]
@@ -334,7 +332,7 @@ class ReportDigitalResourceEndpoint(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x16 or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -343,7 +341,7 @@ class ReportDigitalResourceEndpoint(rt.Message):
         at = 3
         digital_resource_endpoint_list_ = []
         for _ in range(digital_resource_endpoint_list_count_):
-            item_, at = ReportDigitalResourceEndpoint.DigitalResourceEndpointRec._read(data, at, depth)
+            item_, at = ReportDigitalResourceEndpoint.DigitalResourceEndpointRec._read(data, at, nesting)
             digital_resource_endpoint_list_.append(item_)
         self.digital_resource_endpoint_list = digital_resource_endpoint_list_
         if at != size: raise rt.Reject
@@ -386,7 +384,7 @@ class ConfirmDigitalResourceEndpoint(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.id, self.request_id = _S_H2B.unpack(data)
         if code != 0x080A: raise rt.Reject

@@ -43,7 +43,7 @@ class ControlDigitalVideoSensorStream(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, sensor_id_, stream_state_ = _S_2HB.unpack(data)
         if code != 0x0805: raise rt.Reject
@@ -92,7 +92,7 @@ class ControlDigitalVideoSensorRecording(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, sensor_id_, requested_recording_state_ = _S_2HB.unpack(data)
         if code != 0x0810: raise rt.Reject
@@ -215,7 +215,7 @@ class SetDigitalVideoSensorConfiguration(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_SetDigitalVideoSensorConfiguration_DigitalVideoSensorConfigurationRec_0[mask & 0x1F]
@@ -284,7 +284,7 @@ class SetDigitalVideoSensorConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x04 or data[1] != 0x08: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -295,7 +295,7 @@ class SetDigitalVideoSensorConfiguration(rt.Message):
         at = 5
         digital_video_sensor_list_ = []
         for _ in range(digital_video_sensor_list_count_):
-            item_, at = SetDigitalVideoSensorConfiguration.DigitalVideoSensorConfigurationRec._read(data, at, depth)
+            item_, at = SetDigitalVideoSensorConfiguration.DigitalVideoSensorConfigurationRec._read(data, at, nesting)
             digital_video_sensor_list_.append(item_)
         self.digital_video_sensor_list = digital_video_sensor_list_
         if at != size: raise rt.Reject
@@ -362,7 +362,7 @@ class QueryDigitalVideoSensorConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x09 or data[1] != 0x28: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -430,7 +430,7 @@ class QueryDigitalVideoSensorCapabilitiesExt(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x1D or data[1] != 0x28: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -476,7 +476,7 @@ class QueryDigitalVideoSensorStatus(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x1E or data[1] != 0x28: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -560,7 +560,7 @@ class ReportDigitalVideoSensorCapabilitiesExt(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_ReportDigitalVideoSensorCapabilitiesExt_DigitalVideoSensorCapabilitiesRec_0[mask & 0x7F]
@@ -717,7 +717,7 @@ class ReportDigitalVideoSensorCapabilitiesExt(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x1D or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -726,7 +726,7 @@ class ReportDigitalVideoSensorCapabilitiesExt(rt.Message):
         at = 4
         digital_video_sensor_list_ = []
         for _ in range(digital_video_sensor_list_count_):
-            item_, at = ReportDigitalVideoSensorCapabilitiesExt.DigitalVideoSensorCapabilitiesRec._read(data, at, depth)
+            item_, at = ReportDigitalVideoSensorCapabilitiesExt.DigitalVideoSensorCapabilitiesRec._read(data, at, nesting)
             digital_video_sensor_list_.append(item_)
         self.digital_video_sensor_list = digital_video_sensor_list_
         if at != size: raise rt.Reject
@@ -833,7 +833,7 @@ class ReportDigitalVideoSensorConfiguration(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_SetDigitalVideoSensorConfiguration_DigitalVideoSensorConfigurationRec_0[mask & 0x1F]
@@ -900,7 +900,7 @@ class ReportDigitalVideoSensorConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x09 or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -909,7 +909,7 @@ class ReportDigitalVideoSensorConfiguration(rt.Message):
         at = 4
         digital_video_sensor_configuration_list_ = []
         for _ in range(digital_video_sensor_configuration_list_count_):
-            item_, at = ReportDigitalVideoSensorConfiguration.DigitalVideoSensorConfigurationRec._read(data, at, depth)
+            item_, at = ReportDigitalVideoSensorConfiguration.DigitalVideoSensorConfigurationRec._read(data, at, nesting)
             digital_video_sensor_configuration_list_.append(item_)
         self.digital_video_sensor_configuration_list = digital_video_sensor_configuration_list_
         if at != size: raise rt.Reject
@@ -984,7 +984,7 @@ class ReportDigitalVideoSensorStatus(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x1E or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)

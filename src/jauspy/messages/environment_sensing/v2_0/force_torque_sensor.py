@@ -51,7 +51,7 @@ class QueryForceTorqueCapabilities(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x0B or data[1] != 0x28: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -125,7 +125,7 @@ class QueryForceTorque(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x0C or data[1] != 0x28: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -227,7 +227,7 @@ class ReportForceTorqueCapabilities(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (mask,) = _S_H.unpack_from(data, at)
             (self.sensor_id,) = _S_H.unpack_from(data, at + 2)
@@ -379,7 +379,7 @@ class ReportForceTorqueCapabilities(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x0B or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -388,7 +388,7 @@ class ReportForceTorqueCapabilities(rt.Message):
         at = 4
         report_force_torque_capabilities_list_ = []
         for _ in range(report_force_torque_capabilities_list_count_):
-            item_, at = ReportForceTorqueCapabilities.ReportForceTorqueCapabilitiesRec._read(data, at, depth)
+            item_, at = ReportForceTorqueCapabilities.ReportForceTorqueCapabilitiesRec._read(data, at, nesting)
             report_force_torque_capabilities_list_.append(item_)
         self.report_force_torque_capabilities_list = report_force_torque_capabilities_list_
         if at != size: raise rt.Reject
@@ -463,7 +463,7 @@ class ReportForceTorque(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_ReportForceTorque_ReportForceTorqueRec_0[mask & 0x3F]
@@ -552,7 +552,7 @@ class ReportForceTorque(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x0C or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -561,7 +561,7 @@ class ReportForceTorque(rt.Message):
         at = 4
         report_force_torque_list_ = []
         for _ in range(report_force_torque_list_count_):
-            item_, at = ReportForceTorque.ReportForceTorqueRec._read(data, at, depth)
+            item_, at = ReportForceTorque.ReportForceTorqueRec._read(data, at, nesting)
             report_force_torque_list_.append(item_)
         self.report_force_torque_list = report_force_torque_list_
         if at != size: raise rt.Reject

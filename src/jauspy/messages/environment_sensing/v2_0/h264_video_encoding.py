@@ -153,7 +153,7 @@ class SetH264VideoEncodingConfiguration(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_SetH264VideoEncodingConfiguration_H264ConfigurationRec_0[mask & 0x7F]
@@ -306,11 +306,11 @@ class SetH264VideoEncodingConfiguration(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             at += 1
-            self.h264_configuration_rec, at = SetH264VideoEncodingConfiguration.H264ConfigurationRec._read(data, at, depth)
+            self.h264_configuration_rec, at = SetH264VideoEncodingConfiguration.H264ConfigurationRec._read(data, at, nesting)
             if mask & 1:
                 x_start_, y_start_, width_, height_, high_bit_rate_, low_bit_rate_ = _S_6H.unpack_from(data, at)
                 self.region_of_interest_params = SetH264VideoEncodingConfiguration.RegionOfInterestParams(x_start_ * 0.0015259021896696422, y_start_ * 0.0015259021896696422, width_ * 0.0015259021896696422, height_ * 0.0015259021896696422, high_bit_rate_, low_bit_rate_)
@@ -376,7 +376,7 @@ class SetH264VideoEncodingConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x0D or data[1] != 0x08: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -387,7 +387,7 @@ class SetH264VideoEncodingConfiguration(rt.Message):
         at = 5
         h264_configuration_list_ = []
         for _ in range(h264_configuration_list_count_):
-            item_, at = SetH264VideoEncodingConfiguration.H264ConfigurationSequence._read(data, at, depth)
+            item_, at = SetH264VideoEncodingConfiguration.H264ConfigurationSequence._read(data, at, nesting)
             h264_configuration_list_.append(item_)
         self.h264_configuration_list = h264_configuration_list_
         if at != size: raise rt.Reject
@@ -446,7 +446,7 @@ class QueryH264VideoEncodingCapabilities(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x0E or data[1] != 0x28: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -508,7 +508,7 @@ class QueryH264VideoEncodingConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x0D or data[1] != 0x28: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -1087,7 +1087,7 @@ class ReportH264VideoEncodingCapabilities(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_ReportH264VideoEncodingCapabilities_H264CapabilitiesRec_0[mask & 0x3F]
@@ -1273,7 +1273,7 @@ class ReportH264VideoEncodingCapabilities(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x0E or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -1282,7 +1282,7 @@ class ReportH264VideoEncodingCapabilities(rt.Message):
         at = 4
         h264_capabilities_list_ = []
         for _ in range(h264_capabilities_list_count_):
-            item_, at = ReportH264VideoEncodingCapabilities.H264CapabilitiesRec._read(data, at, depth)
+            item_, at = ReportH264VideoEncodingCapabilities.H264CapabilitiesRec._read(data, at, nesting)
             h264_capabilities_list_.append(item_)
         self.h264_capabilities_list = h264_capabilities_list_
         if at != size: raise rt.Reject
@@ -1426,7 +1426,7 @@ class ReportH264VideoEncodingConfiguration(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_SetH264VideoEncodingConfiguration_H264ConfigurationRec_0[mask & 0x7F]
@@ -1579,11 +1579,11 @@ class ReportH264VideoEncodingConfiguration(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             at += 1
-            self.h264_configuration_rec, at = ReportH264VideoEncodingConfiguration.H264ConfigurationRec._read(data, at, depth)
+            self.h264_configuration_rec, at = ReportH264VideoEncodingConfiguration.H264ConfigurationRec._read(data, at, nesting)
             if mask & 1:
                 x_start_, y_start_, width_, height_, high_bit_rate_, low_bit_rate_ = _S_6H.unpack_from(data, at)
                 self.region_of_interest_params = ReportH264VideoEncodingConfiguration.RegionOfInterestParams(x_start_ * 0.0015259021896696422, y_start_ * 0.0015259021896696422, width_ * 0.0015259021896696422, height_ * 0.0015259021896696422, high_bit_rate_, low_bit_rate_)
@@ -1647,7 +1647,7 @@ class ReportH264VideoEncodingConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x0D or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -1656,7 +1656,7 @@ class ReportH264VideoEncodingConfiguration(rt.Message):
         at = 4
         h264_configuration_list_ = []
         for _ in range(h264_configuration_list_count_):
-            item_, at = ReportH264VideoEncodingConfiguration.H264ConfigurationSequence._read(data, at, depth)
+            item_, at = ReportH264VideoEncodingConfiguration.H264ConfigurationSequence._read(data, at, nesting)
             h264_configuration_list_.append(item_)
         self.h264_configuration_list = h264_configuration_list_
         if at != size: raise rt.Reject

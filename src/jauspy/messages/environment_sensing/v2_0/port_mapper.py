@@ -44,7 +44,7 @@ class CancelPortMapping(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, socket_type_, self.ip_addr, self.port = _S_HBIH.unpack(data)
         if code != 0x080B: raise rt.Reject
@@ -92,7 +92,7 @@ class RequestPortMapping(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, socket_type_, self.ip_addr, self.port = _S_HBIH.unpack(data)
         if code != 0x080C: raise rt.Reject
@@ -120,11 +120,9 @@ class QueryPortMappings(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2815: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'\x15(': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2815)
@@ -203,7 +201,7 @@ class GrantPortMapping(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, socket_type_, ip_addr_, port_, ip_addr_2_, port_2_ = _S_HBIHIH.unpack(data)
         if code != 0x080E: raise rt.Reject
@@ -294,7 +292,7 @@ class ReportPortMappings(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, socket_type_, ip_addr_, port_, ip_addr_2_, port_2_ = _S_HBIHIH.unpack(data)
         if code != 0x4815: raise rt.Reject

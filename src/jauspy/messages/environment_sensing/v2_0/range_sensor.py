@@ -89,7 +89,7 @@ class SetRangeSensorConfiguration(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_SetRangeSensorConfiguration_RangeSensorConfigurationRec_0[mask & 0xFF]
@@ -195,7 +195,7 @@ class SetRangeSensorConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x02 or data[1] != 0x08: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -206,7 +206,7 @@ class SetRangeSensorConfiguration(rt.Message):
         at = 5
         range_sensor_configuration_list_ = []
         for _ in range(range_sensor_configuration_list_count_):
-            item_, at = SetRangeSensorConfiguration.RangeSensorConfigurationRec._read(data, at, depth)
+            item_, at = SetRangeSensorConfiguration.RangeSensorConfigurationRec._read(data, at, nesting)
             range_sensor_configuration_list_.append(item_)
         self.range_sensor_configuration_list = range_sensor_configuration_list_
         if at != size: raise rt.Reject
@@ -251,7 +251,7 @@ class QuerySensorGeometricProperties(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x05 or data[1] != 0x28: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -341,7 +341,7 @@ class QueryRangeSensorCompressedData(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x04 or data[1] != 0x28: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -422,7 +422,7 @@ class QueryRangeSensorData(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x03 or data[1] != 0x28: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -492,7 +492,7 @@ class QueryRangeSensorCapabilities(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x01 or data[1] != 0x28: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -562,7 +562,7 @@ class QueryRangeSensorConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x02 or data[1] != 0x28: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -671,7 +671,7 @@ class ReportRangeSensorCapabilities(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (mask,) = _S_H.unpack_from(data, at)
             (sensor_id_,) = _S_H.unpack_from(data, at + 2)
@@ -827,7 +827,7 @@ class ReportRangeSensorCapabilities(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x01 or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -836,7 +836,7 @@ class ReportRangeSensorCapabilities(rt.Message):
         at = 4
         range_sensor_capabilities_list_ = []
         for _ in range(range_sensor_capabilities_list_count_):
-            item_, at = ReportRangeSensorCapabilities.RangeSensorCapabilitiesRec._read(data, at, depth)
+            item_, at = ReportRangeSensorCapabilities.RangeSensorCapabilitiesRec._read(data, at, nesting)
             range_sensor_capabilities_list_.append(item_)
         self.range_sensor_capabilities_list = range_sensor_capabilities_list_
         if at != size: raise rt.Reject
@@ -914,7 +914,7 @@ class ReportRangeSensorConfiguration(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_SetRangeSensorConfiguration_RangeSensorConfigurationRec_0[mask & 0xFF]
@@ -1018,7 +1018,7 @@ class ReportRangeSensorConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x02 or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -1027,7 +1027,7 @@ class ReportRangeSensorConfiguration(rt.Message):
         at = 4
         range_sensor_configuration_list_ = []
         for _ in range(range_sensor_configuration_list_count_):
-            item_, at = ReportRangeSensorConfiguration.RangeSensorConfigurationRec._read(data, at, depth)
+            item_, at = ReportRangeSensorConfiguration.RangeSensorConfigurationRec._read(data, at, nesting)
             range_sensor_configuration_list_.append(item_)
         self.range_sensor_configuration_list = range_sensor_configuration_list_
         if at != size: raise rt.Reject
@@ -1089,7 +1089,7 @@ class ReportRangeSensorData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             sensor_id_, data_error_code_ = _S_HB.unpack_from(data, at)
             if sensor_id_ < 1: raise rt.Reject
@@ -1200,7 +1200,7 @@ class ReportRangeSensorData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_ReportRangeSensorData_RangeSensorDataPointRec_0[mask & 0x7F]
@@ -1320,7 +1320,7 @@ class ReportRangeSensorData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             size = len(data)
             self = rt.new(cls)
             sensor_id_, report_coordinate_system_, time_stamp_ = _S_HBI.unpack_from(data, at)
@@ -1341,7 +1341,7 @@ class ReportRangeSensorData(rt.Message):
             at += 9
             range_sensor_data_point_list_ = []
             for _ in range(range_sensor_data_point_list_count_):
-                item_, at = ReportRangeSensorData.RangeSensorDataPointRec._read(data, at, depth)
+                item_, at = ReportRangeSensorData.RangeSensorDataPointRec._read(data, at, nesting)
                 range_sensor_data_point_list_.append(item_)
             self.range_sensor_data_point_list = range_sensor_data_point_list_
             return self, at
@@ -1383,7 +1383,7 @@ class ReportRangeSensorData(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x03 or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -1394,7 +1394,7 @@ class ReportRangeSensorData(rt.Message):
         for _ in range(range_sensor_data_list_count_):
             tag = data[at]
             at += 1
-            item_, at = _U_39[tag]._read(data, at, depth)
+            item_, at = _U_39[tag]._read(data, at, nesting)
             range_sensor_data_list_.append(item_)
         self.range_sensor_data_list = range_sensor_data_list_
         if at != size: raise rt.Reject
@@ -1456,7 +1456,7 @@ class ReportRangeSensorCompressedData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             sensor_id_, data_error_code_ = _S_HB.unpack_from(data, at)
             if sensor_id_ < 1: raise rt.Reject
@@ -1519,7 +1519,7 @@ class ReportRangeSensorCompressedData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             sensor_id_, report_coordinate_system_, time_stamp_, data_compression_ = _S_HBIB.unpack_from(data, at)
             if sensor_id_ < 1: raise rt.Reject
@@ -1578,7 +1578,7 @@ class ReportRangeSensorCompressedData(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x04 or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -1589,7 +1589,7 @@ class ReportRangeSensorCompressedData(rt.Message):
         for _ in range(range_sensor_compressed_data_list_count_):
             tag = data[at]
             at += 1
-            item_, at = _U_46[tag]._read(data, at, depth)
+            item_, at = _U_46[tag]._read(data, at, nesting)
             range_sensor_compressed_data_list_.append(item_)
         self.range_sensor_compressed_data_list = range_sensor_compressed_data_list_
         if at != size: raise rt.Reject
@@ -1632,7 +1632,7 @@ class ReportSensorGeometricProperties(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1656,11 +1656,11 @@ class ReportSensorGeometricProperties(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.no_geometric_properties_variant, at = _U_48[tag]._read(data, at, depth)
+            self.no_geometric_properties_variant, at = _U_48[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -1697,7 +1697,7 @@ class ReportSensorGeometricProperties(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x05 or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -1712,7 +1712,7 @@ class ReportSensorGeometricProperties(rt.Message):
             item_.sensor_id_rec = environment_sensing_v1_0_types.SensorIdRec(sensor_id_)
             tag = data[at + 2]
             at += 3
-            item_.geometric_properties_variant, at = _U_50[tag]._read(data, at, depth)
+            item_.geometric_properties_variant, at = _U_50[tag]._read(data, at, nesting)
             geometric_properties_list_.append(item_)
         self.geometric_properties_list = geometric_properties_list_
         if at != size: raise rt.Reject

@@ -112,7 +112,7 @@ class SetStillImageSensorConfiguration(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_SetStillImageSensorConfiguration_StillImageSensorConfigurationRec_0[mask & 0x3]
@@ -166,7 +166,7 @@ class SetStillImageSensorConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x07 or data[1] != 0x08: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -177,7 +177,7 @@ class SetStillImageSensorConfiguration(rt.Message):
         at = 5
         still_image_sensor_list_ = []
         for _ in range(still_image_sensor_list_count_):
-            item_, at = SetStillImageSensorConfiguration.StillImageSensorConfigurationRec._read(data, at, depth)
+            item_, at = SetStillImageSensorConfiguration.StillImageSensorConfigurationRec._read(data, at, nesting)
             still_image_sensor_list_.append(item_)
         self.still_image_sensor_list = still_image_sensor_list_
         if at != size: raise rt.Reject
@@ -253,7 +253,7 @@ class QueryStillImageDataExt(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x1C or data[1] != 0x28: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -323,7 +323,7 @@ class QueryStillImageSensorConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x13 or data[1] != 0x28: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -391,7 +391,7 @@ class QueryStillImageSensorCapabilities(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x12 or data[1] != 0x28: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -460,7 +460,7 @@ class ReportStillImageDataExt(rt.Message):
             return rt.Formatted(cls, rt.Values(ReportStillImageDataExt.ImageFrameFormat), rt.Count("I", 0, 2147483647))
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             format = data[at]
             self.format = _E_ReportStillImageDataExt_ImageFrameFormat[format]
@@ -509,7 +509,7 @@ class ReportStillImageDataExt(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_ReportStillImageDataExt_StillImageDataRec_0[mask & 0x1]
@@ -535,7 +535,7 @@ class ReportStillImageDataExt(rt.Message):
                 self.time_stamp = core_v1_0_types.TimeStamp(milliseconds_, seconds_, minutes_, hour_, day_)
             else: self.time_stamp = None
             if mask & 2:
-                self.image_frame, at = ReportStillImageDataExt.ImageFrame._read(data, at, depth)
+                self.image_frame, at = ReportStillImageDataExt.ImageFrame._read(data, at, nesting)
             else: self.image_frame = None
             if mask & 4:
                 still_image_uri_end_ = at + 1 + data[at]
@@ -596,7 +596,7 @@ class ReportStillImageDataExt(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x1C or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -605,7 +605,7 @@ class ReportStillImageDataExt(rt.Message):
         at = 4
         still_image_data_list_ = []
         for _ in range(still_image_data_list_count_):
-            item_, at = ReportStillImageDataExt.StillImageDataRec._read(data, at, depth)
+            item_, at = ReportStillImageDataExt.StillImageDataRec._read(data, at, nesting)
             still_image_data_list_.append(item_)
         self.still_image_data_list = still_image_data_list_
         if at != size: raise rt.Reject
@@ -707,7 +707,7 @@ class ReportStillImageSensorConfiguration(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_SetStillImageSensorConfiguration_StillImageSensorConfigurationRec_0[mask & 0x3]
@@ -759,7 +759,7 @@ class ReportStillImageSensorConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x13 or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -768,7 +768,7 @@ class ReportStillImageSensorConfiguration(rt.Message):
         at = 4
         still_image_sensor_configuration_list_ = []
         for _ in range(still_image_sensor_configuration_list_count_):
-            item_, at = ReportStillImageSensorConfiguration.StillImageSensorConfigurationRec._read(data, at, depth)
+            item_, at = ReportStillImageSensorConfiguration.StillImageSensorConfigurationRec._read(data, at, nesting)
             still_image_sensor_configuration_list_.append(item_)
         self.still_image_sensor_configuration_list = still_image_sensor_configuration_list_
         if at != size: raise rt.Reject
@@ -825,7 +825,7 @@ class ReportStillImageSensorCapabilities(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_ReportStillImageSensorCapabilities_StillImageSensorCapabilitiesRec_0[mask & 0x3]
@@ -961,7 +961,7 @@ class ReportStillImageSensorCapabilities(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x12 or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -970,7 +970,7 @@ class ReportStillImageSensorCapabilities(rt.Message):
         at = 4
         still_image_sensor_list_ = []
         for _ in range(still_image_sensor_list_count_):
-            item_, at = ReportStillImageSensorCapabilities.StillImageSensorCapabilitiesRec._read(data, at, depth)
+            item_, at = ReportStillImageSensorCapabilities.StillImageSensorCapabilitiesRec._read(data, at, nesting)
             still_image_sensor_list_.append(item_)
         self.still_image_sensor_list = still_image_sensor_list_
         if at != size: raise rt.Reject

@@ -77,7 +77,7 @@ class SetVideoIlluminatorConfiguration(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_SetVideoIlluminatorConfiguration_IlluminatorRec_0[mask & 0x7]
@@ -145,7 +145,7 @@ class SetVideoIlluminatorConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x1A or data[1] != 0x08: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -156,7 +156,7 @@ class SetVideoIlluminatorConfiguration(rt.Message):
         at = 5
         illuminator_list_ = []
         for _ in range(illuminator_list_count_):
-            item_, at = SetVideoIlluminatorConfiguration.IlluminatorRec._read(data, at, depth)
+            item_, at = SetVideoIlluminatorConfiguration.IlluminatorRec._read(data, at, nesting)
             illuminator_list_.append(item_)
         self.illuminator_list = illuminator_list_
         if at != size: raise rt.Reject
@@ -215,7 +215,7 @@ class QueryVideoIlluminatorConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x1A or data[1] != 0x28: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -277,7 +277,7 @@ class QueryVideoIlluminatorCapabilities(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x1B or data[1] != 0x28: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -361,7 +361,7 @@ class ReportVideoIlluminatorConfiguration(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_SetVideoIlluminatorConfiguration_IlluminatorRec_0[mask & 0x7]
@@ -427,7 +427,7 @@ class ReportVideoIlluminatorConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x1A or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -436,7 +436,7 @@ class ReportVideoIlluminatorConfiguration(rt.Message):
         at = 4
         illumination_rec_list_ = []
         for _ in range(illumination_rec_list_count_):
-            item_, at = ReportVideoIlluminatorConfiguration.IlluminatorRec._read(data, at, depth)
+            item_, at = ReportVideoIlluminatorConfiguration.IlluminatorRec._read(data, at, nesting)
             illumination_rec_list_.append(item_)
         self.illumination_rec_list = illumination_rec_list_
         if at != size: raise rt.Reject
@@ -566,7 +566,7 @@ class ReportVideoIlluminatorCapabilities(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             (self.illuminator_id,) = _S_H.unpack_from(data, at + 1)
@@ -702,7 +702,7 @@ class ReportVideoIlluminatorCapabilities(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x1B or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -712,7 +712,7 @@ class ReportVideoIlluminatorCapabilities(rt.Message):
         illuminator_capabilities_list_ = []
         for _ in range(illuminator_capabilities_list_count_):
             item_ = rt.new(ReportVideoIlluminatorCapabilities.IlluminatorCapabilitiesSeq)
-            item_.illuminator_capabilities_rec, at = ReportVideoIlluminatorCapabilities.IlluminatorCapabilitiesRec._read(data, at, depth)
+            item_.illuminator_capabilities_rec, at = ReportVideoIlluminatorCapabilities.IlluminatorCapabilitiesRec._read(data, at, nesting)
             sensor_id_list_count_ = data[at]
             sensor_id_list_end_ = at + 1 + sensor_id_list_count_ * 2
             item_.sensor_id_list = [ReportVideoIlluminatorCapabilities.SensorIDRec(sensor_id_) for sensor_id_ in _L_H[sensor_id_list_count_].unpack_from(data, at + 1)]

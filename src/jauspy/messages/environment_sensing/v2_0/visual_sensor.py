@@ -67,7 +67,7 @@ class QueryVisualSensorConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x07 or data[1] != 0x28: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -137,7 +137,7 @@ class QueryVisualSensorCapabilities(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x06 or data[1] != 0x28: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -207,7 +207,7 @@ class QueryVisualSensorCapabilitiesExt(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x0A or data[1] != 0x28: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -397,7 +397,7 @@ class SetVisualSensorConfiguration(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (mask,) = _S_H.unpack_from(data, at)
             packer = _M_SetVisualSensorConfiguration_VisualSensorConfigurationRec_0[mask & 0xFFFF]
@@ -576,7 +576,7 @@ class SetVisualSensorConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x03 or data[1] != 0x08: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -587,7 +587,7 @@ class SetVisualSensorConfiguration(rt.Message):
         at = 5
         visual_sensor_configuration_list_ = []
         for _ in range(visual_sensor_configuration_list_count_):
-            item_, at = SetVisualSensorConfiguration.VisualSensorConfigurationRec._read(data, at, depth)
+            item_, at = SetVisualSensorConfiguration.VisualSensorConfigurationRec._read(data, at, nesting)
             visual_sensor_configuration_list_.append(item_)
         self.visual_sensor_configuration_list = visual_sensor_configuration_list_
         if at != size: raise rt.Reject
@@ -778,7 +778,7 @@ class ReportVisualSensorConfiguration(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (mask,) = _S_H.unpack_from(data, at)
             packer = _M_SetVisualSensorConfiguration_VisualSensorConfigurationRec_0[mask & 0xFFFF]
@@ -955,7 +955,7 @@ class ReportVisualSensorConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x07 or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -964,7 +964,7 @@ class ReportVisualSensorConfiguration(rt.Message):
         at = 4
         visual_sensor_configuration_list_ = []
         for _ in range(visual_sensor_configuration_list_count_):
-            item_, at = ReportVisualSensorConfiguration.VisualSensorConfigurationRec._read(data, at, depth)
+            item_, at = ReportVisualSensorConfiguration.VisualSensorConfigurationRec._read(data, at, nesting)
             visual_sensor_configuration_list_.append(item_)
         self.visual_sensor_configuration_list = visual_sensor_configuration_list_
         if at != size: raise rt.Reject
@@ -1161,7 +1161,7 @@ class ReportVisualSensorCapabilities(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (mask,) = _S_H.unpack_from(data, at)
             (sensor_id_,) = _S_H.unpack_from(data, at + 2)
@@ -1427,7 +1427,7 @@ class ReportVisualSensorCapabilities(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x06 or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -1436,7 +1436,7 @@ class ReportVisualSensorCapabilities(rt.Message):
         at = 4
         visual_sensor_capabilities_list_ = []
         for _ in range(visual_sensor_capabilities_list_count_):
-            item_, at = ReportVisualSensorCapabilities.VisualSensorCapabilitiesRec._read(data, at, depth)
+            item_, at = ReportVisualSensorCapabilities.VisualSensorCapabilitiesRec._read(data, at, nesting)
             visual_sensor_capabilities_list_.append(item_)
         self.visual_sensor_capabilities_list = visual_sensor_capabilities_list_
         if at != size: raise rt.Reject
@@ -1653,7 +1653,7 @@ class ReportVisualSensorCapabilitiesExt(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (mask,) = _S_I.unpack_from(data, at)
             (sensor_id_,) = _S_H.unpack_from(data, at + 4)
@@ -1959,7 +1959,7 @@ class ReportVisualSensorCapabilitiesExt(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x0A or data[1] != 0x48: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -1968,7 +1968,7 @@ class ReportVisualSensorCapabilitiesExt(rt.Message):
         at = 4
         visual_sensor_capabilities_list_ = []
         for _ in range(visual_sensor_capabilities_list_count_):
-            item_, at = ReportVisualSensorCapabilitiesExt.VisualSensorCapabilitiesRec._read(data, at, depth)
+            item_, at = ReportVisualSensorCapabilitiesExt.VisualSensorCapabilitiesRec._read(data, at, nesting)
             visual_sensor_capabilities_list_.append(item_)
         self.visual_sensor_capabilities_list = visual_sensor_capabilities_list_
         if at != size: raise rt.Reject

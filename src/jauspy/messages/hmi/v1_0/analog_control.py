@@ -24,11 +24,9 @@ class QueryAnalogDevices(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2707: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b"\x07'": raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2707)
@@ -60,7 +58,7 @@ class QueryAnalogAction(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.presence_vector, self.analog_reference = _S_HbH.unpack(data)
         if code != 0x2708: raise rt.Reject
@@ -112,7 +110,7 @@ class ReportAnalogDevices(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x07 or data[1] != 0x47: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -196,7 +194,7 @@ class ReportAnalogAction(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             choice = data[at]
             if choice == 0:
@@ -254,7 +252,7 @@ class ReportAnalogAction(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             choice = data[at]
             if choice == 0:
@@ -312,7 +310,7 @@ class ReportAnalogAction(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             choice = data[at]
             if choice == 0:
@@ -370,7 +368,7 @@ class ReportAnalogAction(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             choice = data[at]
             if choice == 0:
@@ -428,7 +426,7 @@ class ReportAnalogAction(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             choice = data[at]
             if choice == 0:
@@ -486,7 +484,7 @@ class ReportAnalogAction(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             choice = data[at]
             if choice == 0:
@@ -535,7 +533,7 @@ class ReportAnalogAction(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x08 or data[1] != 0x47: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -543,22 +541,22 @@ class ReportAnalogAction(rt.Message):
         (self.reference,) = _S_H.unpack_from(data, 3)
         at = 5
         if mask & 1:
-            self.longitudinal, at = ReportAnalogAction.Longitudinal._read(data, at, depth)
+            self.longitudinal, at = ReportAnalogAction.Longitudinal._read(data, at, nesting)
         else: self.longitudinal = None
         if mask & 2:
-            self.lateral, at = ReportAnalogAction.Lateral._read(data, at, depth)
+            self.lateral, at = ReportAnalogAction.Lateral._read(data, at, nesting)
         else: self.lateral = None
         if mask & 4:
-            self.vertical, at = ReportAnalogAction.Vertical._read(data, at, depth)
+            self.vertical, at = ReportAnalogAction.Vertical._read(data, at, nesting)
         else: self.vertical = None
         if mask & 8:
-            self.roll, at = ReportAnalogAction.Roll._read(data, at, depth)
+            self.roll, at = ReportAnalogAction.Roll._read(data, at, nesting)
         else: self.roll = None
         if mask & 16:
-            self.pitch, at = ReportAnalogAction.Pitch._read(data, at, depth)
+            self.pitch, at = ReportAnalogAction.Pitch._read(data, at, nesting)
         else: self.pitch = None
         if mask & 32:
-            self.yaw, at = ReportAnalogAction.Yaw._read(data, at, depth)
+            self.yaw, at = ReportAnalogAction.Yaw._read(data, at, nesting)
         else: self.yaw = None
         self.reserved_presence = mask & 0xC0
         if at != size: raise rt.Reject

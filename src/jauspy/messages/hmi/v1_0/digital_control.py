@@ -24,11 +24,9 @@ class QueryDCM(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2706: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b"\x06'": raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2706)
@@ -107,7 +105,7 @@ class SetDCM(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.dcm_reference, dcm_state_code_ = _S_2HB.unpack(data)
         if code != 0x0706: raise rt.Reject
@@ -162,7 +160,7 @@ class ReportDCM(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.dcm_reference, dcm_state_code_ = _S_2Hb.unpack(data)
         if code != 0x4706: raise rt.Reject

@@ -24,11 +24,9 @@ class QueryDrawingDefinition(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2700: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b"\x00'": raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2700)
@@ -49,11 +47,9 @@ class QueryDataDefinition(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2701: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b"\x01'": raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2701)
@@ -82,7 +78,7 @@ class QueryData(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.data_structure_reference = _S_2H.unpack(data)
         if code != 0x2702: raise rt.Reject
@@ -138,7 +134,7 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (self.value,) = _S_i.unpack_from(data, at)
             return self, at + 4
@@ -166,7 +162,7 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             self.structure, self.field = _S_2H.unpack_from(data, at)
             return self, at + 4
@@ -200,20 +196,20 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.minimum_x, at = _U_3[tag]._read(data, at, depth)
+            self.minimum_x, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.minimum_y, at = _U_3[tag]._read(data, at, depth)
+            self.minimum_y, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.maximum_x, at = _U_3[tag]._read(data, at, depth)
+            self.maximum_x, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.maximum_y, at = _U_3[tag]._read(data, at, depth)
+            self.maximum_y, at = _U_3[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -253,7 +249,7 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             self.red_color, self.green_color, self.blue_color = _S_3b.unpack_from(data, at)
             return self, at + 3
@@ -284,7 +280,7 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             self.red_color, self.green_color, self.blue_color = _S_3b.unpack_from(data, at)
             return self, at + 3
@@ -309,7 +305,7 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (self.width,) = _S_b.unpack_from(data, at)
             return self, at + 1
@@ -340,7 +336,7 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             self.red_color, self.green_color, self.blue_color = _S_3b.unpack_from(data, at)
             return self, at + 3
@@ -382,7 +378,7 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             self.reference, group_, digital_control_rec_, label_ = _S_H2b12s.unpack_from(data, at)
             self.group = _E_ReportDrawingDefinition_Group[group_]
@@ -420,7 +416,7 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             group_, label_ = _S_b12s.unpack_from(data, at)
             self.group = _E_ReportDrawingDefinition_Group[group_]
@@ -507,19 +503,19 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.x, at = _U_3[tag]._read(data, at, depth)
+            self.x, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.y, at = _U_3[tag]._read(data, at, depth)
+            self.y, at = _U_3[tag]._read(data, at, nesting)
             (alignment_,) = _S_b.unpack_from(data, at)
             self.alignment_rec = ReportDrawingDefinition.AlignmentRec(_E_ReportDrawingDefinition_Alignment[alignment_])
             tag = data[at + 1]
             at += 2
-            self.font_size, at = _U_3[tag]._read(data, at, depth)
+            self.font_size, at = _U_3[tag]._read(data, at, nesting)
             self.text_rec = text_rec_ = rt.new(ReportDrawingDefinition.TextRec)
             text_end_ = at + 1 + data[at]
             text_rec_.text = data[at + 1:text_end_].decode("latin-1")
@@ -575,22 +571,22 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.x, at = _U_3[tag]._read(data, at, depth)
+            self.x, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.y, at = _U_3[tag]._read(data, at, depth)
+            self.y, at = _U_3[tag]._read(data, at, nesting)
             (alignment_,) = _S_b.unpack_from(data, at)
             self.alignment_rec = ReportDrawingDefinition.AlignmentRec(_E_ReportDrawingDefinition_Alignment[alignment_])
             tag = data[at + 1]
             at += 2
-            self.font_size, at = _U_3[tag]._read(data, at, depth)
+            self.font_size, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.data_reference, at = _U_3[tag]._read(data, at, depth)
+            self.data_reference, at = _U_3[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -629,11 +625,11 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.angle, at = _U_3[tag]._read(data, at, depth)
+            self.angle, at = _U_3[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -658,11 +654,11 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.angle, at = _U_3[tag]._read(data, at, depth)
+            self.angle, at = _U_3[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -690,14 +686,14 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.tx, at = _U_3[tag]._read(data, at, depth)
+            self.tx, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.ty, at = _U_3[tag]._read(data, at, depth)
+            self.ty, at = _U_3[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -728,14 +724,14 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.tx, at = _U_3[tag]._read(data, at, depth)
+            self.tx, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.ty, at = _U_3[tag]._read(data, at, depth)
+            self.ty, at = _U_3[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -772,20 +768,20 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.x, at = _U_3[tag]._read(data, at, depth)
+            self.x, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.y, at = _U_3[tag]._read(data, at, depth)
+            self.y, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.width, at = _U_3[tag]._read(data, at, depth)
+            self.width, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.height, at = _U_3[tag]._read(data, at, depth)
+            self.height, at = _U_3[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -828,20 +824,20 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.x, at = _U_3[tag]._read(data, at, depth)
+            self.x, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.y, at = _U_3[tag]._read(data, at, depth)
+            self.y, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.width, at = _U_3[tag]._read(data, at, depth)
+            self.width, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.height, at = _U_3[tag]._read(data, at, depth)
+            self.height, at = _U_3[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -881,17 +877,17 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.x, at = _U_3[tag]._read(data, at, depth)
+            self.x, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.y, at = _U_3[tag]._read(data, at, depth)
+            self.y, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.radius, at = _U_3[tag]._read(data, at, depth)
+            self.radius, at = _U_3[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -928,17 +924,17 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.x, at = _U_3[tag]._read(data, at, depth)
+            self.x, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.y, at = _U_3[tag]._read(data, at, depth)
+            self.y, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.radius, at = _U_3[tag]._read(data, at, depth)
+            self.radius, at = _U_3[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -978,20 +974,20 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.x, at = _U_3[tag]._read(data, at, depth)
+            self.x, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.y, at = _U_3[tag]._read(data, at, depth)
+            self.y, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.width, at = _U_3[tag]._read(data, at, depth)
+            self.width, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.height, at = _U_3[tag]._read(data, at, depth)
+            self.height, at = _U_3[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -1034,20 +1030,20 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.x, at = _U_3[tag]._read(data, at, depth)
+            self.x, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.y, at = _U_3[tag]._read(data, at, depth)
+            self.y, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.width, at = _U_3[tag]._read(data, at, depth)
+            self.width, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.height, at = _U_3[tag]._read(data, at, depth)
+            self.height, at = _U_3[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -1090,20 +1086,20 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.x1, at = _U_3[tag]._read(data, at, depth)
+            self.x1, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.y1, at = _U_3[tag]._read(data, at, depth)
+            self.y1, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.x2, at = _U_3[tag]._read(data, at, depth)
+            self.x2, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.y2, at = _U_3[tag]._read(data, at, depth)
+            self.y2, at = _U_3[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -1156,7 +1152,7 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             size = len(data)
             self = rt.new(cls)
             polyline_list_count_ = data[at]
@@ -1167,10 +1163,10 @@ class ReportDrawingDefinition(rt.Message):
                 item_ = rt.new(ReportDrawingDefinition.PolylineSeq)
                 tag = data[at]
                 at += 1
-                item_.x, at = _U_3[tag]._read(data, at, depth)
+                item_.x, at = _U_3[tag]._read(data, at, nesting)
                 tag = data[at]
                 at += 1
-                item_.y, at = _U_3[tag]._read(data, at, depth)
+                item_.y, at = _U_3[tag]._read(data, at, nesting)
                 polyline_list_.append(item_)
             self.polyline_list = polyline_list_
             return self, at
@@ -1224,7 +1220,7 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             size = len(data)
             self = rt.new(cls)
             polygon_list_count_ = data[at]
@@ -1235,10 +1231,10 @@ class ReportDrawingDefinition(rt.Message):
                 item_ = rt.new(ReportDrawingDefinition.PolygonSeq)
                 tag = data[at]
                 at += 1
-                item_.x, at = _U_3[tag]._read(data, at, depth)
+                item_.x, at = _U_3[tag]._read(data, at, nesting)
                 tag = data[at]
                 at += 1
-                item_.y, at = _U_3[tag]._read(data, at, depth)
+                item_.y, at = _U_3[tag]._read(data, at, nesting)
                 polygon_list_.append(item_)
             self.polygon_list = polygon_list_
             return self, at
@@ -1292,7 +1288,7 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             size = len(data)
             self = rt.new(cls)
             filled_polygon_list_count_ = data[at]
@@ -1303,10 +1299,10 @@ class ReportDrawingDefinition(rt.Message):
                 item_ = rt.new(ReportDrawingDefinition.FilledPolygonSeq)
                 tag = data[at]
                 at += 1
-                item_.x, at = _U_3[tag]._read(data, at, depth)
+                item_.x, at = _U_3[tag]._read(data, at, nesting)
                 tag = data[at]
                 at += 1
-                item_.y, at = _U_3[tag]._read(data, at, depth)
+                item_.y, at = _U_3[tag]._read(data, at, nesting)
                 filled_polygon_list_.append(item_)
             self.filled_polygon_list = filled_polygon_list_
             return self, at
@@ -1356,26 +1352,26 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.x, at = _U_3[tag]._read(data, at, depth)
+            self.x, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.y, at = _U_3[tag]._read(data, at, depth)
+            self.y, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.width, at = _U_3[tag]._read(data, at, depth)
+            self.width, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.height, at = _U_3[tag]._read(data, at, depth)
+            self.height, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.start_angle, at = _U_3[tag]._read(data, at, depth)
+            self.start_angle, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.arc_angle, at = _U_3[tag]._read(data, at, depth)
+            self.arc_angle, at = _U_3[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -1430,26 +1426,26 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.x, at = _U_3[tag]._read(data, at, depth)
+            self.x, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.y, at = _U_3[tag]._read(data, at, depth)
+            self.y, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.width, at = _U_3[tag]._read(data, at, depth)
+            self.width, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.height, at = _U_3[tag]._read(data, at, depth)
+            self.height, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.start_angle, at = _U_3[tag]._read(data, at, depth)
+            self.start_angle, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.arc_angle, at = _U_3[tag]._read(data, at, depth)
+            self.arc_angle, at = _U_3[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -1481,7 +1477,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1497,7 +1493,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1513,7 +1509,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1529,7 +1525,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1545,7 +1541,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1561,7 +1557,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1577,7 +1573,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1593,7 +1589,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1609,7 +1605,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1625,7 +1621,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1641,7 +1637,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1657,7 +1653,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1673,7 +1669,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1689,7 +1685,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1705,7 +1701,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1721,7 +1717,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1737,7 +1733,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1753,7 +1749,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1769,7 +1765,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1785,7 +1781,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1801,7 +1797,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1817,7 +1813,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1833,7 +1829,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1849,7 +1845,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1865,7 +1861,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1881,7 +1877,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1897,7 +1893,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1913,7 +1909,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1929,7 +1925,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1945,7 +1941,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1961,7 +1957,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1977,7 +1973,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -1993,7 +1989,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2009,7 +2005,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2025,7 +2021,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2041,7 +2037,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2057,7 +2053,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2073,7 +2069,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2089,7 +2085,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2105,7 +2101,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2121,7 +2117,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2137,7 +2133,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2153,7 +2149,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2169,7 +2165,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2185,7 +2181,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2201,7 +2197,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2217,7 +2213,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2233,7 +2229,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2249,7 +2245,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2265,7 +2261,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2281,7 +2277,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2297,7 +2293,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2313,7 +2309,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2329,7 +2325,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2345,7 +2341,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2361,7 +2357,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2377,7 +2373,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2393,7 +2389,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2409,7 +2405,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2425,7 +2421,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2441,7 +2437,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2457,7 +2453,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2473,7 +2469,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2489,7 +2485,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2505,7 +2501,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2521,7 +2517,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2537,7 +2533,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2553,7 +2549,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2569,7 +2565,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2585,7 +2581,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2601,7 +2597,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2617,7 +2613,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2633,7 +2629,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2649,7 +2645,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2665,7 +2661,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2681,7 +2677,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2697,7 +2693,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2713,7 +2709,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2729,7 +2725,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2745,7 +2741,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2761,7 +2757,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2777,7 +2773,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2793,7 +2789,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2809,7 +2805,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2825,7 +2821,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2841,7 +2837,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2857,7 +2853,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2873,7 +2869,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2889,7 +2885,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2905,7 +2901,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2921,7 +2917,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2937,7 +2933,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2953,7 +2949,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2969,7 +2965,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -2985,7 +2981,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3001,7 +2997,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3017,7 +3013,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3033,7 +3029,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3049,7 +3045,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3065,7 +3061,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3081,7 +3077,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3097,7 +3093,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3113,7 +3109,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3129,7 +3125,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3145,7 +3141,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3161,7 +3157,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3177,7 +3173,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3193,7 +3189,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3209,7 +3205,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3225,7 +3221,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3241,7 +3237,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3257,7 +3253,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3273,7 +3269,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3289,7 +3285,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3305,7 +3301,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3321,7 +3317,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3337,7 +3333,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3353,7 +3349,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3369,7 +3365,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3385,7 +3381,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3401,7 +3397,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3417,7 +3413,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3433,7 +3429,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3449,7 +3445,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3465,7 +3461,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3481,7 +3477,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3497,7 +3493,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3513,7 +3509,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3529,7 +3525,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3545,7 +3541,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3561,7 +3557,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3577,7 +3573,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3593,7 +3589,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3609,7 +3605,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3625,7 +3621,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3641,7 +3637,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3657,7 +3653,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3673,7 +3669,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3689,7 +3685,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3705,7 +3701,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3721,7 +3717,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3737,7 +3733,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3753,7 +3749,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3769,7 +3765,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3785,7 +3781,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3801,7 +3797,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3817,7 +3813,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3833,7 +3829,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3849,7 +3845,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3865,7 +3861,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3881,7 +3877,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3897,7 +3893,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3913,7 +3909,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3929,7 +3925,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3945,7 +3941,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3961,7 +3957,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3977,7 +3973,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -3993,7 +3989,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4009,7 +4005,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4025,7 +4021,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4041,7 +4037,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4057,7 +4053,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4073,7 +4069,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4089,7 +4085,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4105,7 +4101,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4121,7 +4117,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4137,7 +4133,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4153,7 +4149,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4169,7 +4165,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4185,7 +4181,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4201,7 +4197,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4217,7 +4213,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4233,7 +4229,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4249,7 +4245,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4265,7 +4261,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4281,7 +4277,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4297,7 +4293,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4313,7 +4309,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4329,7 +4325,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4345,7 +4341,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4361,7 +4357,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4377,7 +4373,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4393,7 +4389,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4409,7 +4405,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4425,7 +4421,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4441,7 +4437,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4457,7 +4453,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4473,7 +4469,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4489,7 +4485,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4505,7 +4501,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4521,7 +4517,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4537,7 +4533,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4553,7 +4549,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4569,7 +4565,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4585,7 +4581,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4601,7 +4597,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4617,7 +4613,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4633,7 +4629,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4649,7 +4645,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4665,7 +4661,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4681,7 +4677,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4697,7 +4693,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4713,7 +4709,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4729,7 +4725,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4745,7 +4741,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4761,7 +4757,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4777,7 +4773,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4793,7 +4789,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4809,7 +4805,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4825,7 +4821,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4841,7 +4837,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4857,7 +4853,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4873,7 +4869,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4889,7 +4885,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4905,7 +4901,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4921,7 +4917,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4937,7 +4933,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4953,7 +4949,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4969,7 +4965,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -4985,7 +4981,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5001,7 +4997,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5017,7 +5013,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5033,7 +5029,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5049,7 +5045,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5065,7 +5061,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5081,7 +5077,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5097,7 +5093,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5113,7 +5109,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5129,7 +5125,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5145,7 +5141,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5161,7 +5157,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5177,7 +5173,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5193,7 +5189,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5209,7 +5205,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5225,7 +5221,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5241,7 +5237,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5257,7 +5253,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5273,7 +5269,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5289,7 +5285,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5305,7 +5301,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5321,7 +5317,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5337,7 +5333,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5353,7 +5349,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5369,7 +5365,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5385,7 +5381,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5401,7 +5397,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5417,7 +5413,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5433,7 +5429,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5449,7 +5445,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5465,7 +5461,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5481,7 +5477,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5497,7 +5493,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5513,7 +5509,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5529,7 +5525,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5545,7 +5541,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5561,7 +5557,7 @@ class ReportDrawingDefinition(rt.Message):
             return rt.Composite(cls, ())
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             return self, at
 
@@ -5585,11 +5581,11 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.push_var, at = _U_11[tag]._read(data, at, depth)
+            self.push_var, at = _U_11[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -5614,11 +5610,11 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.pop_var, at = _U_11[tag]._read(data, at, depth)
+            self.pop_var, at = _U_11[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -5643,11 +5639,11 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.if_var, at = _U_3[tag]._read(data, at, depth)
+            self.if_var, at = _U_3[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -5672,11 +5668,11 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.else_if_var, at = _U_3[tag]._read(data, at, depth)
+            self.else_if_var, at = _U_3[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -5701,11 +5697,11 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.else_var, at = _U_11[tag]._read(data, at, depth)
+            self.else_var, at = _U_11[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -5730,11 +5726,11 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.end_if_var, at = _U_11[tag]._read(data, at, depth)
+            self.end_if_var, at = _U_11[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -5759,11 +5755,11 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.select_var, at = _U_3[tag]._read(data, at, depth)
+            self.select_var, at = _U_3[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -5788,11 +5784,11 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.case_var, at = _U_3[tag]._read(data, at, depth)
+            self.case_var, at = _U_3[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -5817,11 +5813,11 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.default_var, at = _U_11[tag]._read(data, at, depth)
+            self.default_var, at = _U_11[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -5846,11 +5842,11 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.end_select_var, at = _U_11[tag]._read(data, at, depth)
+            self.end_select_var, at = _U_11[tag]._read(data, at, nesting)
             return self, at
 
         def _write(self, out: bytearray) -> None:
@@ -5914,23 +5910,23 @@ class ReportDrawingDefinition(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             tag = data[at]
             at += 1
-            self.x, at = _U_3[tag]._read(data, at, depth)
+            self.x, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.y, at = _U_3[tag]._read(data, at, depth)
+            self.y, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.width, at = _U_3[tag]._read(data, at, depth)
+            self.width, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.height, at = _U_3[tag]._read(data, at, depth)
+            self.height, at = _U_3[tag]._read(data, at, nesting)
             tag = data[at]
             at += 1
-            self.reference_to_data, at = _U_3[tag]._read(data, at, depth)
+            self.reference_to_data, at = _U_3[tag]._read(data, at, nesting)
             (image_type_,) = _S_b.unpack_from(data, at)
             self.image_type_rec = ReportDrawingDefinition.ImageTypeRec(_E_ReportDrawingDefinition_ImageType[image_type_])
             return self, at + 1
@@ -5969,7 +5965,7 @@ class ReportDrawingDefinition(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x00 or data[1] != 0x47: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -5982,7 +5978,7 @@ class ReportDrawingDefinition(rt.Message):
         for _ in range(graphics_command_list_count_):
             tag = data[at]
             at += 1
-            item_, at = _U_14[tag]._read(data, at, depth)
+            item_, at = _U_14[tag]._read(data, at, nesting)
             graphics_command_list_.append(item_)
         self.graphics_command_list = graphics_command_list_
         if at != size: raise rt.Reject
@@ -6083,7 +6079,7 @@ class ReportDataDefinition(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x01 or data[1] != 0x47: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -6159,7 +6155,7 @@ class ReportData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             self.data = data[at]
             return self, at + 1
@@ -6184,7 +6180,7 @@ class ReportData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (self.data,) = _S_h.unpack_from(data, at)
             return self, at + 2
@@ -6209,7 +6205,7 @@ class ReportData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (self.data,) = _S_i.unpack_from(data, at)
             return self, at + 4
@@ -6234,7 +6230,7 @@ class ReportData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (self.data,) = _S_q.unpack_from(data, at)
             return self, at + 8
@@ -6259,7 +6255,7 @@ class ReportData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (self.data,) = _S_H.unpack_from(data, at)
             return self, at + 2
@@ -6284,7 +6280,7 @@ class ReportData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (self.data,) = _S_I.unpack_from(data, at)
             return self, at + 4
@@ -6309,7 +6305,7 @@ class ReportData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (self.data,) = _S_Q.unpack_from(data, at)
             return self, at + 8
@@ -6334,7 +6330,7 @@ class ReportData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (data_,) = _S_f.unpack_from(data, at)
             if data_ - data_ != 0.0: raise rt.Reject
@@ -6363,7 +6359,7 @@ class ReportData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (data_,) = _S_d.unpack_from(data, at)
             if data_ - data_ != 0.0: raise rt.Reject
@@ -6392,7 +6388,7 @@ class ReportData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             byte_list_count_ = data[at]
             byte_list_end_ = at + 1 + byte_list_count_ * 1
@@ -6426,7 +6422,7 @@ class ReportData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             short_int_list_count_ = data[at]
             short_int_list_end_ = at + 1 + short_int_list_count_ * 2
@@ -6460,7 +6456,7 @@ class ReportData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             integer_list_count_ = data[at]
             integer_list_end_ = at + 1 + integer_list_count_ * 4
@@ -6494,7 +6490,7 @@ class ReportData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             long_int_list_count_ = data[at]
             long_int_list_end_ = at + 1 + long_int_list_count_ * 8
@@ -6528,7 +6524,7 @@ class ReportData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             u_short_int_list_count_ = data[at]
             u_short_int_list_end_ = at + 1 + u_short_int_list_count_ * 2
@@ -6562,7 +6558,7 @@ class ReportData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             u_integer_list_count_ = data[at]
             u_integer_list_end_ = at + 1 + u_integer_list_count_ * 4
@@ -6596,7 +6592,7 @@ class ReportData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             u_long_int_list_count_ = data[at]
             u_long_int_list_end_ = at + 1 + u_long_int_list_count_ * 8
@@ -6630,7 +6626,7 @@ class ReportData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             float_list_count_ = data[at]
             float_list_end_ = at + 1 + float_list_count_ * 4
@@ -6670,7 +6666,7 @@ class ReportData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             long_float_list_count_ = data[at]
             long_float_list_end_ = at + 1 + long_float_list_count_ * 8
@@ -6710,7 +6706,7 @@ class ReportData(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             char_list_count_ = data[at]
             char_list_end_ = at + 1 + char_list_count_ * 1
@@ -6739,7 +6735,7 @@ class ReportData(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x02 or data[1] != 0x47: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -6752,7 +6748,7 @@ class ReportData(rt.Message):
         for _ in range(data_list_count_):
             tag = data[at]
             at += 1
-            item_, at = _U_32[tag]._read(data, at, depth)
+            item_, at = _U_32[tag]._read(data, at, nesting)
             data_list_.append(item_)
         self.data_list = data_list_
         if at != size: raise rt.Reject

@@ -54,7 +54,7 @@ class CostMap2DGlobalPoseRec(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         map_center_latitude_, map_center_longitude_, map_rotation_ = _S_2IH.unpack_from(data, at)
         self.map_center_latitude = -90.0 + map_center_latitude_ * 4.190951586745435e-08
@@ -104,7 +104,7 @@ class CostMap2DLocalPoseRec(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         map_center_x_, map_center_y_, map_rotation_ = _S_2IH.unpack_from(data, at)
         self.map_center_x = -100000.0 + map_center_x_ * 4.656612874161595e-05
@@ -321,7 +321,7 @@ class DigitalResourceEndpointRec(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         mask = data[at]
         server_type_ = data[at + 1]
@@ -421,7 +421,7 @@ class DeviceRec(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         mask = data[at]
         device_name_end_ = at + 2 + data[at + 1]
@@ -517,7 +517,7 @@ class ReadingRec(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         mask = data[at]
         sensor_end_ = at + 2 + data[at + 1]
@@ -665,7 +665,7 @@ class GlobalPoseRec(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         (mask,) = _S_H.unpack_from(data, at)
         packer = _M_iop_v1_0_types_GlobalPoseRec_0[mask & 0xFF]
@@ -814,7 +814,7 @@ class PathReporterCapabilitiesRec(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         mask = data[at]
         packer = _M_iop_v1_0_types_PathReporterCapabilitiesRec_0[mask & 0x1F]

@@ -35,7 +35,7 @@ class QueryCBRN4(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.cbrn4_report_id, self.station_number = _S_H2I.unpack(data)
         if code != 0xF920: raise rt.Reject
@@ -68,7 +68,7 @@ class QueryCBRNDetection(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.station_number = _S_HI.unpack(data)
         if code != 0xF921: raise rt.Reject
@@ -101,7 +101,7 @@ class QueryRNDetailedMeasurement(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.station_number = _S_HI.unpack(data)
         if code != 0xF922: raise rt.Reject
@@ -134,7 +134,7 @@ class QueryCBDetailedMeasurement(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.station_number = _S_HI.unpack(data)
         if code != 0xF923: raise rt.Reject
@@ -167,7 +167,7 @@ class QueryCBRNOperatingState(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.station_number = _S_HI.unpack(data)
         if code != 0xF924: raise rt.Reject
@@ -200,7 +200,7 @@ class QueryCBRNConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.station_number = _S_HI.unpack(data)
         if code != 0xF925: raise rt.Reject
@@ -233,7 +233,7 @@ class QueryCBRNScanWindowOperatingState(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.station_number = _S_HI.unpack(data)
         if code != 0xF926: raise rt.Reject
@@ -377,7 +377,7 @@ class CBRNCommand(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HI.unpack_from(data)
         if code != 0xF927: raise rt.Reject
         raw = iter(_M_CBRNCommand[mask & 0x1FFF].unpack(data)).__next__
@@ -668,7 +668,7 @@ class CBRNConfigurationCommand(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x28 or data[1] != 0xF9: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -1021,7 +1021,7 @@ class CBRNDisplayConfigurationCommand(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HI.unpack_from(data)
         if code != 0xF929: raise rt.Reject
         raw = iter(_M_CBRNDisplayConfigurationCommand[mask & 0x1F].unpack(data)).__next__
@@ -1137,7 +1137,7 @@ class CBRNScanWindowConfigurationCommand(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HI.unpack_from(data)
         if code != 0xF92A: raise rt.Reject
         raw = iter(_M_CBRNScanWindowConfigurationCommand[mask & 0xFF].unpack(data)).__next__
@@ -1284,7 +1284,7 @@ class CBRN4(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x30 or data[1] != 0xF9: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -1443,7 +1443,7 @@ class CBRNDetection(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x31 or data[1] != 0xF9: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -1608,7 +1608,7 @@ class RNDetailedMeasurement(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x32 or data[1] != 0xF9: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -1699,7 +1699,7 @@ class CBDetailedMeasurement(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x32 or data[1] != 0xF9: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -1902,7 +1902,7 @@ class CBRNOperatingState(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HI.unpack_from(data)
         if code != 0xF934: raise rt.Reject
         raw = iter(_M_CBRNOperatingState[mask & 0x7FFFF].unpack(data)).__next__
@@ -2343,7 +2343,7 @@ class CBRNConfigurationState(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x35 or data[1] != 0xF9: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -2744,7 +2744,7 @@ class CBRNScanWindowOperatingState(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_2H.unpack_from(data)
         if code != 0xF936: raise rt.Reject
         raw = iter(_M_CBRNScanWindowOperatingState[mask & 0x7FF].unpack(data)).__next__

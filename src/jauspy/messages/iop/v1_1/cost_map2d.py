@@ -41,7 +41,7 @@ class QueryCostMap2D(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x38 or data[1] != 0xD7: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -55,7 +55,7 @@ class QueryCostMap2D(rt.Message):
         if mask & 2:
             tag = data[at]
             at += 1
-            self.query_cost_map2d_center_var, at = _U_1[tag]._read(data, at, depth)
+            self.query_cost_map2d_center_var, at = _U_1[tag]._read(data, at, nesting)
         else: self.query_cost_map2d_center_var = None
         self.reserved_presence = mask & 0xFC
         if at != size: raise rt.Reject
@@ -114,7 +114,7 @@ class QueryNoGoZones(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.zone_id = _S_2H.unpack(data)
         if code != 0xD739: raise rt.Reject
@@ -174,7 +174,7 @@ class AddNoGoZone(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             global_vertex_list_count_ = data[at]
             global_vertex_list_end_ = at + 1 + global_vertex_list_count_ * 8
@@ -218,7 +218,7 @@ class AddNoGoZone(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             local_vertex_list_count_ = data[at]
             local_vertex_list_end_ = at + 1 + local_vertex_list_count_ * 8
@@ -257,7 +257,7 @@ class AddNoGoZone(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x40 or data[1] != 0xD7: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -265,7 +265,7 @@ class AddNoGoZone(rt.Message):
         self.request_id_rec = AddNoGoZone.RequestIDRec(request_id_)
         tag = data[4]
         at = 5
-        self.vertex_var, at = _U_11[tag]._read(data, at, depth)
+        self.vertex_var, at = _U_11[tag]._read(data, at, nesting)
         if at != size: raise rt.Reject
         return self
 
@@ -303,7 +303,7 @@ class RemoveNoGoZone(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.zone_id = _S_2H.unpack(data)
         if code != 0xD741: raise rt.Reject
@@ -352,7 +352,7 @@ class ReportCostMap2D(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (cost_data_list_count_,) = _S_H.unpack_from(data, at)
             cost_data_list_end_ = at + 2 + cost_data_list_count_ * 1
@@ -386,7 +386,7 @@ class ReportCostMap2D(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (cost_and_confidence_data_list_count_,) = _S_H.unpack_from(data, at)
             cost_and_confidence_data_list_end_ = at + 2 + cost_and_confidence_data_list_count_ * 2
@@ -431,7 +431,7 @@ class ReportCostMap2D(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (run_length_encoded_data_list_count_,) = _S_H.unpack_from(data, at)
             run_length_encoded_data_list_end_ = at + 2 + run_length_encoded_data_list_count_ * 2
@@ -470,7 +470,7 @@ class ReportCostMap2D(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x42 or data[1] != 0xD7: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -478,10 +478,10 @@ class ReportCostMap2D(rt.Message):
         self.cost_map2d_rec = iop_v1_0_types.CostMap2DRec(number_of_rows_, number_of_columns_, map_width_ * 0.15259021896696423, map_height_ * 0.15259021896696423)
         tag = data[10]
         at = 11
-        self.cost_map2d_pose_var, at = _U_1[tag]._read(data, at, depth)
+        self.cost_map2d_pose_var, at = _U_1[tag]._read(data, at, nesting)
         tag = data[at]
         at += 1
-        self.cost_map2d_data_var, at = _U_19[tag]._read(data, at, depth)
+        self.cost_map2d_data_var, at = _U_19[tag]._read(data, at, nesting)
         if at != size: raise rt.Reject
         return self
 
@@ -558,7 +558,7 @@ class ReportNoGoZones(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             global_vertex_list_count_ = data[at]
             global_vertex_list_end_ = at + 1 + global_vertex_list_count_ * 8
@@ -602,7 +602,7 @@ class ReportNoGoZones(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             local_vertex_list_count_ = data[at]
             local_vertex_list_end_ = at + 1 + local_vertex_list_count_ * 8
@@ -658,7 +658,7 @@ class ReportNoGoZones(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x43 or data[1] != 0xD7: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -672,7 +672,7 @@ class ReportNoGoZones(rt.Message):
             item_.zone_id_rec = ReportNoGoZones.ZoneIDRec(zone_id_)
             tag = data[at + 2]
             at += 3
-            item_.vertex_var, at = _U_21[tag]._read(data, at, depth)
+            item_.vertex_var, at = _U_21[tag]._read(data, at, nesting)
             no_go_zones_list_.append(item_)
         self.no_go_zones_list = no_go_zones_list_
         if at != size: raise rt.Reject
@@ -730,7 +730,7 @@ class AddNoGoZoneResponse(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.request_id, response_code_, self.zone_id = _S_2HBH.unpack(data)
         if code != 0xD744: raise rt.Reject

@@ -24,11 +24,9 @@ class QueryDigitalResourceEndpoint(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0xE702: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'\x02\xe7': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0xE702)
@@ -78,14 +76,14 @@ class RegisterDigitalResourceEndpoint(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x03 or data[1] != 0xE7: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
         request_id_ = data[2]
         self.request_id_rec = RegisterDigitalResourceEndpoint.RequestIDRec(request_id_)
         at = 3
-        self.digital_resource_endpoint_rec, at = iop_v1_0_types.DigitalResourceEndpointRec._read(data, at, depth)
+        self.digital_resource_endpoint_rec, at = iop_v1_0_types.DigitalResourceEndpointRec._read(data, at, nesting)
         if at != size: raise rt.Reject
         return self
 
@@ -126,7 +124,7 @@ class RemoveDigitalResourceEndpoint(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.id, self.request_id = _S_H2B.unpack(data)
         if code != 0xE704: raise rt.Reject
@@ -161,7 +159,7 @@ class ReportDigitalResourceEndpoint(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x02 or data[1] != 0xF7: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -170,7 +168,7 @@ class ReportDigitalResourceEndpoint(rt.Message):
         at = 3
         digital_resource_endpoint_list_ = []
         for _ in range(digital_resource_endpoint_list_count_):
-            item_, at = iop_v1_0_types.DigitalResourceEndpointRec._read(data, at, depth)
+            item_, at = iop_v1_0_types.DigitalResourceEndpointRec._read(data, at, nesting)
             digital_resource_endpoint_list_.append(item_)
         self.digital_resource_endpoint_list = digital_resource_endpoint_list_
         if at != size: raise rt.Reject
@@ -213,7 +211,7 @@ class ConfirmDigitalResourceEndpoint(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.id, self.request_id = _S_H2B.unpack(data)
         if code != 0xF703: raise rt.Reject

@@ -36,7 +36,7 @@ class RequestHandoff(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x31 or data[1] != 0xFF: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -70,11 +70,9 @@ class QueryHandoffTimeout(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0xFF32: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'2\xff': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0xFF32)
@@ -95,11 +93,9 @@ class QueryEnhancedTimeout(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0xFF33: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'3\xff': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0xFF33)
@@ -128,7 +124,7 @@ class RemoveHandoffRequest(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.id = _S_HB.unpack(data)
         if code != 0xFF34: raise rt.Reject
@@ -163,7 +159,7 @@ class ConfirmReleaseControl(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x39 or data[1] != 0xFF: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -225,7 +221,7 @@ class ConfirmHandoffRequest(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.id, response_code_ = _S_H2B.unpack(data)
         if code != 0xFF35: raise rt.Reject
@@ -261,7 +257,7 @@ class ReportHandoffTimeout(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.timeout = _S_HB.unpack(data)
         if code != 0xFF36: raise rt.Reject
@@ -294,7 +290,7 @@ class ReportEnhancedTimeout(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.timeout = _S_HB.unpack(data)
         if code != 0xFF37: raise rt.Reject

@@ -63,7 +63,7 @@ class RequestReleaseControl(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x38 or data[1] != 0xFF: raise rt.Reject
         size = len(data)
         self = rt.new(cls)

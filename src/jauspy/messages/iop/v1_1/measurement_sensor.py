@@ -25,11 +25,9 @@ class QueryMeasurement(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0xF92A: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'*\xf9': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0xF92A)
@@ -93,20 +91,20 @@ class ReportMeasurement(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x2B or data[1] != 0xF9: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
         mask = data[2]
         at = 3
-        self.device_rec, at = iop_v1_0_types.DeviceRec._read(data, at, depth)
+        self.device_rec, at = iop_v1_0_types.DeviceRec._read(data, at, nesting)
         readings_list_count_ = data[at]
         if readings_list_count_ * 5 > size - (at + 1): raise rt.Reject
         at += 1
         readings_list_ = []
         for _ in range(readings_list_count_):
             item_ = rt.new(ReportMeasurement.ReadingSeq)
-            item_.reading_rec, at = iop_v1_0_types.ReadingRec._read(data, at, depth)
+            item_.reading_rec, at = iop_v1_0_types.ReadingRec._read(data, at, nesting)
             value_list_count_ = data[at]
             value_list_end_ = at + 1 + value_list_count_ * 4
             item_.value_list = [iop_v1_0_types.ValueRec(-10000.0 + value_ * 4.656612874161595e-06) for value_ in _L_I[value_list_count_].unpack_from(data, at + 1)]
@@ -114,7 +112,7 @@ class ReportMeasurement(rt.Message):
             readings_list_.append(item_)
         self.readings_list = readings_list_
         if mask & 1:
-            self.global_pose_rec, at = iop_v1_0_types.GlobalPoseRec._read(data, at, depth)
+            self.global_pose_rec, at = iop_v1_0_types.GlobalPoseRec._read(data, at, nesting)
         else: self.global_pose_rec = None
         packer = _M_ReportMeasurement_3[mask & 0x2]
         raw = iter(packer.unpack_from(data, at)).__next__

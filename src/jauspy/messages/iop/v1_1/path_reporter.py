@@ -26,11 +26,9 @@ class QueryPathReporterCapabilities(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0xDEF0: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'\xf0\xde': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0xDEF0)
@@ -80,7 +78,7 @@ class QueryPath(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HB.unpack_from(data)
         if code != 0xDEF1: raise rt.Reject
         raw = iter(_M_QueryPath[mask & 0xF].unpack(data)).__next__
@@ -149,7 +147,7 @@ class ReportPathReporterCapabilities(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0xF2 or data[1] != 0xDE: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -158,7 +156,7 @@ class ReportPathReporterCapabilities(rt.Message):
         at = 3
         path_reporter_capabilities_list_ = []
         for _ in range(path_reporter_capabilities_list_count_):
-            item_, at = iop_v1_0_types.PathReporterCapabilitiesRec._read(data, at, depth)
+            item_, at = iop_v1_0_types.PathReporterCapabilitiesRec._read(data, at, nesting)
             path_reporter_capabilities_list_.append(item_)
         self.path_reporter_capabilities_list = path_reporter_capabilities_list_
         if at != size: raise rt.Reject
@@ -208,7 +206,7 @@ class ReportPath(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             size = len(data)
             self = rt.new(cls)
             (historical_global_path_count_,) = _S_H.unpack_from(data, at)
@@ -216,7 +214,7 @@ class ReportPath(rt.Message):
             at += 2
             historical_global_path_ = []
             for _ in range(historical_global_path_count_):
-                item_, at = mobility_v1_0_types.GlobalPoseRec._read(data, at, depth)
+                item_, at = mobility_v1_0_types.GlobalPoseRec._read(data, at, nesting)
                 historical_global_path_.append(item_)
             self.historical_global_path = historical_global_path_
             return self, at
@@ -246,7 +244,7 @@ class ReportPath(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             size = len(data)
             self = rt.new(cls)
             (historical_local_path_count_,) = _S_H.unpack_from(data, at)
@@ -254,7 +252,7 @@ class ReportPath(rt.Message):
             at += 2
             historical_local_path_ = []
             for _ in range(historical_local_path_count_):
-                item_, at = mobility_v1_0_types.LocalPoseRec._read(data, at, depth)
+                item_, at = mobility_v1_0_types.LocalPoseRec._read(data, at, nesting)
                 historical_local_path_.append(item_)
             self.historical_local_path = historical_local_path_
             return self, at
@@ -284,7 +282,7 @@ class ReportPath(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             size = len(data)
             self = rt.new(cls)
             (planned_global_path_count_,) = _S_H.unpack_from(data, at)
@@ -292,7 +290,7 @@ class ReportPath(rt.Message):
             at += 2
             planned_global_path_ = []
             for _ in range(planned_global_path_count_):
-                item_, at = mobility_v1_0_types.GlobalPoseRec._read(data, at, depth)
+                item_, at = mobility_v1_0_types.GlobalPoseRec._read(data, at, nesting)
                 planned_global_path_.append(item_)
             self.planned_global_path = planned_global_path_
             return self, at
@@ -322,7 +320,7 @@ class ReportPath(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             size = len(data)
             self = rt.new(cls)
             (planned_local_path_count_,) = _S_H.unpack_from(data, at)
@@ -330,7 +328,7 @@ class ReportPath(rt.Message):
             at += 2
             planned_local_path_ = []
             for _ in range(planned_local_path_count_):
-                item_, at = mobility_v1_0_types.LocalPoseRec._read(data, at, depth)
+                item_, at = mobility_v1_0_types.LocalPoseRec._read(data, at, nesting)
                 planned_local_path_.append(item_)
             self.planned_local_path = planned_local_path_
             return self, at
@@ -353,13 +351,13 @@ class ReportPath(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0xF3 or data[1] != 0xDE: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
         tag = data[2]
         at = 3
-        self.path_var, at = _U_6[tag]._read(data, at, depth)
+        self.path_var, at = _U_6[tag]._read(data, at, nesting)
         if at != size: raise rt.Reject
         return self
 

@@ -39,7 +39,7 @@ class SetPlatformMode(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, platform_mode_ = _S_HB.unpack(data)
         if code != 0xFF20: raise rt.Reject
@@ -68,11 +68,9 @@ class QueryPlatformMode(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0xFF21: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'!\xff': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0xFF21)
@@ -93,11 +91,9 @@ class QuerySupportedPlatformModes(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0xFF22: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'"\xff': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0xFF22)
@@ -143,7 +139,7 @@ class ReportPlatformMode(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, platform_mode_, status_ = _S_H2B.unpack(data)
         if code != 0xFF23: raise rt.Reject
@@ -205,7 +201,7 @@ class ReportSupportedPlatformModes(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x24 or data[1] != 0xFF: raise rt.Reject
         size = len(data)
         self = rt.new(cls)

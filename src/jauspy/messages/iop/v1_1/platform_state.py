@@ -43,7 +43,7 @@ class SetPlatformState(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, platform_state_ = _S_HB.unpack(data)
         if code != 0xFF25: raise rt.Reject
@@ -71,11 +71,9 @@ class QueryPlatformState(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0xFF26: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'&\xff': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0xFF26)
@@ -139,7 +137,7 @@ class ConfirmPlatformStateRequest(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, platform_state_, response_code_ = _S_H2B.unpack(data)
         if code != 0xFF27: raise rt.Reject
@@ -188,7 +186,7 @@ class ReportPlatformState(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, platform_state_ = _S_HB.unpack(data)
         if code != 0xFF28: raise rt.Reject

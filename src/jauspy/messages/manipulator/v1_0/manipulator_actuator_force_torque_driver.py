@@ -32,7 +32,7 @@ class QueryManipulatorSpecifications(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.presence_vector = _S_HB.unpack(data)
         if code != 0x2600: raise rt.Reject
@@ -57,11 +57,9 @@ class QueryCommandedActuatorForceTorques(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2613: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'\x13&': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2613)
@@ -92,7 +90,7 @@ class SetActuatorForceTorques(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x13 or data[1] != 0x06: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -102,7 +100,7 @@ class SetActuatorForceTorques(rt.Message):
         actuator_force_torque_list_ = []
         for _ in range(actuator_force_torque_list_count_):
             item_ = rt.new(manipulator_v1_0_types.ActuatorForceTorqueRec)
-            item_.joint_force_torque, at = manipulator_v1_0_types.ActuatorForceTorqueRec.JointForceTorque._read(data, at, depth)
+            item_.joint_force_torque, at = manipulator_v1_0_types.ActuatorForceTorqueRec.JointForceTorque._read(data, at, nesting)
             actuator_force_torque_list_.append(item_)
         self.actuator_force_torque_list = actuator_force_torque_list_
         if at != size: raise rt.Reject
@@ -157,7 +155,7 @@ class ReportManipulatorSpecifications(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x00 or data[1] != 0x46: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -170,7 +168,7 @@ class ReportManipulatorSpecifications(rt.Message):
         else: self.manipulator_coordinate_system_rec = None
         tag = data[at]
         at += 1
-        self.first_joint_parameters, at = _U_3[tag]._read(data, at, depth)
+        self.first_joint_parameters, at = _U_3[tag]._read(data, at, nesting)
         joint_specification_list_count_ = data[at]
         if joint_specification_list_count_ * 8 > size - (at + 1): raise rt.Reject
         at += 1
@@ -178,7 +176,7 @@ class ReportManipulatorSpecifications(rt.Message):
         for _ in range(joint_specification_list_count_):
             tag = data[at]
             at += 1
-            item_, at = _U_4[tag]._read(data, at, depth)
+            item_, at = _U_4[tag]._read(data, at, nesting)
             joint_specification_list_.append(item_)
         self.joint_specification_list = joint_specification_list_
         self.reserved_presence = mask & 0xFE
@@ -269,7 +267,7 @@ class ReportCommandedActuatorForceTorques(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x13 or data[1] != 0x46: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -279,7 +277,7 @@ class ReportCommandedActuatorForceTorques(rt.Message):
         actuator_force_torque_list_ = []
         for _ in range(actuator_force_torque_list_count_):
             item_ = rt.new(manipulator_v1_0_types.ActuatorForceTorqueRec)
-            item_.joint_force_torque, at = manipulator_v1_0_types.ActuatorForceTorqueRec.JointForceTorque._read(data, at, depth)
+            item_.joint_force_torque, at = manipulator_v1_0_types.ActuatorForceTorqueRec.JointForceTorque._read(data, at, nesting)
             actuator_force_torque_list_.append(item_)
         self.actuator_force_torque_list = actuator_force_torque_list_
         if at != size: raise rt.Reject

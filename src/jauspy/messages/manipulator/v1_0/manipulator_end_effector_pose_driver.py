@@ -33,11 +33,9 @@ class QueryToolOffset(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2604: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'\x04&': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2604)
@@ -72,7 +70,7 @@ class SetToolOffset(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, tool_point_coordinate_x_, tool_point_coordinate_y_, tool_point_coordinate_z_ = _S_H3I.unpack(data)
         if code != 0x0604: raise rt.Reject
@@ -141,7 +139,7 @@ class SetEndEffectorPose(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, tool_point_coordinate_x_, tool_point_coordinate_y_, tool_point_coordinate_z_, d_component_of_unit_quaternion_q_, a_component_of_unit_quaternion_q_, b_component_of_unit_quaternion_q_, c_component_of_unit_quaternion_q_ = _S_H7I.unpack(data)
         if code != 0x0610: raise rt.Reject
@@ -219,7 +217,7 @@ class SetMotionProfile(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x07 or data[1] != 0x06: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -230,7 +228,7 @@ class SetMotionProfile(rt.Message):
         for _ in range(motion_profile_list_count_):
             tag = data[at]
             at += 1
-            item_, at = _U_6[tag]._read(data, at, depth)
+            item_, at = _U_6[tag]._read(data, at, nesting)
             motion_profile_list_.append(item_)
         self.motion_profile_list = motion_profile_list_
         if at != size: raise rt.Reject
@@ -262,11 +260,9 @@ class QueryCommandedEndEffectorPose(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2610: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'\x10&': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2610)
@@ -287,11 +283,9 @@ class QueryMotionProfile(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2607: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'\x07&': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2607)
@@ -334,7 +328,7 @@ class ReportToolOffset(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, tool_point_coordinate_x_, tool_point_coordinate_y_, tool_point_coordinate_z_ = _S_H3I.unpack(data)
         if code != 0x4604: raise rt.Reject
@@ -403,7 +397,7 @@ class ReportCommandedEndEffectorPose(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, tool_point_coordinate_x_, tool_point_coordinate_y_, tool_point_coordinate_z_, d_component_of_unit_quaternion_q_, a_component_of_unit_quaternion_q_, b_component_of_unit_quaternion_q_, c_component_of_unit_quaternion_q_ = _S_H7I.unpack(data)
         if code != 0x4610: raise rt.Reject
@@ -481,7 +475,7 @@ class ReportMotionProfile(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x07 or data[1] != 0x46: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -492,7 +486,7 @@ class ReportMotionProfile(rt.Message):
         for _ in range(motion_profile_list_count_):
             tag = data[at]
             at += 1
-            item_, at = _U_6[tag]._read(data, at, depth)
+            item_, at = _U_6[tag]._read(data, at, nesting)
             motion_profile_list_.append(item_)
         self.motion_profile_list = motion_profile_list_
         if at != size: raise rt.Reject

@@ -72,7 +72,7 @@ class SetEndEffectorVelocityState(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, angular_velocity_component_x_, angular_velocity_component_y_, angular_velocity_component_z_, linear_velocity_component_x_, linear_velocity_component_y_, linear_velocity_component_z_ = _S_H6I.unpack(data)
         if code != 0x0612: raise rt.Reject
@@ -141,11 +141,9 @@ class QueryCommandedEndEffectorVelocityState(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2612: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'\x12&': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2612)
@@ -213,7 +211,7 @@ class ReportCommandedEndEffectorVelocityState(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, angular_velocity_component_x_, angular_velocity_component_y_, angular_velocity_component_z_, linear_velocity_component_x_, linear_velocity_component_y_, linear_velocity_component_z_ = _S_H6I.unpack(data)
         if code != 0x4612: raise rt.Reject

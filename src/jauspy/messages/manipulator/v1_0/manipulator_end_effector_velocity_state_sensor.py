@@ -49,11 +49,9 @@ class QueryEndEffectorVelocityState(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2616: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'\x16&': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2616)
@@ -113,7 +111,7 @@ class ReportEndEffectorVelocityState(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, angular_velocity_component_x_, angular_velocity_component_y_, angular_velocity_component_z_, linear_velocity_component_x_, linear_velocity_component_y_, linear_velocity_component_z_ = _S_H6I.unpack(data)
         if code != 0x4616: raise rt.Reject

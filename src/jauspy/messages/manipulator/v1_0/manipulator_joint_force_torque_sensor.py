@@ -25,11 +25,9 @@ class QueryJointForceTorques(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2605: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'\x05&': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2605)
@@ -68,7 +66,7 @@ class ReportJointForceTorques(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x05 or data[1] != 0x46: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -78,7 +76,7 @@ class ReportJointForceTorques(rt.Message):
         actuator_force_torque_list_ = []
         for _ in range(actuator_force_torque_list_count_):
             item_ = rt.new(manipulator_v1_0_types.ActuatorForceTorqueRec)
-            item_.joint_force_torque, at = manipulator_v1_0_types.ActuatorForceTorqueRec.JointForceTorque._read(data, at, depth)
+            item_.joint_force_torque, at = manipulator_v1_0_types.ActuatorForceTorqueRec.JointForceTorque._read(data, at, nesting)
             actuator_force_torque_list_.append(item_)
         self.actuator_force_torque_list = actuator_force_torque_list_
         if at != size: raise rt.Reject

@@ -34,11 +34,9 @@ class QueryCommandedJointPositions(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2608: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'\x08&': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2608)
@@ -77,7 +75,7 @@ class SetJointPositions(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x02 or data[1] != 0x06: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -87,7 +85,7 @@ class SetJointPositions(rt.Message):
         joint_position_list_ = []
         for _ in range(joint_position_list_count_):
             item_ = rt.new(manipulator_v1_0_types.JointPositionRec)
-            item_.joint_position, at = manipulator_v1_0_types.JointPositionRec.JointPosition._read(data, at, depth)
+            item_.joint_position, at = manipulator_v1_0_types.JointPositionRec.JointPosition._read(data, at, nesting)
             joint_position_list_.append(item_)
         self.joint_position_list = joint_position_list_
         if at != size: raise rt.Reject
@@ -147,7 +145,7 @@ class ReportCommandedJointPositions(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x08 or data[1] != 0x46: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -157,7 +155,7 @@ class ReportCommandedJointPositions(rt.Message):
         joint_position_list_ = []
         for _ in range(joint_position_list_count_):
             item_ = rt.new(manipulator_v1_0_types.JointPositionRec)
-            item_.joint_position, at = manipulator_v1_0_types.JointPositionRec.JointPosition._read(data, at, depth)
+            item_.joint_position, at = manipulator_v1_0_types.JointPositionRec.JointPosition._read(data, at, nesting)
             joint_position_list_.append(item_)
         self.joint_position_list = joint_position_list_
         if at != size: raise rt.Reject

@@ -25,11 +25,9 @@ class QueryJointVelocities(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2603: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'\x03&': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2603)
@@ -68,7 +66,7 @@ class ReportJointVelocities(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x03 or data[1] != 0x46: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -78,7 +76,7 @@ class ReportJointVelocities(rt.Message):
         joint_velocity_list_ = []
         for _ in range(joint_velocity_list_count_):
             item_ = rt.new(manipulator_v1_0_types.JointVelocityRec)
-            item_.joint_velocity, at = manipulator_v1_0_types.JointVelocityRec.JointVelocity._read(data, at, depth)
+            item_.joint_velocity, at = manipulator_v1_0_types.JointVelocityRec.JointVelocity._read(data, at, nesting)
             joint_velocity_list_.append(item_)
         self.joint_velocity_list = joint_velocity_list_
         if at != size: raise rt.Reject

@@ -31,7 +31,7 @@ class QueryPanTiltSpecifications(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.presence_vector = _S_HB.unpack(data)
         if code != 0x2620: raise rt.Reject
@@ -56,11 +56,9 @@ class QueryCommandedPanTiltJointPositions(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2628: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'(&': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2628)
@@ -81,11 +79,9 @@ class QueryPanTiltMotionProfile(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2627: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b"'&": raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2627)
@@ -117,7 +113,7 @@ class SetPanTiltJointPositions(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, joint1_position_, joint2_position_ = _S_H2I.unpack(data)
         if code != 0x0622: raise rt.Reject
@@ -177,7 +173,7 @@ class SetPanTiltMotionProfile(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, joint1_max_speed_, joint1_max_acceleration_rate_, joint1_max_deceleration_rate_, joint2_max_speed_, joint2_max_acceleration_rate_, joint2_max_deceleration_rate_ = _S_H6I.unpack(data)
         if code != 0x0627: raise rt.Reject
@@ -283,7 +279,7 @@ class ReportPanTiltSpecifications(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HB.unpack_from(data)
         if code != 0x4620: raise rt.Reject
         raw = iter(_M_ReportPanTiltSpecifications[mask & 0x7F].unpack(data)).__next__
@@ -435,7 +431,7 @@ class ReportCommandedPanTiltJointPositions(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, joint1_position_, joint2_position_ = _S_H2I.unpack(data)
         if code != 0x4628: raise rt.Reject
@@ -495,7 +491,7 @@ class ReportPanTiltMotionProfile(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, joint1_max_speed_, joint1_max_acceleration_rate_, joint1_max_deceleration_rate_, joint2_max_speed_, joint2_max_acceleration_rate_, joint2_max_deceleration_rate_ = _S_H6I.unpack(data)
         if code != 0x4627: raise rt.Reject

@@ -32,11 +32,9 @@ class QueryPanTiltJointEfforts(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2621: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'!&': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2621)
@@ -68,7 +66,7 @@ class SetPanTiltJointEfforts(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, joint1_effort_, joint2_effort_ = _S_3H.unpack(data)
         if code != 0x0621: raise rt.Reject
@@ -124,7 +122,7 @@ class ReportPanTiltJointEfforts(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, joint1_effort_, joint2_effort_ = _S_3H.unpack(data)
         if code != 0x4621: raise rt.Reject

@@ -45,7 +45,7 @@ class ActuatorForceTorqueRec(rt.Struct):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             choice = data[at]
             if choice == 1:
@@ -153,7 +153,7 @@ class RevoluteJoint1OffsetRec(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         mask = data[at]
         packer = _M_manipulator_v1_0_types_RevoluteJoint1OffsetRec_0[mask & 0xF]
@@ -246,7 +246,7 @@ class PrismaticJoint1AngleRec(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         mask = data[at]
         packer = _M_manipulator_v1_0_types_PrismaticJoint1AngleRec_0[mask & 0x3]
@@ -343,7 +343,7 @@ class RevoluteJointSpecificationRec(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         mask = data[at]
         packer = _M_manipulator_v1_0_types_RevoluteJointSpecificationRec_0[mask & 0xF]
@@ -458,7 +458,7 @@ class PrismaticJointSpecificationRec(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         mask = data[at]
         packer = _M_manipulator_v1_0_types_PrismaticJointSpecificationRec_0[mask & 0x3]
@@ -558,7 +558,7 @@ class RevoluteMotionProfileRec(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         joint_max_speed_, joint_max_acceleration_rate_, joint_max_deceleration_rate_ = _S_3I.unpack_from(data, at)
         self.joint_max_speed = joint_max_speed_ * 7.314590398038859e-09
@@ -608,7 +608,7 @@ class PrismaticMotionProfileRec(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         joint_max_speed_, joint_max_acceleration_rate_, joint_max_deceleration_rate_ = _S_3I.unpack_from(data, at)
         self.joint_max_speed = joint_max_speed_ * 1.1641532185403987e-09
@@ -671,7 +671,7 @@ class JointPositionRec(rt.Struct):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             choice = data[at]
             if choice == 1:
@@ -750,7 +750,7 @@ class JointVelocityRec(rt.Struct):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             choice = data[at]
             if choice == 1:

@@ -23,11 +23,9 @@ class QueryJointMotionProfile(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2607: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'\x07&': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2607)
@@ -69,7 +67,7 @@ class SetJointMotionProfile(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             joint_max_speed_, joint_max_acceleration_rate_, joint_max_deceleration_rate_ = _S_3I.unpack_from(data, at)
             self.joint_max_speed = joint_max_speed_ * 7.314590398038859e-09
@@ -118,7 +116,7 @@ class SetJointMotionProfile(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             joint_max_speed_, joint_max_acceleration_rate_, joint_max_deceleration_rate_ = _S_3I.unpack_from(data, at)
             self.joint_max_speed = joint_max_speed_ * 1.1641532185403987e-09
@@ -154,7 +152,7 @@ class SetJointMotionProfile(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x07 or data[1] != 0x06: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -165,7 +163,7 @@ class SetJointMotionProfile(rt.Message):
         for _ in range(joint_motion_profile_list_count_):
             tag = data[at]
             at += 1
-            item_, at = _U_5[tag]._read(data, at, depth)
+            item_, at = _U_5[tag]._read(data, at, nesting)
             joint_motion_profile_list_.append(item_)
         self.joint_motion_profile_list = joint_motion_profile_list_
         if at != size: raise rt.Reject
@@ -218,7 +216,7 @@ class ReportJointMotionProfile(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             joint_max_speed_, joint_max_acceleration_rate_, joint_max_deceleration_rate_ = _S_3I.unpack_from(data, at)
             self.joint_max_speed = joint_max_speed_ * 7.314590398038859e-09
@@ -267,7 +265,7 @@ class ReportJointMotionProfile(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             joint_max_speed_, joint_max_acceleration_rate_, joint_max_deceleration_rate_ = _S_3I.unpack_from(data, at)
             self.joint_max_speed = joint_max_speed_ * 1.1641532185403987e-09
@@ -303,7 +301,7 @@ class ReportJointMotionProfile(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x07 or data[1] != 0x46: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -314,7 +312,7 @@ class ReportJointMotionProfile(rt.Message):
         for _ in range(joint_motion_profile_list_count_):
             tag = data[at]
             at += 1
-            item_, at = _U_7[tag]._read(data, at, depth)
+            item_, at = _U_7[tag]._read(data, at, nesting)
             joint_motion_profile_list_.append(item_)
         self.joint_motion_profile_list = joint_motion_profile_list_
         if at != size: raise rt.Reject

@@ -69,7 +69,7 @@ class ReportManipulatorSpecifications(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_ReportManipulatorSpecifications_RevoluteJoint1OffsetRec_0[mask & 0x1F]
@@ -173,7 +173,7 @@ class ReportManipulatorSpecifications(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_ReportManipulatorSpecifications_PrismaticJoint1AngleRec_0[mask & 0x7]
@@ -284,7 +284,7 @@ class ReportManipulatorSpecifications(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_ReportManipulatorSpecifications_RevoluteJointSpecificationRec_0[mask & 0x3F]
@@ -422,7 +422,7 @@ class ReportManipulatorSpecifications(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_ReportManipulatorSpecifications_PrismaticJointSpecificationRec_0[mask & 0xF]
@@ -549,7 +549,7 @@ class ReportManipulatorSpecifications(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x00 or data[1] != 0x46: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -562,7 +562,7 @@ class ReportManipulatorSpecifications(rt.Message):
         else: self.manipulator_coordinate_system_rec = None
         tag = data[at]
         at += 1
-        self.first_joint_parameters, at = _U_14[tag]._read(data, at, depth)
+        self.first_joint_parameters, at = _U_14[tag]._read(data, at, nesting)
         joint_specification_list_count_ = data[at]
         if joint_specification_list_count_ * 8 > size - (at + 1): raise rt.Reject
         at += 1
@@ -570,7 +570,7 @@ class ReportManipulatorSpecifications(rt.Message):
         for _ in range(joint_specification_list_count_):
             tag = data[at]
             at += 1
-            item_, at = _U_15[tag]._read(data, at, depth)
+            item_, at = _U_15[tag]._read(data, at, nesting)
             joint_specification_list_.append(item_)
         self.joint_specification_list = joint_specification_list_
         if mask & 2:

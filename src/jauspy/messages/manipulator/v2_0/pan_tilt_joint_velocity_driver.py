@@ -34,7 +34,7 @@ class SetPanTiltJointVelocity(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, joint1_velocity_, joint2_velocity_ = _S_H2I.unpack(data)
         if code != 0x0623: raise rt.Reject
@@ -71,11 +71,9 @@ class QueryCommandedPanTiltJointVelocity(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2631: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'1&': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2631)
@@ -107,7 +105,7 @@ class ReportCommandedPanTiltJointVelocity(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, joint1_velocity_, joint2_velocity_ = _S_H2I.unpack(data)
         if code != 0x4631: raise rt.Reject

@@ -158,7 +158,7 @@ class SpoolMission(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x00 or data[1] != 0x0E: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -195,7 +195,7 @@ class SpoolMission(rt.Message):
                 item_2_.destination_id = core_v1_0_types.DestinationID(component_id_2_, node_id_2_, subsystem_id_2_)
                 (jaus_message_end_,) = _S_I.unpack_from(data, at + 6)
                 jaus_message_end_ += at + 10
-                item_2_.jaus_message = _registry.nested(data[at + 10:jaus_message_end_], depth)
+                item_2_.jaus_message = (nesting or _registry.nesting).message(data[at + 10:jaus_message_end_])
                 blocking_ = data[jaus_message_end_]
                 item_2_.blocking = _E_SpoolMission_Blocking.get(blocking_, blocking_)
                 at = jaus_message_end_ + 1
@@ -292,7 +292,7 @@ class RunMission(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HB.unpack_from(data)
         if code != 0x0E01: raise rt.Reject
         raw = iter(_M_RunMission[mask & 0x7].unpack(data)).__next__
@@ -345,7 +345,7 @@ class AbortMission(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.mission_id = _S_2H.unpack(data)
         if code != 0x0E02: raise rt.Reject
@@ -382,7 +382,7 @@ class PauseMission(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HB.unpack_from(data)
         if code != 0x0E03: raise rt.Reject
         raw = iter(_M_PauseMission[mask & 0x3].unpack(data)).__next__
@@ -430,7 +430,7 @@ class ResumeMission(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.mission_id = _S_2H.unpack(data)
         if code != 0x0E04: raise rt.Reject
@@ -501,7 +501,7 @@ class RemoveMessages(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x05 or data[1] != 0x0E: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -618,7 +618,7 @@ class InsertMessages(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x06 or data[1] != 0x0E: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -640,7 +640,7 @@ class InsertMessages(rt.Message):
             item_.destination_id = core_v1_0_types.DestinationID(component_id_, node_id_, subsystem_id_)
             (jaus_message_end_,) = _S_I.unpack_from(data, at + 6)
             jaus_message_end_ += at + 10
-            item_.jaus_message = _registry.nested(data[at + 10:jaus_message_end_], depth)
+            item_.jaus_message = (nesting or _registry.nesting).message(data[at + 10:jaus_message_end_])
             blocking_ = data[jaus_message_end_]
             item_.blocking = _E_InsertMessages_Blocking.get(blocking_, blocking_)
             at = jaus_message_end_ + 1
@@ -735,7 +735,7 @@ class RemoveMissionTask(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x07 or data[1] != 0x0E: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -917,7 +917,7 @@ class InsertMissionTask(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x08 or data[1] != 0x0E: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -943,7 +943,7 @@ class InsertMissionTask(rt.Message):
             item_.destination_id = core_v1_0_types.DestinationID(component_id_, node_id_, subsystem_id_)
             (jaus_message_end_,) = _S_I.unpack_from(data, at + 6)
             jaus_message_end_ += at + 10
-            item_.jaus_message = _registry.nested(data[at + 10:jaus_message_end_], depth)
+            item_.jaus_message = (nesting or _registry.nesting).message(data[at + 10:jaus_message_end_])
             blocking_ = data[jaus_message_end_]
             item_.blocking = _E_InsertMissionTask_Blocking.get(blocking_, blocking_)
             at = jaus_message_end_ + 1
@@ -1011,11 +1011,9 @@ class QuerySpoolingPreferences(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2E00: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'\x00.': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2E00)
@@ -1051,7 +1049,7 @@ class QueryMissionStatus(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HB.unpack_from(data)
         if code != 0x2E01: raise rt.Reject
         raw = iter(_M_RunMission[mask & 0x7].unpack(data)).__next__
@@ -1096,11 +1094,9 @@ class QueryStoredMissions(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2E02: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'\x02.': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2E02)
@@ -1129,7 +1125,7 @@ class QueryMissionPlan(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.mission_id = _S_2H.unpack(data)
         if code != 0x2E03: raise rt.Reject
@@ -1181,7 +1177,7 @@ class ReportSpoolingPreferences(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             choice = data[at]
             if choice == 0:
@@ -1218,12 +1214,12 @@ class ReportSpoolingPreferences(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x00 or data[1] != 0x4E: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
         at = 2
-        self.data, at = ReportSpoolingPreferences.Data._read(data, at, depth)
+        self.data, at = ReportSpoolingPreferences.Data._read(data, at, nesting)
         if at != size: raise rt.Reject
         return self
 
@@ -1294,7 +1290,7 @@ class ReportMissionStatus(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, type_, self.id, status_, secondary_status_ = _S_HBH2B.unpack(data)
         if code != 0x4E01: raise rt.Reject
@@ -1374,7 +1370,7 @@ class ReportStoredMissions(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x02 or data[1] != 0x4E: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -1558,7 +1554,7 @@ class ReportMissionPlan(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x03 or data[1] != 0x4E: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -1590,7 +1586,7 @@ class ReportMissionPlan(rt.Message):
             item_.destination_id = core_v1_0_types.DestinationID(component_id_2_, node_id_2_, subsystem_id_2_)
             (jaus_message_end_,) = _S_I.unpack_from(data, at + 6)
             jaus_message_end_ += at + 10
-            item_.jaus_message = _registry.nested(data[at + 10:jaus_message_end_], depth)
+            item_.jaus_message = (nesting or _registry.nesting).message(data[at + 10:jaus_message_end_])
             blocking_ = data[jaus_message_end_]
             item_.blocking = _E_ReportMissionPlan_Blocking.get(blocking_, blocking_)
             at = jaus_message_end_ + 1

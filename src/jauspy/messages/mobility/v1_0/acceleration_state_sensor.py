@@ -32,7 +32,7 @@ class QueryAccelerationState(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.presence_vector = _S_2H.unpack(data)
         if code != 0x2417: raise rt.Reject
@@ -92,7 +92,7 @@ class ReportAccelerationState(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_2H.unpack_from(data)
         if code != 0x4417: raise rt.Reject
         raw = iter(_M_ReportAccelerationState[mask & 0x1FF].unpack(data)).__next__

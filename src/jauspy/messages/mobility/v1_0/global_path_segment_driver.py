@@ -54,7 +54,7 @@ class SetGlobalPathSegment(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HB.unpack_from(data)
         if code != 0x040F: raise rt.Reject
         raw = iter(_M_SetGlobalPathSegment[mask & 0x7].unpack(data)).__next__
@@ -163,7 +163,7 @@ class ExecuteList(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HB.unpack_from(data)
         if code != 0x041E: raise rt.Reject
         raw = iter(_M_ExecuteList[mask & 0x1].unpack(data)).__next__
@@ -206,11 +206,9 @@ class QueryTravelSpeed(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x240A: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'\n$': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x240A)
@@ -239,7 +237,7 @@ class QueryGlobalPathSegment(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.presence_vector = _S_HB.unpack(data)
         if code != 0x240F: raise rt.Reject
@@ -264,11 +262,9 @@ class QueryActiveElement(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x241E: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'\x1e$': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x241E)
@@ -297,7 +293,7 @@ class ReportTravelSpeed(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, speed_ = _S_2H.unpack(data)
         if code != 0x440A: raise rt.Reject
@@ -358,7 +354,7 @@ class ReportGlobalPathSegment(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HB.unpack_from(data)
         if code != 0x440F: raise rt.Reject
         raw = iter(_M_SetGlobalPathSegment[mask & 0x7].unpack(data)).__next__
@@ -463,7 +459,7 @@ class ReportActiveElement(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.element_uid = _S_2H.unpack(data)
         if code != 0x441E: raise rt.Reject

@@ -59,7 +59,7 @@ class SetGlobalPose(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_2H.unpack_from(data)
         if code != 0x0402: raise rt.Reject
         raw = iter(_M_SetGlobalPose[mask & 0x1FF].unpack(data)).__next__
@@ -198,7 +198,7 @@ class SetGeomagneticProperty(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, magnetic_variation_ = _S_2H.unpack(data)
         if code != 0x0412: raise rt.Reject
@@ -237,7 +237,7 @@ class QueryGlobalPose(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.presence_vector = _S_2H.unpack(data)
         if code != 0x2402: raise rt.Reject
@@ -262,11 +262,9 @@ class QueryGeomagneticProperty(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2412: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'\x12$': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2412)
@@ -322,7 +320,7 @@ class ReportGlobalPose(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_2H.unpack_from(data)
         if code != 0x4402: raise rt.Reject
         raw = iter(_M_SetGlobalPose[mask & 0x1FF].unpack(data)).__next__
@@ -461,7 +459,7 @@ class ReportGeomagneticProperty(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, magnetic_variation_ = _S_2H.unpack(data)
         if code != 0x4412: raise rt.Reject

@@ -44,7 +44,7 @@ class SetGlobalVector(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HB.unpack_from(data)
         if code != 0x0407: raise rt.Reject
         raw = iter(_M_SetGlobalVector[mask & 0x1F].unpack(data)).__next__
@@ -127,7 +127,7 @@ class QueryGlobalVector(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.presence_vector = _S_HB.unpack(data)
         if code != 0x2407: raise rt.Reject
@@ -173,7 +173,7 @@ class ReportGlobalVector(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HB.unpack_from(data)
         if code != 0x4407: raise rt.Reject
         raw = iter(_M_SetGlobalVector[mask & 0x1F].unpack(data)).__next__

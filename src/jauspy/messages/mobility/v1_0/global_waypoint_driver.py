@@ -32,7 +32,7 @@ class SetTravelSpeed(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, speed_ = _S_2H.unpack(data)
         if code != 0x040A: raise rt.Reject
@@ -93,7 +93,7 @@ class SetGlobalWaypoint(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HB.unpack_from(data)
         if code != 0x040C: raise rt.Reject
         raw = iter(_M_SetGlobalWaypoint[mask & 0x3F].unpack(data)).__next__
@@ -209,7 +209,7 @@ class QueryGlobalWaypoint(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.presence_vector = _S_HB.unpack(data)
         if code != 0x240C: raise rt.Reject
@@ -272,7 +272,7 @@ class ReportGlobalWaypoint(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HB.unpack_from(data)
         if code != 0x440C: raise rt.Reject
         raw = iter(_M_SetGlobalWaypoint[mask & 0x3F].unpack(data)).__next__

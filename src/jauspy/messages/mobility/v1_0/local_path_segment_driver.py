@@ -55,7 +55,7 @@ class SetLocalPathSegment(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HB.unpack_from(data)
         if code != 0x0410: raise rt.Reject
         raw = iter(_M_SetLocalPathSegment[mask & 0x7].unpack(data)).__next__
@@ -176,7 +176,7 @@ class QueryLocalPathSegment(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.presence_vector = _S_HB.unpack(data)
         if code != 0x2410: raise rt.Reject
@@ -247,7 +247,7 @@ class ReportLocalPathSegment(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HB.unpack_from(data)
         if code != 0x4410: raise rt.Reject
         raw = iter(_M_SetLocalPathSegment[mask & 0x7].unpack(data)).__next__

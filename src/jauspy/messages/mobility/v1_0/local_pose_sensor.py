@@ -59,7 +59,7 @@ class SetLocalPose(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_2H.unpack_from(data)
         if code != 0x0403: raise rt.Reject
         raw = iter(_M_SetLocalPose[mask & 0x1FF].unpack(data)).__next__
@@ -198,7 +198,7 @@ class QueryLocalPose(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.presence_vector = _S_2H.unpack(data)
         if code != 0x2403: raise rt.Reject
@@ -258,7 +258,7 @@ class ReportLocalPose(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_2H.unpack_from(data)
         if code != 0x4403: raise rt.Reject
         raw = iter(_M_SetLocalPose[mask & 0x1FF].unpack(data)).__next__

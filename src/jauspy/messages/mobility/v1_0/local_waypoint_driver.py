@@ -63,7 +63,7 @@ class SetLocalWaypoint(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HB.unpack_from(data)
         if code != 0x040D: raise rt.Reject
         raw = iter(_M_SetLocalWaypoint[mask & 0x3F].unpack(data)).__next__
@@ -179,7 +179,7 @@ class QueryLocalWaypoint(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.presence_vector = _S_HB.unpack(data)
         if code != 0x240D: raise rt.Reject
@@ -242,7 +242,7 @@ class ReportLocalWaypoint(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HB.unpack_from(data)
         if code != 0x440D: raise rt.Reject
         raw = iter(_M_SetLocalWaypoint[mask & 0x3F].unpack(data)).__next__

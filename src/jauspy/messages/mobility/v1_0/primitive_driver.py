@@ -65,7 +65,7 @@ class SetWrenchEffort(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_2H.unpack_from(data)
         if code != 0x0405: raise rt.Reject
         raw = iter(_M_SetWrenchEffort[mask & 0xFFF].unpack(data)).__next__
@@ -211,7 +211,7 @@ class QueryWrenchEffort(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.presence_vector = _S_2H.unpack(data)
         if code != 0x2405: raise rt.Reject
@@ -278,7 +278,7 @@ class ReportWrenchEffort(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_2H.unpack_from(data)
         if code != 0x4405: raise rt.Reject
         raw = iter(_M_SetWrenchEffort[mask & 0xFFF].unpack(data)).__next__

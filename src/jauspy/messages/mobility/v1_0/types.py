@@ -52,7 +52,7 @@ class GlobalPoseRec(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         (mask,) = _S_H.unpack_from(data, at)
         packer = _M_mobility_v1_0_types_GlobalPoseRec_0[mask & 0x1FF]
@@ -214,7 +214,7 @@ class LocalPoseRec(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         (mask,) = _S_H.unpack_from(data, at)
         packer = _M_mobility_v1_0_types_GlobalPoseRec_0[mask & 0x1FF]
@@ -369,7 +369,7 @@ class GlobalZPosition(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         choice = data[at]
         if choice == 0:
@@ -458,7 +458,7 @@ class PolygonRec(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         self.number_loiter_vertices, xy_extent_, loiter_direction_, loiter_bearing_ = _S_BIBH.unpack_from(data, at)
         self.xy_extent = xy_extent_ * 2.3283064370807974e-05
@@ -524,7 +524,7 @@ class RaceTrackRec(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         loiter_type_, loiter_radius_, loiter_length_, loiter_direction_, loiter_bearing_ = _S_B2IBH.unpack_from(data, at)
         self.loiter_type = _E_RaceTrackRec_LoiterType[loiter_type_]
@@ -592,7 +592,7 @@ class Speed(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         choice = data[at]
         if choice == 0:
@@ -742,7 +742,7 @@ class ZPosition(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         choice = data[at]
         if choice == 0:
@@ -869,7 +869,7 @@ class ReportGlobalPoseExtRec(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         (mask,) = _S_H.unpack_from(data, at)
         packer = _M_mobility_v1_0_types_ReportGlobalPoseExtRec_0[mask & 0x7FFF]
@@ -1077,7 +1077,7 @@ class ReportLocalPoseExtRec(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         (mask,) = _S_H.unpack_from(data, at)
         packer = _M_mobility_v1_0_types_ReportLocalPoseExtRec_0[mask & 0xFFFF]
@@ -1254,7 +1254,7 @@ class VelocityVehicleXYZRec(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         mask = data[at]
         packer = _M_mobility_v1_0_types_VelocityVehicleXYZRec_0[mask & 0x7]
@@ -1324,7 +1324,7 @@ class VelocityLocalXYZRec(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         mask = data[at]
         packer = _M_mobility_v1_0_types_VelocityVehicleXYZRec_0[mask & 0x7]
@@ -1394,7 +1394,7 @@ class VelocityNEDRec(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         mask = data[at]
         packer = _M_mobility_v1_0_types_VelocityVehicleXYZRec_0[mask & 0x7]
@@ -1488,7 +1488,7 @@ class ReportVelocityStateExtRec(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         (mask,) = _S_H.unpack_from(data, at)
         packer = _M_mobility_v1_0_types_ReportVelocityStateExtRec_0[mask & 0x7FF]
@@ -1652,7 +1652,7 @@ class ReportAccelerationStateExtRec(rt.Struct):
         )
 
     @classmethod
-    def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+    def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
         self = rt.new(cls)
         (mask,) = _S_H.unpack_from(data, at)
         packer = _M_mobility_v1_0_types_ReportAccelerationStateExtRec_0[mask & 0x3FF]

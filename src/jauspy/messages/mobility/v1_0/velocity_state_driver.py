@@ -59,7 +59,7 @@ class SetVelocityCommand(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HB.unpack_from(data)
         if code != 0x0415: raise rt.Reject
         raw = iter(_M_SetVelocityCommand[mask & 0x3F].unpack(data)).__next__
@@ -190,7 +190,7 @@ class SetAccelerationLimit(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HB.unpack_from(data)
         if code != 0x0416: raise rt.Reject
         raw = iter(_M_SetAccelerationLimit[mask & 0x3F].unpack(data)).__next__
@@ -290,7 +290,7 @@ class QueryVelocityCommand(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.presence_vector, self.command_type = _S_H2B.unpack(data)
         if code != 0x2415: raise rt.Reject
@@ -326,7 +326,7 @@ class QueryAccelerationLimit(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.presence_vector, self.command_type = _S_H2B.unpack(data)
         if code != 0x2416: raise rt.Reject
@@ -386,7 +386,7 @@ class ReportVelocityCommand(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HB.unpack_from(data)
         if code != 0x4415: raise rt.Reject
         raw = iter(_M_SetVelocityCommand[mask & 0x3F].unpack(data)).__next__
@@ -517,7 +517,7 @@ class ReportAccelerationLimit(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HB.unpack_from(data)
         if code != 0x4416: raise rt.Reject
         raw = iter(_M_SetAccelerationLimit[mask & 0x3F].unpack(data)).__next__

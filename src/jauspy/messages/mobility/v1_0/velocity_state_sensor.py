@@ -32,7 +32,7 @@ class QueryVelocityState(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.presence_vector = _S_2H.unpack(data)
         if code != 0x2404: raise rt.Reject
@@ -92,7 +92,7 @@ class ReportVelocityState(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_2H.unpack_from(data)
         if code != 0x4404: raise rt.Reject
         raw = iter(_M_ReportVelocityState[mask & 0x1FF].unpack(data)).__next__

@@ -40,7 +40,7 @@ class QueryAccelerationStateExt(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.presence_vector = _S_2H.unpack(data)
         if code != 0x24B7: raise rt.Reject
@@ -109,7 +109,7 @@ class ReportAccelerationStateExt(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_2H.unpack_from(data)
         if code != 0x44B7: raise rt.Reject
         raw = iter(_M_ReportAccelerationStateExt[mask & 0x3FF].unpack(data)).__next__

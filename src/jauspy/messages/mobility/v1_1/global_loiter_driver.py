@@ -52,7 +52,7 @@ class SetGlobalLoiter(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             latitude_, longitude_ = _S_2I.unpack_from(data, at + 1)
@@ -60,7 +60,7 @@ class SetGlobalLoiter(rt.Message):
             self.longitude = -180.0 + longitude_ * 8.38190317349087e-08
             at += 9
             if mask & 1:
-                self.z_position, at = mobility_v1_0_types.GlobalZPosition._read(data, at, depth)
+                self.z_position, at = mobility_v1_0_types.GlobalZPosition._read(data, at, nesting)
             else: self.z_position = None
             self.reserved_presence = mask & 0xFE
             return self, at
@@ -117,7 +117,7 @@ class SetGlobalLoiter(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             hover_preference_, xy_tolerance_, z_tolerance_ = _S_B2I.unpack_from(data, at)
             self.hover_preference = _E_SetGlobalLoiter_HoverPreference[hover_preference_]
@@ -152,15 +152,15 @@ class SetGlobalLoiter(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x25 or data[1] != 0x04: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
         at = 2
-        self.global_loiter_rec, at = SetGlobalLoiter.GlobalLoiterRec._read(data, at, depth)
+        self.global_loiter_rec, at = SetGlobalLoiter.GlobalLoiterRec._read(data, at, nesting)
         tag = data[at]
         at += 1
-        self.loiter, at = _U_8[tag]._read(data, at, depth)
+        self.loiter, at = _U_8[tag]._read(data, at, nesting)
         if at != size: raise rt.Reject
         return self
 
@@ -200,12 +200,12 @@ class SetTravelSpeedExt(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0xAA or data[1] != 0x04: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
         at = 2
-        self.speed, at = mobility_v1_0_types.Speed._read(data, at, depth)
+        self.speed, at = mobility_v1_0_types.Speed._read(data, at, nesting)
         if at != size: raise rt.Reject
         return self
 
@@ -240,7 +240,7 @@ class QueryGlobalLoiter(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.presence_vector = _S_HB.unpack(data)
         if code != 0x2425: raise rt.Reject
@@ -265,11 +265,9 @@ class QueryTravelSpeedExt(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x24AA: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'\xaa$': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x24AA)
@@ -317,7 +315,7 @@ class ReportGlobalLoiter(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             latitude_, longitude_ = _S_2I.unpack_from(data, at + 1)
@@ -325,7 +323,7 @@ class ReportGlobalLoiter(rt.Message):
             self.longitude = -180.0 + longitude_ * 8.38190317349087e-08
             at += 9
             if mask & 1:
-                self.z_position, at = mobility_v1_0_types.GlobalZPosition._read(data, at, depth)
+                self.z_position, at = mobility_v1_0_types.GlobalZPosition._read(data, at, nesting)
             else: self.z_position = None
             self.reserved_presence = mask & 0xFE
             return self, at
@@ -382,7 +380,7 @@ class ReportGlobalLoiter(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             hover_preference_, xy_tolerance_, z_tolerance_ = _S_B2I.unpack_from(data, at)
             self.hover_preference = _E_ReportGlobalLoiter_HoverPreference[hover_preference_]
@@ -417,15 +415,15 @@ class ReportGlobalLoiter(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x25 or data[1] != 0x44: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
         at = 2
-        self.global_loiter_rec, at = ReportGlobalLoiter.GlobalLoiterRec._read(data, at, depth)
+        self.global_loiter_rec, at = ReportGlobalLoiter.GlobalLoiterRec._read(data, at, nesting)
         tag = data[at]
         at += 1
-        self.loiter, at = _U_13[tag]._read(data, at, depth)
+        self.loiter, at = _U_13[tag]._read(data, at, nesting)
         if at != size: raise rt.Reject
         return self
 
@@ -465,12 +463,12 @@ class ReportTravelSpeedExt(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0xAA or data[1] != 0x44: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
         at = 2
-        self.speed, at = mobility_v1_0_types.Speed._read(data, at, depth)
+        self.speed, at = mobility_v1_0_types.Speed._read(data, at, nesting)
         if at != size: raise rt.Reject
         return self
 

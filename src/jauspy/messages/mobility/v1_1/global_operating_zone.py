@@ -59,7 +59,7 @@ class SetGlobalOperatingZone(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             choice = data[at]
             if choice == 0:
@@ -149,7 +149,7 @@ class SetGlobalOperatingZone(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             choice = data[at]
             if choice == 0:
@@ -231,7 +231,7 @@ class SetGlobalOperatingZone(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             latitude_, longitude_ = _S_2I.unpack_from(data, at + 1)
@@ -239,10 +239,10 @@ class SetGlobalOperatingZone(rt.Message):
             self.longitude = -180.0 + longitude_ * 8.38190317349087e-08
             at += 9
             if mask & 1:
-                self.min_z_position, at = SetGlobalOperatingZone.MinZPosition._read(data, at, depth)
+                self.min_z_position, at = SetGlobalOperatingZone.MinZPosition._read(data, at, nesting)
             else: self.min_z_position = None
             if mask & 2:
-                self.max_z_position, at = SetGlobalOperatingZone.MaxZPosition._read(data, at, depth)
+                self.max_z_position, at = SetGlobalOperatingZone.MaxZPosition._read(data, at, nesting)
             else: self.max_z_position = None
             self.reserved_presence = mask & 0xFC
             return self, at
@@ -328,7 +328,7 @@ class SetGlobalOperatingZone(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x23 or data[1] != 0x04: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -337,7 +337,7 @@ class SetGlobalOperatingZone(rt.Message):
         at = 3
         global_operating_zone_ = []
         for _ in range(global_operating_zone_count_):
-            item_, at = SetGlobalOperatingZone.GlobalPolygonPointRec._read(data, at, depth)
+            item_, at = SetGlobalOperatingZone.GlobalPolygonPointRec._read(data, at, nesting)
             global_operating_zone_.append(item_)
         self.global_operating_zone = global_operating_zone_
         global_exclusion_zones_count_ = data[at]
@@ -354,7 +354,7 @@ class SetGlobalOperatingZone(rt.Message):
                 (zone_id_,) = _S_H.unpack_from(data, at)
                 item_4_.global_exclusion_zone_rec = SetGlobalOperatingZone.GlobalExclusionZoneRec(_E_SetGlobalOperatingZone_ZoneID.get(zone_id_, zone_id_))
                 at += 2
-                item_4_.global_polygon_point_rec, at = SetGlobalOperatingZone.GlobalPolygonPointRec._read(data, at, depth)
+                item_4_.global_polygon_point_rec, at = SetGlobalOperatingZone.GlobalPolygonPointRec._read(data, at, nesting)
                 item_3_.append(item_4_)
             item_2_ = item_3_
             global_exclusion_zones_.append(item_2_)
@@ -412,7 +412,7 @@ class DeleteZone(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x22 or data[1] != 0x04: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -464,7 +464,7 @@ class QueryGlobalOperatingZone(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, query_zone_id_ = _S_2H.unpack(data)
         if code != 0x2423: raise rt.Reject
@@ -504,7 +504,7 @@ class QueryExcursion(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, query_zone_id_ = _S_2H.unpack(data)
         if code != 0x2424: raise rt.Reject
@@ -564,7 +564,7 @@ class ReportGlobalOperatingZone(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             choice = data[at]
             if choice == 0:
@@ -654,7 +654,7 @@ class ReportGlobalOperatingZone(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             choice = data[at]
             if choice == 0:
@@ -736,7 +736,7 @@ class ReportGlobalOperatingZone(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             latitude_, longitude_ = _S_2I.unpack_from(data, at + 1)
@@ -744,10 +744,10 @@ class ReportGlobalOperatingZone(rt.Message):
             self.longitude = -180.0 + longitude_ * 8.38190317349087e-08
             at += 9
             if mask & 1:
-                self.min_z_position, at = ReportGlobalOperatingZone.MinZPosition._read(data, at, depth)
+                self.min_z_position, at = ReportGlobalOperatingZone.MinZPosition._read(data, at, nesting)
             else: self.min_z_position = None
             if mask & 2:
-                self.max_z_position, at = ReportGlobalOperatingZone.MaxZPosition._read(data, at, depth)
+                self.max_z_position, at = ReportGlobalOperatingZone.MaxZPosition._read(data, at, nesting)
             else: self.max_z_position = None
             self.reserved_presence = mask & 0xFC
             return self, at
@@ -833,7 +833,7 @@ class ReportGlobalOperatingZone(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x23 or data[1] != 0x44: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -842,7 +842,7 @@ class ReportGlobalOperatingZone(rt.Message):
         at = 3
         global_operating_zone_ = []
         for _ in range(global_operating_zone_count_):
-            item_, at = ReportGlobalOperatingZone.GlobalPolygonPointRec._read(data, at, depth)
+            item_, at = ReportGlobalOperatingZone.GlobalPolygonPointRec._read(data, at, nesting)
             global_operating_zone_.append(item_)
         self.global_operating_zone = global_operating_zone_
         global_exclusion_zones_count_ = data[at]
@@ -859,7 +859,7 @@ class ReportGlobalOperatingZone(rt.Message):
                 (zone_id_,) = _S_H.unpack_from(data, at)
                 item_4_.global_exclusion_zone_rec = ReportGlobalOperatingZone.GlobalExclusionZoneRec(_E_ReportGlobalOperatingZone_ZoneID.get(zone_id_, zone_id_))
                 at += 2
-                item_4_.global_polygon_point_rec, at = ReportGlobalOperatingZone.GlobalPolygonPointRec._read(data, at, depth)
+                item_4_.global_polygon_point_rec, at = ReportGlobalOperatingZone.GlobalPolygonPointRec._read(data, at, nesting)
                 item_3_.append(item_4_)
             item_2_ = item_3_
             global_exclusion_zones_.append(item_2_)
@@ -917,7 +917,7 @@ class ReportExcursion(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x24 or data[1] != 0x44: raise rt.Reject
         size = len(data)
         self = rt.new(cls)

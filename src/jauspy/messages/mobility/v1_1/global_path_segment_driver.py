@@ -39,7 +39,7 @@ class ExecuteList(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HB.unpack_from(data)
         if code != 0x041E: raise rt.Reject
         raw = iter(_M_ExecuteList[mask & 0x1].unpack(data)).__next__
@@ -96,13 +96,13 @@ class ExecuteListExt(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0xAE or data[1] != 0x04: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
         mask = data[2]
         at = 3
-        self.speed, at = mobility_v1_0_types.Speed._read(data, at, depth)
+        self.speed, at = mobility_v1_0_types.Speed._read(data, at, nesting)
         packer = _M_ExecuteListExt_1[mask & 0x1]
         raw = iter(packer.unpack_from(data, at)).__next__
         at += packer.size
@@ -177,7 +177,7 @@ class QueryGlobalPathSegmentExt(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.presence_vector = _S_HB.unpack(data)
         if code != 0x24AF: raise rt.Reject
@@ -274,7 +274,7 @@ class ReportGlobalPathSegmentExt(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             choice = data[at]
             if choice == 0:
@@ -364,7 +364,7 @@ class ReportGlobalPathSegmentExt(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             choice = data[at]
             if choice == 0:
@@ -444,7 +444,7 @@ class ReportGlobalPathSegmentExt(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0xAF or data[1] != 0x44: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -454,14 +454,14 @@ class ReportGlobalPathSegmentExt(rt.Message):
         self.p1_longitude = -180.0 + p1_longitude_ * 8.38190317349087e-08
         at = 11
         if mask & 1:
-            self.p1_z_position, at = ReportGlobalPathSegmentExt.P1_ZPosition._read(data, at, depth)
+            self.p1_z_position, at = ReportGlobalPathSegmentExt.P1_ZPosition._read(data, at, nesting)
         else: self.p1_z_position = None
         p2_latitude_, p2_longitude_ = _S_2I.unpack_from(data, at)
         self.p2_latitude = -90.0 + p2_latitude_ * 4.190951586745435e-08
         self.p2_longitude = -180.0 + p2_longitude_ * 8.38190317349087e-08
         at += 8
         if mask & 2:
-            self.p_z_position, at = ReportGlobalPathSegmentExt.P_ZPosition._read(data, at, depth)
+            self.p_z_position, at = ReportGlobalPathSegmentExt.P_ZPosition._read(data, at, nesting)
         else: self.p_z_position = None
         packer = _M_ReportGlobalPathSegmentExt_4[mask & 0x4]
         raw = iter(packer.unpack_from(data, at)).__next__

@@ -74,7 +74,7 @@ class SetGlobalPoseExt(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0xA2 or data[1] != 0x04: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -85,7 +85,7 @@ class SetGlobalPoseExt(rt.Message):
         self.latitude = -90.0 + raw() * 4.190951586745435e-08 if mask & 1 else None
         self.longitude = -180.0 + raw() * 8.38190317349087e-08 if mask & 2 else None
         if mask & 4:
-            self.z_position, at = mobility_v1_0_types.GlobalZPosition._read(data, at, depth)
+            self.z_position, at = mobility_v1_0_types.GlobalZPosition._read(data, at, nesting)
         else: self.z_position = None
         packer = _M_SetGlobalPoseExt_2[mask & 0x7F8]
         raw = iter(packer.unpack_from(data, at)).__next__
@@ -232,7 +232,7 @@ class QueryGlobalPoseExt(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.presence_vector = _S_2H.unpack(data)
         if code != 0x24A2: raise rt.Reject
@@ -324,7 +324,7 @@ class ReportGlobalPoseExt(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_2H.unpack_from(data)
         if code != 0x44A2: raise rt.Reject
         raw = iter(_M_ReportGlobalPoseExt[mask & 0x7FFF].unpack(data)).__next__

@@ -60,15 +60,15 @@ class SetGlobalVectorExt(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0xA7 or data[1] != 0x04: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
         mask = data[2]
         at = 3
-        self.speed, at = mobility_v1_0_types.Speed._read(data, at, depth)
+        self.speed, at = mobility_v1_0_types.Speed._read(data, at, nesting)
         if mask & 1:
-            self.z_position, at = mobility_v1_0_types.GlobalZPosition._read(data, at, depth)
+            self.z_position, at = mobility_v1_0_types.GlobalZPosition._read(data, at, nesting)
         else: self.z_position = None
         packer = _M_SetGlobalVectorExt_2[mask & 0x1E]
         raw = iter(packer.unpack_from(data, at)).__next__
@@ -164,7 +164,7 @@ class QueryGlobalVectorExt(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.presence_vector = _S_2H.unpack(data)
         if code != 0x24A7: raise rt.Reject
@@ -224,15 +224,15 @@ class ReportGlobalVectorExt(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0xA7 or data[1] != 0x44: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
         mask = data[2]
         at = 3
-        self.speed, at = mobility_v1_0_types.Speed._read(data, at, depth)
+        self.speed, at = mobility_v1_0_types.Speed._read(data, at, nesting)
         if mask & 1:
-            self.z_position, at = mobility_v1_0_types.GlobalZPosition._read(data, at, depth)
+            self.z_position, at = mobility_v1_0_types.GlobalZPosition._read(data, at, nesting)
         else: self.z_position = None
         packer = _M_SetGlobalVectorExt_2[mask & 0x1E]
         raw = iter(packer.unpack_from(data, at)).__next__

@@ -84,7 +84,7 @@ class SetGlobalWaypointExt(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0xAC or data[1] != 0x04: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -94,7 +94,7 @@ class SetGlobalWaypointExt(rt.Message):
         self.longitude = -180.0 + longitude_ * 8.38190317349087e-08
         at = 11
         if mask & 1:
-            self.z_position, at = mobility_v1_0_types.GlobalZPosition._read(data, at, depth)
+            self.z_position, at = mobility_v1_0_types.GlobalZPosition._read(data, at, nesting)
         else: self.z_position = None
         packer = _M_SetGlobalWaypointExt_2[mask & 0x3E]
         raw = iter(packer.unpack_from(data, at)).__next__
@@ -223,7 +223,7 @@ class QueryGlobalWaypointExt(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.presence_vector = _S_2H.unpack(data)
         if code != 0x24AC: raise rt.Reject
@@ -304,7 +304,7 @@ class ReportGlobalWaypointExt(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0xAC or data[1] != 0x44: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -314,7 +314,7 @@ class ReportGlobalWaypointExt(rt.Message):
         self.longitude = -180.0 + longitude_ * 8.38190317349087e-08
         at = 11
         if mask & 1:
-            self.z_position, at = mobility_v1_0_types.GlobalZPosition._read(data, at, depth)
+            self.z_position, at = mobility_v1_0_types.GlobalZPosition._read(data, at, nesting)
         else: self.z_position = None
         packer = _M_SetGlobalWaypointExt_2[mask & 0x3E]
         raw = iter(packer.unpack_from(data, at)).__next__

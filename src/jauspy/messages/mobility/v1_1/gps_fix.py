@@ -24,11 +24,9 @@ class RequestGPSFix(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x0428: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'(\x04': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x0428)
@@ -49,11 +47,9 @@ class QueryGPSFix(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2428: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'($': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2428)
@@ -105,7 +101,7 @@ class ReportGPSFix(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_ReportGPSFix_GPSFixRec_0[mask & 0xF]
@@ -189,7 +185,7 @@ class ReportGPSFix(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             gps_validity_, gps_magnetic_variation_ = _S_BI.unpack_from(data, at)
             self.gps_validity = _E_ReportGPSFix_GPSValidity[gps_validity_]
@@ -269,7 +265,7 @@ class ReportGPSFix(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_ReportGPSFix_AltGPSRec_0[mask & 0x3F]
@@ -361,17 +357,17 @@ class ReportGPSFix(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x28 or data[1] != 0x44: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
         mask = data[2]
         at = 3
-        self.gps_fix_rec, at = ReportGPSFix.GPSFixRec._read(data, at, depth)
+        self.gps_fix_rec, at = ReportGPSFix.GPSFixRec._read(data, at, nesting)
         if mask & 1:
             tag = data[at]
             at += 1
-            self.gps_status_var, at = _U_14[tag]._read(data, at, depth)
+            self.gps_status_var, at = _U_14[tag]._read(data, at, nesting)
         else: self.gps_status_var = None
         self.reserved_presence = mask & 0xFE
         if at != size: raise rt.Reject

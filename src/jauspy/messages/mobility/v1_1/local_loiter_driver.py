@@ -53,7 +53,7 @@ class SetLocalLoiter(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             x_, y_ = _S_2I.unpack_from(data, at + 1)
@@ -61,7 +61,7 @@ class SetLocalLoiter(rt.Message):
             self.y = -20000000.0 + y_ * 0.00931322574832319
             at += 9
             if mask & 1:
-                self.z_position, at = mobility_v1_0_types.ZPosition._read(data, at, depth)
+                self.z_position, at = mobility_v1_0_types.ZPosition._read(data, at, nesting)
             else: self.z_position = None
             self.reserved_presence = mask & 0xFE
             return self, at
@@ -118,7 +118,7 @@ class SetLocalLoiter(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             hover_preference_, xy_tolerance_, z_tolerance_ = _S_B2I.unpack_from(data, at)
             self.hover_preference = _E_SetLocalLoiter_HoverPreference[hover_preference_]
@@ -153,15 +153,15 @@ class SetLocalLoiter(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x26 or data[1] != 0x04: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
         at = 2
-        self.local_loiter_rec, at = SetLocalLoiter.LocalLoiterRec._read(data, at, depth)
+        self.local_loiter_rec, at = SetLocalLoiter.LocalLoiterRec._read(data, at, nesting)
         tag = data[at]
         at += 1
-        self.loiter, at = _U_7[tag]._read(data, at, depth)
+        self.loiter, at = _U_7[tag]._read(data, at, nesting)
         if at != size: raise rt.Reject
         return self
 
@@ -207,7 +207,7 @@ class QueryLocalLoiter(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.presence_vector = _S_HB.unpack(data)
         if code != 0x2426: raise rt.Reject
@@ -267,7 +267,7 @@ class ReportLocalLoiter(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             x_, y_ = _S_2I.unpack_from(data, at + 1)
@@ -275,7 +275,7 @@ class ReportLocalLoiter(rt.Message):
             self.y = -20000000.0 + y_ * 0.00931322574832319
             at += 9
             if mask & 1:
-                self.z_position, at = mobility_v1_0_types.ZPosition._read(data, at, depth)
+                self.z_position, at = mobility_v1_0_types.ZPosition._read(data, at, nesting)
             else: self.z_position = None
             self.reserved_presence = mask & 0xFE
             return self, at
@@ -332,7 +332,7 @@ class ReportLocalLoiter(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             hover_preference_, xy_tolerance_, z_tolerance_ = _S_B2I.unpack_from(data, at)
             self.hover_preference = _E_ReportLocalLoiter_HoverPreference[hover_preference_]
@@ -367,15 +367,15 @@ class ReportLocalLoiter(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x26 or data[1] != 0x44: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
         at = 2
-        self.local_loiter_rec, at = ReportLocalLoiter.LocalLoiterRec._read(data, at, depth)
+        self.local_loiter_rec, at = ReportLocalLoiter.LocalLoiterRec._read(data, at, nesting)
         tag = data[at]
         at += 1
-        self.loiter, at = _U_11[tag]._read(data, at, depth)
+        self.loiter, at = _U_11[tag]._read(data, at, nesting)
         if at != size: raise rt.Reject
         return self
 

@@ -62,7 +62,7 @@ class SetLocalOperatingZone(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             choice = data[at]
             if choice == 0:
@@ -166,7 +166,7 @@ class SetLocalOperatingZone(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             choice = data[at]
             if choice == 0:
@@ -259,7 +259,7 @@ class SetLocalOperatingZone(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             x_, y_ = _S_2I.unpack_from(data, at + 1)
@@ -267,10 +267,10 @@ class SetLocalOperatingZone(rt.Message):
             self.y = -20000000.0 + y_ * 0.00931322574832319
             at += 9
             if mask & 1:
-                self.min_z_position, at = SetLocalOperatingZone.MinZPosition._read(data, at, depth)
+                self.min_z_position, at = SetLocalOperatingZone.MinZPosition._read(data, at, nesting)
             else: self.min_z_position = None
             if mask & 2:
-                self.max_z_position, at = SetLocalOperatingZone.MaxZPosition._read(data, at, depth)
+                self.max_z_position, at = SetLocalOperatingZone.MaxZPosition._read(data, at, nesting)
             else: self.max_z_position = None
             self.reserved_presence = mask & 0xFC
             return self, at
@@ -356,7 +356,7 @@ class SetLocalOperatingZone(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x27 or data[1] != 0x04: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -365,7 +365,7 @@ class SetLocalOperatingZone(rt.Message):
         at = 3
         local_operating_zone_ = []
         for _ in range(local_operating_zone_count_):
-            item_, at = SetLocalOperatingZone.LocalPolygonPointRec._read(data, at, depth)
+            item_, at = SetLocalOperatingZone.LocalPolygonPointRec._read(data, at, nesting)
             local_operating_zone_.append(item_)
         self.local_operating_zone = local_operating_zone_
         local_exclusion_zones_count_ = data[at]
@@ -382,7 +382,7 @@ class SetLocalOperatingZone(rt.Message):
                 (zone_id_,) = _S_H.unpack_from(data, at)
                 item_4_.local_exclusion_zone_rec = SetLocalOperatingZone.LocalExclusionZoneRec(_E_SetLocalOperatingZone_ZoneID.get(zone_id_, zone_id_))
                 at += 2
-                item_4_.local_polygon_point_rec, at = SetLocalOperatingZone.LocalPolygonPointRec._read(data, at, depth)
+                item_4_.local_polygon_point_rec, at = SetLocalOperatingZone.LocalPolygonPointRec._read(data, at, nesting)
                 item_3_.append(item_4_)
             item_2_ = item_3_
             local_exclusion_zones_.append(item_2_)
@@ -452,7 +452,7 @@ class QueryLocalOperatingZone(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, query_zone_id_ = _S_2H.unpack(data)
         if code != 0x2427: raise rt.Reject
@@ -523,7 +523,7 @@ class ReportLocalOperatingZone(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             choice = data[at]
             if choice == 0:
@@ -627,7 +627,7 @@ class ReportLocalOperatingZone(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             choice = data[at]
             if choice == 0:
@@ -720,7 +720,7 @@ class ReportLocalOperatingZone(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             x_, y_ = _S_2I.unpack_from(data, at + 1)
@@ -728,10 +728,10 @@ class ReportLocalOperatingZone(rt.Message):
             self.y = -20000000.0 + y_ * 0.00931322574832319
             at += 9
             if mask & 1:
-                self.min_z_position, at = ReportLocalOperatingZone.MinZPosition._read(data, at, depth)
+                self.min_z_position, at = ReportLocalOperatingZone.MinZPosition._read(data, at, nesting)
             else: self.min_z_position = None
             if mask & 2:
-                self.max_z_position, at = ReportLocalOperatingZone.MaxZPosition._read(data, at, depth)
+                self.max_z_position, at = ReportLocalOperatingZone.MaxZPosition._read(data, at, nesting)
             else: self.max_z_position = None
             self.reserved_presence = mask & 0xFC
             return self, at
@@ -817,7 +817,7 @@ class ReportLocalOperatingZone(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x27 or data[1] != 0x44: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -826,7 +826,7 @@ class ReportLocalOperatingZone(rt.Message):
         at = 3
         local_operating_zone_ = []
         for _ in range(local_operating_zone_count_):
-            item_, at = ReportLocalOperatingZone.LocalPolygonPointRec._read(data, at, depth)
+            item_, at = ReportLocalOperatingZone.LocalPolygonPointRec._read(data, at, nesting)
             local_operating_zone_.append(item_)
         self.local_operating_zone = local_operating_zone_
         local_exclusion_zones_count_ = data[at]
@@ -843,7 +843,7 @@ class ReportLocalOperatingZone(rt.Message):
                 (zone_id_,) = _S_H.unpack_from(data, at)
                 item_4_.local_exclusion_zone_rec = ReportLocalOperatingZone.LocalExclusionZoneRec(_E_ReportLocalOperatingZone_ZoneID.get(zone_id_, zone_id_))
                 at += 2
-                item_4_.local_polygon_point_rec, at = ReportLocalOperatingZone.LocalPolygonPointRec._read(data, at, depth)
+                item_4_.local_polygon_point_rec, at = ReportLocalOperatingZone.LocalPolygonPointRec._read(data, at, nesting)
                 item_3_.append(item_4_)
             item_2_ = item_3_
             local_exclusion_zones_.append(item_2_)

@@ -76,7 +76,7 @@ class QueryLocalPathSegmentExt(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.presence_vector = _S_HB.unpack(data)
         if code != 0x24B0: raise rt.Reject
@@ -176,7 +176,7 @@ class ReportLocalPathSegmentExt(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             choice = data[at]
             if choice == 0:
@@ -280,7 +280,7 @@ class ReportLocalPathSegmentExt(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             choice = data[at]
             if choice == 0:
@@ -371,7 +371,7 @@ class ReportLocalPathSegmentExt(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0xB0 or data[1] != 0x44: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -381,14 +381,14 @@ class ReportLocalPathSegmentExt(rt.Message):
         self.p1_y = -20000000.0 + p1_y_ * 0.00931322574832319
         at = 11
         if mask & 1:
-            self.p1_z_position, at = ReportLocalPathSegmentExt.P1_ZPosition._read(data, at, depth)
+            self.p1_z_position, at = ReportLocalPathSegmentExt.P1_ZPosition._read(data, at, nesting)
         else: self.p1_z_position = None
         p2_x_, p2_y_ = _S_2I.unpack_from(data, at)
         self.p2_x = -20000000.0 + p2_x_ * 0.00931322574832319
         self.p2_y = -20000000.0 + p2_y_ * 0.00931322574832319
         at += 8
         if mask & 2:
-            self.p2_z_position, at = ReportLocalPathSegmentExt.P2_ZPosition._read(data, at, depth)
+            self.p2_z_position, at = ReportLocalPathSegmentExt.P2_ZPosition._read(data, at, nesting)
         else: self.p2_z_position = None
         packer = _M_ReportLocalPathSegmentExt_4[mask & 0x4]
         raw = iter(packer.unpack_from(data, at)).__next__

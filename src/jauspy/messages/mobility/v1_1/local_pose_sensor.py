@@ -74,7 +74,7 @@ class SetLocalPoseExt(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0xA3 or data[1] != 0x04: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -85,7 +85,7 @@ class SetLocalPoseExt(rt.Message):
         self.x = -20000000.0 + raw() * 0.00931322574832319 if mask & 1 else None
         self.y = -20000000.0 + raw() * 0.00931322574832319 if mask & 2 else None
         if mask & 4:
-            self.z_position, at = mobility_v1_0_types.ZPosition._read(data, at, depth)
+            self.z_position, at = mobility_v1_0_types.ZPosition._read(data, at, nesting)
         else: self.z_position = None
         packer = _M_SetLocalPoseExt_2[mask & 0x7F8]
         raw = iter(packer.unpack_from(data, at)).__next__
@@ -224,7 +224,7 @@ class QueryLocalPoseExt(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.presence_vector = _S_2H.unpack(data)
         if code != 0x24A3: raise rt.Reject
@@ -310,7 +310,7 @@ class ReportLocalPoseExt(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_2H.unpack_from(data)
         if code != 0x44A3: raise rt.Reject
         raw = iter(_M_ReportLocalPoseExt[mask & 0xFFFF].unpack(data)).__next__

@@ -46,7 +46,7 @@ class SetLocalVector(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HB.unpack_from(data)
         if code != 0x0408: raise rt.Reject
         raw = iter(_M_SetLocalVector[mask & 0xF].unpack(data)).__next__
@@ -147,15 +147,15 @@ class SetLocalVectorExt(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0xA8 or data[1] != 0x04: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
         mask = data[2]
         at = 3
-        self.speed, at = mobility_v1_0_types.Speed._read(data, at, depth)
+        self.speed, at = mobility_v1_0_types.Speed._read(data, at, nesting)
         if mask & 1:
-            self.z_position, at = mobility_v1_0_types.ZPosition._read(data, at, depth)
+            self.z_position, at = mobility_v1_0_types.ZPosition._read(data, at, nesting)
         else: self.z_position = None
         packer = _M_SetLocalVectorExt_2[mask & 0x1E]
         raw = iter(packer.unpack_from(data, at)).__next__
@@ -251,7 +251,7 @@ class QueryLocalVectorExt(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.presence_vector = _S_2H.unpack(data)
         if code != 0x24A8: raise rt.Reject
@@ -297,7 +297,7 @@ class ReportLocalVector(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HB.unpack_from(data)
         if code != 0x4408: raise rt.Reject
         raw = iter(_M_SetLocalVector[mask & 0xF].unpack(data)).__next__
@@ -398,15 +398,15 @@ class ReportLocalVectorExt(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0xA8 or data[1] != 0x44: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
         mask = data[2]
         at = 3
-        self.speed, at = mobility_v1_0_types.Speed._read(data, at, depth)
+        self.speed, at = mobility_v1_0_types.Speed._read(data, at, nesting)
         if mask & 1:
-            self.z_position, at = mobility_v1_0_types.ZPosition._read(data, at, depth)
+            self.z_position, at = mobility_v1_0_types.ZPosition._read(data, at, nesting)
         else: self.z_position = None
         packer = _M_SetLocalVectorExt_2[mask & 0x1E]
         raw = iter(packer.unpack_from(data, at)).__next__

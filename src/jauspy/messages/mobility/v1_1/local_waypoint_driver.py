@@ -85,7 +85,7 @@ class SetLocalWaypointExt(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0xAD or data[1] != 0x04: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -95,7 +95,7 @@ class SetLocalWaypointExt(rt.Message):
         self.y = -20000000.0 + y_ * 0.00931322574832319
         at = 11
         if mask & 1:
-            self.z_position, at = mobility_v1_0_types.ZPosition._read(data, at, depth)
+            self.z_position, at = mobility_v1_0_types.ZPosition._read(data, at, nesting)
         else: self.z_position = None
         packer = _M_SetLocalWaypointExt_2[mask & 0x3E]
         raw = iter(packer.unpack_from(data, at)).__next__
@@ -224,7 +224,7 @@ class QueryLocalWaypointExt(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.presence_vector = _S_2H.unpack(data)
         if code != 0x24AD: raise rt.Reject
@@ -305,7 +305,7 @@ class ReportLocalWaypointExt(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0xAD or data[1] != 0x44: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -315,7 +315,7 @@ class ReportLocalWaypointExt(rt.Message):
         self.y = -20000000.0 + y_ * 0.00931322574832319
         at = 11
         if mask & 1:
-            self.z_position, at = mobility_v1_0_types.ZPosition._read(data, at, depth)
+            self.z_position, at = mobility_v1_0_types.ZPosition._read(data, at, nesting)
         else: self.z_position = None
         packer = _M_SetLocalWaypointExt_2[mask & 0x3E]
         raw = iter(packer.unpack_from(data, at)).__next__

@@ -41,7 +41,7 @@ class QueryNavigation(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.global_pose_presence_vector, self.local_pose_presence_vector, self.velocity_state_presence_vector, self.acceleration_state_presence_vector = _S_5H.unpack(data)
         if code != 0x2421: raise rt.Reject
@@ -130,21 +130,21 @@ class ReportNavigation(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x21 or data[1] != 0x44: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
         time_seconds_, time_nano_seconds_ = _S_2I.unpack_from(data, 2)
         self.sync_time_rec = ReportNavigation.SyncTimeRec(time_seconds_, time_nano_seconds_)
         at = 10
-        self.report_global_pose_ext_rec, at = mobility_v1_0_types.ReportGlobalPoseExtRec._read(data, at, depth)
-        self.report_local_pose_ext_rec, at = mobility_v1_0_types.ReportLocalPoseExtRec._read(data, at, depth)
+        self.report_global_pose_ext_rec, at = mobility_v1_0_types.ReportGlobalPoseExtRec._read(data, at, nesting)
+        self.report_local_pose_ext_rec, at = mobility_v1_0_types.ReportLocalPoseExtRec._read(data, at, nesting)
         self.report_velocity_state_ext_seq = report_velocity_state_ext_seq_ = rt.new(ReportNavigation.ReportVelocityStateExtSeq)
         tag = data[at]
         at += 1
-        report_velocity_state_ext_seq_.velocity_var, at = _U_2[tag]._read(data, at, depth)
-        report_velocity_state_ext_seq_.report_velocity_state_ext_rec, at = mobility_v1_0_types.ReportVelocityStateExtRec._read(data, at, depth)
-        self.report_acceleration_state_ext_rec, at = mobility_v1_0_types.ReportAccelerationStateExtRec._read(data, at, depth)
+        report_velocity_state_ext_seq_.velocity_var, at = _U_2[tag]._read(data, at, nesting)
+        report_velocity_state_ext_seq_.report_velocity_state_ext_rec, at = mobility_v1_0_types.ReportVelocityStateExtRec._read(data, at, nesting)
+        self.report_acceleration_state_ext_rec, at = mobility_v1_0_types.ReportAccelerationStateExtRec._read(data, at, nesting)
         if at != size: raise rt.Reject
         return self
 

@@ -73,7 +73,7 @@ class SetVelocityCommandExt(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HB.unpack_from(data)
         if code != 0x04B5: raise rt.Reject
         raw = iter(_M_SetVelocityCommandExt[mask & 0x3F].unpack(data)).__next__
@@ -204,7 +204,7 @@ class SetAccelerationLimit(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HB.unpack_from(data)
         if code != 0x0416: raise rt.Reject
         raw = iter(_M_SetVelocityCommandExt[mask & 0x3F].unpack(data)).__next__
@@ -312,7 +312,7 @@ class QueryVelocityCommandExt(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.presence_vector, self.command_type = _S_H2B.unpack(data)
         if code != 0x24B5: raise rt.Reject
@@ -392,7 +392,7 @@ class ReportVelocityCommandExt(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HB.unpack_from(data)
         if code != 0x44B5: raise rt.Reject
         raw = iter(_M_SetVelocityCommandExt[mask & 0x3F].unpack(data)).__next__
@@ -523,7 +523,7 @@ class ReportAccelerationLimit(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HB.unpack_from(data)
         if code != 0x4416: raise rt.Reject
         raw = iter(_M_SetVelocityCommandExt[mask & 0x3F].unpack(data)).__next__

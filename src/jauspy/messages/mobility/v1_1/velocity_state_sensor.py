@@ -44,7 +44,7 @@ class QueryVelocityStateExt(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, self.velocity_var_presence_vector, self.report_velocity_state_ext_rec_presence_vector = _S_HBH.unpack(data)
         if code != 0x24A4: raise rt.Reject
@@ -93,14 +93,14 @@ class ReportVelocityStateExt(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0xA4 or data[1] != 0x44: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
         tag = data[2]
         at = 3
-        self.velocity_var, at = _U_1[tag]._read(data, at, depth)
-        self.report_velocity_state_ext_rec, at = mobility_v1_0_types.ReportVelocityStateExtRec._read(data, at, depth)
+        self.velocity_var, at = _U_1[tag]._read(data, at, nesting)
+        self.report_velocity_state_ext_rec, at = mobility_v1_0_types.ReportVelocityStateExtRec._read(data, at, nesting)
         if at != size: raise rt.Reject
         return self
 

@@ -44,7 +44,7 @@ class SetAckermannConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HB.unpack_from(data)
         if code != 0x0500: raise rt.Reject
         raw = iter(_M_SetAckermannConfiguration[mask & 0x3].unpack(data)).__next__
@@ -116,11 +116,9 @@ class QueryAckermannConfiguration(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2500: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'\x00%': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2500)
@@ -162,7 +160,7 @@ class ReportAckermannConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         code, mask = _S_HB.unpack_from(data)
         if code != 0x4500: raise rt.Reject
         raw = iter(_M_SetAckermannConfiguration[mask & 0x3].unpack(data)).__next__

@@ -52,7 +52,7 @@ class SetTransmissionState(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, transmission_state_ = _S_HB.unpack(data)
         if code != 0x0509: raise rt.Reject
@@ -80,11 +80,9 @@ class QueryTransmissionState(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2509: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'\t%': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2509)
@@ -124,7 +122,7 @@ class SetTransferCaseState(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, transfer_case_state_ = _S_HB.unpack(data)
         if code != 0x0510: raise rt.Reject
@@ -152,11 +150,9 @@ class QueryTransferCaseState(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2510: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'\x10%': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2510)
@@ -177,11 +173,9 @@ class QueryTransmissionCapabilities(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2511: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'\x11%': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2511)
@@ -253,7 +247,7 @@ class ReportTransmissionState(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, requested_transmission_state_, actual_transmission_state_ = _S_H2B.unpack(data)
         if code != 0x4509: raise rt.Reject
@@ -303,7 +297,7 @@ class ReportTransferCaseState(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, transfer_case_state_ = _S_HB.unpack(data)
         if code != 0x4510: raise rt.Reject
@@ -590,7 +584,7 @@ class ReportTransmissionCapabilities(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, transmission_bf_, transfer_case_bf_ = _S_2HB.unpack(data)
         if code != 0x4511: raise rt.Reject

@@ -39,7 +39,7 @@ class ResetOdometry(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, odometry_type_ = _S_HB.unpack(data)
         if code != 0x0515: raise rt.Reject
@@ -83,7 +83,7 @@ class QueryOdometry(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, odom_ = _S_HB.unpack(data)
         if code != 0x2515: raise rt.Reject
@@ -130,7 +130,7 @@ class ReportOdometry(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, odom_, self.odometry = _S_HBI.unpack(data)
         if code != 0x4515: raise rt.Reject

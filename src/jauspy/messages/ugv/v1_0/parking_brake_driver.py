@@ -31,7 +31,7 @@ class SetParkingBrake(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, parking_brake_ = _S_HB.unpack(data)
         if code != 0x0512: raise rt.Reject
@@ -62,11 +62,9 @@ class QueryParkingBrake(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2512: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'\x12%': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2512)
@@ -98,7 +96,7 @@ class ReportParkingBrake(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, commanded_parking_brake_, actual_parking_brake_ = _S_H2B.unpack(data)
         if code != 0x4512: raise rt.Reject

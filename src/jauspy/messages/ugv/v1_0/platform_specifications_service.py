@@ -23,11 +23,9 @@ class QueryPlatformSpecifications(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2502: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'\x02%': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2502)
@@ -67,7 +65,7 @@ class ReportPlatformSpecifications(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_ReportPlatformSpecifications_Skidsteer_0[mask & 0x3]
@@ -130,7 +128,7 @@ class ReportPlatformSpecifications(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_ReportPlatformSpecifications_Ackermann_0[mask & 0xF]
@@ -220,7 +218,7 @@ class ReportPlatformSpecifications(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_ReportPlatformSpecifications_PlatformInertial_0[mask & 0x7F]
@@ -366,7 +364,7 @@ class ReportPlatformSpecifications(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (mask,) = _S_H.unpack_from(data, at)
             mobility_platform_name_end_ = at + 3 + data[at + 2]
@@ -545,15 +543,15 @@ class ReportPlatformSpecifications(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x02 or data[1] != 0x45: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
         tag = data[2]
         at = 3
-        self.platform_specifics, at = _U_18[tag]._read(data, at, depth)
-        self.platform_inertial, at = ReportPlatformSpecifications.PlatformInertial._read(data, at, depth)
-        self.platform_spec, at = ReportPlatformSpecifications.PlatformSpec._read(data, at, depth)
+        self.platform_specifics, at = _U_18[tag]._read(data, at, nesting)
+        self.platform_inertial, at = ReportPlatformSpecifications.PlatformInertial._read(data, at, nesting)
+        self.platform_spec, at = ReportPlatformSpecifications.PlatformSpec._read(data, at, nesting)
         if at != size: raise rt.Reject
         return self
 

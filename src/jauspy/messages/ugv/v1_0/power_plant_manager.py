@@ -69,7 +69,7 @@ class SetPowerPlantConfiguration(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_SetPowerPlantConfiguration_GasEngineConfigurationRec_0[mask & 0x3]
@@ -139,7 +139,7 @@ class SetPowerPlantConfiguration(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_SetPowerPlantConfiguration_DieselEngineConfigurationRec_0[mask & 0x7]
@@ -202,7 +202,7 @@ class SetPowerPlantConfiguration(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             power_state_ = data[at]
             self.power_state = _E_SetPowerPlantConfiguration_PowerState[power_state_]
@@ -230,7 +230,7 @@ class SetPowerPlantConfiguration(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             power_state_ = data[at]
             self.power_state = _E_SetPowerPlantConfiguration_PowerState[power_state_]
@@ -258,7 +258,7 @@ class SetPowerPlantConfiguration(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             power_state_ = data[at]
             self.power_state = _E_SetPowerPlantConfiguration_PowerState[power_state_]
@@ -298,7 +298,7 @@ class SetPowerPlantConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x06 or data[1] != 0x05: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -312,7 +312,7 @@ class SetPowerPlantConfiguration(rt.Message):
             item_.power_plant_id = SetPowerPlantConfiguration.PowerPlantID(power_plant_id_)
             tag = data[at + 1]
             at += 2
-            item_.power_plant_configuration_var, at = _U_6[tag]._read(data, at, depth)
+            item_.power_plant_configuration_var, at = _U_6[tag]._read(data, at, nesting)
             power_plant_configuration_list_.append(item_)
         self.power_plant_configuration_list = power_plant_configuration_list_
         if at != size: raise rt.Reject
@@ -373,7 +373,7 @@ class QueryPowerPlantConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x06 or data[1] != 0x25: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -435,7 +435,7 @@ class QueryPowerPlantCapabilities(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x07 or data[1] != 0x25: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -497,7 +497,7 @@ class QueryPowerPlantStatus(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x08 or data[1] != 0x25: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -580,7 +580,7 @@ class ReportPowerPlantConfiguration(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_SetPowerPlantConfiguration_GasEngineConfigurationRec_0[mask & 0x3]
@@ -650,7 +650,7 @@ class ReportPowerPlantConfiguration(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_SetPowerPlantConfiguration_DieselEngineConfigurationRec_0[mask & 0x7]
@@ -713,7 +713,7 @@ class ReportPowerPlantConfiguration(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             power_state_ = data[at]
             self.power_state = _E_ReportPowerPlantConfiguration_PowerState[power_state_]
@@ -741,7 +741,7 @@ class ReportPowerPlantConfiguration(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             power_state_ = data[at]
             self.power_state = _E_ReportPowerPlantConfiguration_PowerState[power_state_]
@@ -769,7 +769,7 @@ class ReportPowerPlantConfiguration(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             power_state_ = data[at]
             self.power_state = _E_ReportPowerPlantConfiguration_PowerState[power_state_]
@@ -809,7 +809,7 @@ class ReportPowerPlantConfiguration(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x06 or data[1] != 0x45: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -823,7 +823,7 @@ class ReportPowerPlantConfiguration(rt.Message):
             item_.power_plant_id = ReportPowerPlantConfiguration.PowerPlantID(power_plant_id_)
             tag = data[at + 1]
             at += 2
-            item_.power_plant_configuration_var, at = _U_11[tag]._read(data, at, depth)
+            item_.power_plant_configuration_var, at = _U_11[tag]._read(data, at, nesting)
             power_plant_configuration_list_.append(item_)
         self.power_plant_configuration_list = power_plant_configuration_list_
         if at != size: raise rt.Reject
@@ -913,7 +913,7 @@ class ReportPowerPlantCapabilities(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_ReportPowerPlantCapabilities_GasEngineCapabilitiesRec_0[mask & 0x7F]
@@ -1036,7 +1036,7 @@ class ReportPowerPlantCapabilities(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (mask,) = _S_H.unpack_from(data, at)
             packer = _M_ReportPowerPlantCapabilities_DieselEngineCapabilitiesRec_0[mask & 0x1FF]
@@ -1159,7 +1159,7 @@ class ReportPowerPlantCapabilities(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_ReportPowerPlantCapabilities_BatteryCapabilitiesRec_0[mask & 0x7]
@@ -1221,7 +1221,7 @@ class ReportPowerPlantCapabilities(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             size = len(data)
             self = rt.new(cls)
             battery_capabilities_list_count_ = data[at]
@@ -1229,7 +1229,7 @@ class ReportPowerPlantCapabilities(rt.Message):
             at += 1
             battery_capabilities_list_ = []
             for _ in range(battery_capabilities_list_count_):
-                item_, at = ReportPowerPlantCapabilities.BatteryCapabilitiesRec._read(data, at, depth)
+                item_, at = ReportPowerPlantCapabilities.BatteryCapabilitiesRec._read(data, at, nesting)
                 battery_capabilities_list_.append(item_)
             self.battery_capabilities_list = battery_capabilities_list_
             return self, at
@@ -1266,7 +1266,7 @@ class ReportPowerPlantCapabilities(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_ReportPowerPlantCapabilities_HydraulicCapabilitiesRec_0[mask & 0x7]
@@ -1329,7 +1329,7 @@ class ReportPowerPlantCapabilities(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_ReportPowerPlantCapabilities_FuelCellCapabilitiesRec_0[mask & 0x1]
@@ -1385,7 +1385,7 @@ class ReportPowerPlantCapabilities(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x07 or data[1] != 0x45: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -1401,7 +1401,7 @@ class ReportPowerPlantCapabilities(rt.Message):
             power_plant_desc_rec_.description = data[at + 2:description_end_].decode("latin-1")
             tag = data[description_end_]
             at = description_end_ + 1
-            item_.power_plant_capabilities_var, at = _U_25[tag]._read(data, at, depth)
+            item_.power_plant_capabilities_var, at = _U_25[tag]._read(data, at, nesting)
             power_plant_capabilities_list_.append(item_)
         self.power_plant_capabilities_list = power_plant_capabilities_list_
         if at != size: raise rt.Reject
@@ -1509,7 +1509,7 @@ class ReportPowerPlantStatus(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (mask,) = _S_H.unpack_from(data, at)
             packer = _M_ReportPowerPlantStatus_GasEngineStatus_0[mask & 0xFFF]
@@ -1681,7 +1681,7 @@ class ReportPowerPlantStatus(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             (mask,) = _S_H.unpack_from(data, at)
             packer = _M_ReportPowerPlantStatus_DieselEngineStatus_0[mask & 0x1FFF]
@@ -1838,7 +1838,7 @@ class ReportPowerPlantStatus(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_ReportPowerPlantStatus_BatteryStatusRec_0[mask & 0x1F]
@@ -1914,7 +1914,7 @@ class ReportPowerPlantStatus(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             size = len(data)
             self = rt.new(cls)
             battery_status_count_ = data[at]
@@ -1922,7 +1922,7 @@ class ReportPowerPlantStatus(rt.Message):
             at += 1
             battery_status_ = []
             for _ in range(battery_status_count_):
-                item_, at = ReportPowerPlantStatus.BatteryStatusRec._read(data, at, depth)
+                item_, at = ReportPowerPlantStatus.BatteryStatusRec._read(data, at, nesting)
                 battery_status_.append(item_)
             self.battery_status = battery_status_
             return self, at
@@ -1962,7 +1962,7 @@ class ReportPowerPlantStatus(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_ReportPowerPlantStatus_HydraulicStatus_0[mask & 0xF]
@@ -2033,7 +2033,7 @@ class ReportPowerPlantStatus(rt.Message):
             )
 
         @classmethod
-        def _read(cls, data: bytes, at: int, depth: int) -> tuple[Self, int]:
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
             self = rt.new(cls)
             mask = data[at]
             packer = _M_ReportPowerPlantStatus_FuelCellStatus_0[mask & 0x3]
@@ -2094,7 +2094,7 @@ class ReportPowerPlantStatus(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x08 or data[1] != 0x45: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -2110,7 +2110,7 @@ class ReportPowerPlantStatus(rt.Message):
             power_plant_desc_rec_.description = data[at + 2:description_end_].decode("latin-1")
             tag = data[description_end_]
             at = description_end_ + 1
-            item_.power_plant_status_var, at = _U_35[tag]._read(data, at, depth)
+            item_.power_plant_status_var, at = _U_35[tag]._read(data, at, nesting)
             power_plant_status_list_.append(item_)
         self.power_plant_status_list = power_plant_status_list_
         if at != size: raise rt.Reject

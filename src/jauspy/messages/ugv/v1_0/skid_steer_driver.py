@@ -34,7 +34,7 @@ class SetSkidSteerEffort(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, left_side_propulsive_effort_, right_side_propulsive_effort_ = _S_3H.unpack(data)
         if code != 0x0501: raise rt.Reject
@@ -71,11 +71,9 @@ class QuerySkidSteerEffort(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2501: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'\x01%': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2501)
@@ -107,7 +105,7 @@ class ReportSkidSteerEffort(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         self = rt.new(cls)
         code, left_side_propulsive_effort_, right_side_propulsive_effort_ = _S_3H.unpack(data)
         if code != 0x4501: raise rt.Reject

@@ -47,7 +47,7 @@ class QueryStabilizerEffort(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x03 or data[1] != 0x25: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -85,11 +85,9 @@ class QueryStabilizerCapabilities(rt.Message):
         return rt.Composite(cls, ())
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
-        self = rt.new(cls)
-        code, = _S_H.unpack(data)
-        if code != 0x2505: raise rt.Reject
-        return self
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data != b'\x05%': raise rt.Reject
+        return rt.new(cls)
 
     def _pack(self) -> bytes:
         return _S_H.pack(0x2505)
@@ -137,7 +135,7 @@ class SetStabilizerEffort(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x03 or data[1] != 0x05: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -205,7 +203,7 @@ class SetStabilizerPosition(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x04 or data[1] != 0x05: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -270,7 +268,7 @@ class QueryStabilizerPosition(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x04 or data[1] != 0x25: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -338,7 +336,7 @@ class ReportStabilizerPosition(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x04 or data[1] != 0x45: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -454,7 +452,7 @@ class ReportStabilizerCapabilities(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x05 or data[1] != 0x45: raise rt.Reject
         size = len(data)
         self = rt.new(cls)
@@ -563,7 +561,7 @@ class ReportStabilizerEffort(rt.Message):
         )
 
     @classmethod
-    def _unpack(cls, data: bytes, depth: int) -> Self:
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
         if data[0] != 0x03 or data[1] != 0x45: raise rt.Reject
         size = len(data)
         self = rt.new(cls)

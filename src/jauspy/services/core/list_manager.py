@@ -1,0 +1,233 @@
+"""ListManager: keeps a list of elements for the services that carry them out (AS5710)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Final
+
+from jauspy.codec.base import Message
+from jauspy.messages.core import (
+    ConfirmElementRequest,
+    DeleteElement,
+    ElementRec,
+    QueryElement,
+    RejectElementRequest,
+    ReportElement,
+    ReportElementCount,
+    ReportElementList,
+    SetElement,
+)
+from jauspy.services.core.element_list import Code, ElementList
+from jauspy.services.service import Service
+
+if TYPE_CHECKING:
+    from jauspy.services.core.list_driver import ListDriver
+
+ALL_ELEMENTS: Final = 65535
+"""Deleting this element empties the list."""
+MAX_ELEMENTS: Final = 1024
+MAX_BYTES: Final = 1 << 20
+"""Bytes that all elements of a list may hold together."""
+LAP_PAUSE: Final = 0.1
+"""Seconds before a loop starts over, so that one whose elements are all reached already does not spin."""
+_TIMER: Final = "next element"
+
+
+@dataclass(frozen=True, slots=True)
+class Element:
+    """What the list keeps of an element, and what its driver made of it."""
+
+    data: ElementRec.ElementData
+    size: int
+    message: Message
+    driver: ListDriver | None = None
+
+
+class ListManager(Service, urn="urn:jaus:jss:core:ListManager"):
+    """A list for all drivers of a component. A request that does not fit is refused as a whole.
+
+    Without any driver the list takes every message that the component takes. `active` is the element that is being
+    carried out, 0 for none. Deleting it, losing control and `stop` end the execution; replacing it begins it anew.
+    """
+
+    def __init__(self, *, max_elements: int = MAX_ELEMENTS, max_bytes: int = MAX_BYTES) -> None:
+        self._max_elements = max_elements
+        self._max_bytes = max_bytes
+        self._drivers: list[ListDriver] = []
+        self._elements: dict[int, Element] = {}
+        self.list = ElementList()
+        self.active = 0
+
+    # --- what drivers call
+
+    def add_driver(self, driver: ListDriver) -> None:
+        """Take elements for this driver, too."""
+        self._drivers.append(driver)
+
+    def message(self, uid: int) -> Message | None:
+        """What an element holds, as its driver reads it; None when there is no such element."""
+        element = self._elements.get(uid)
+        return element.message if element else None
+
+    def execute(self, uid: int) -> None:
+        """Start with this element, or with the first one for 0; fine when there is none."""
+        uid = uid or next(iter(self.list.order), 0)
+        if uid in self._elements:
+            self._begin(uid)
+
+    def done(self) -> None:
+        """The active element was reached: its successor is next, or the list has come to its end."""
+        if not self.active:
+            return
+        pause = LAP_PAUSE if self.list.next(self.active) == self.list.order[0] else 0.0
+        self.host.set_timer(_TIMER, self.host.now + pause, self._go_on)
+
+    def stop(self) -> None:
+        """Carry out nothing any more; the list stays. Twice is fine."""
+        self.host.cancel_timer(_TIMER)
+        driver = self._driver(self.active)
+        self.active = 0
+        if driver is not None:
+            driver.end_elements()
+
+    def control_lost(self) -> None:
+        """What one client started must not go on under another."""
+        self.stop()
+
+    def _go_on(self) -> None:
+        following = self.list.next(self.active)
+        if following:
+            self._begin(following)
+        else:
+            self.stop()
+
+    def _begin(self, uid: int) -> None:
+        self.host.cancel_timer(_TIMER)
+        before, element = self._driver(self.active), self._elements[uid]
+        if before is not None and before is not element.driver:
+            before.end_elements()
+        self.active = uid
+        if element.driver is not None:
+            element.driver.begin_element(uid, element.message)
+
+    def _driver(self, uid: int) -> ListDriver | None:
+        element = self._elements.get(uid)
+        return element.driver if element else None
+
+    # --- predicates
+
+    def element_exists(self, msg: Any) -> bool:
+        """All elements named are there. To execute, 0 means the first element; to delete, 65535 means all."""
+        if isinstance(msg, DeleteElement):
+            return all(uid in self._elements or uid == ALL_ELEMENTS for uid in _deleted(msg))
+        uid: int | None = msg.element_uid
+        return uid in self._elements or (uid == 0 and bool(self._elements) and not isinstance(msg, QueryElement))
+
+    def is_valid_element_request(self, msg: SetElement) -> bool:
+        """The links of the elements fit each other and the list, and there is room."""
+        return self._misfit(msg) is None
+
+    def is_element_supported(self, msg: SetElement) -> bool:
+        """Each element can be carried out by some driver."""
+        return all(self._read(record) is not None for record in msg.element_list)
+
+    def is_list_valid(self) -> bool:
+        """Always: what would break the list is refused."""
+        return True
+
+    # --- actions
+
+    def set_element(self, msg: SetElement) -> None:
+        """Insert or replace; reached only with what the predicates have let through."""
+        changed = self.list.linked(msg.element_list)
+        read = {record.element_uid: self._read(record) for record in msg.element_list}
+        assert isinstance(changed, ElementList)
+        driver = self._driver(self.active)
+        self.list = changed
+        self._elements |= {uid: element for uid, element in read.items() if element is not None}
+        if self.active in read:
+            if driver is not None and driver is not self._driver(self.active):
+                driver.end_elements()
+            self._begin(self.active)
+
+    def delete_element(self, msg: DeleteElement) -> None:
+        """Delete these elements."""
+        named = set(_deleted(msg))
+        uids = set(self._elements) if ALL_ELEMENTS in named else named
+        if self.active in uids:
+            self.stop()
+        self.list = self.list.without(uids)
+        self._elements = {uid: element for uid, element in self._elements.items() if uid not in uids}
+
+    def _read(self, record: ElementRec) -> Element | None:
+        data, size = record.element_data, len(_content(record))
+        if data.format != ElementRec.ElementDataFormat.JAUS_MESSAGE:
+            return None
+        for driver in self._drivers:
+            message = driver.read_element(data.data)
+            if message is not None:
+                return Element(data, size, message, driver)
+        known = None if self._drivers else self.host.read(data.data)
+        return Element(data, size, known) if known is not None else None
+
+    def _misfit(self, msg: SetElement) -> Code | None:
+        changed = self.list.linked(msg.element_list)
+        if not isinstance(changed, ElementList):
+            return changed
+        return Code.OUT_OF_MEMORY if not self._has_room(changed, msg.element_list) else None
+
+    def _has_room(self, changed: ElementList, records: Sequence[ElementRec]) -> bool:
+        sizes = {uid: element.size for uid, element in self._elements.items()}
+        sizes |= {record.element_uid: len(_content(record)) for record in records}
+        return len(changed.order) <= self._max_elements and sum(sizes.values()) <= self._max_bytes
+
+    # --- reports
+
+    def confirm_element_request(self, msg: SetElement | DeleteElement) -> ConfirmElementRequest:
+        """The change was made."""
+        return ConfirmElementRequest(request_id=msg.request_id_rec.request_id)
+
+    def reject_element_request(self, msg: SetElement | DeleteElement) -> RejectElementRequest:
+        """Nothing was changed, and why."""
+        code = Code.ELEMENT_NOT_FOUND
+        if isinstance(msg, SetElement):
+            code = self._misfit(msg) or Code.UNSUPPORTED_ELEMENT_TYPE
+        self.host.count("list_request_rejected", f"{code.name}: {msg}")
+        return RejectElementRequest(request_id=msg.request_id_rec.request_id, response_code=code)
+
+    def report_element(self, query: QueryElement) -> ReportElement:
+        """One element, with its links as they are now."""
+        uid = query.element_uid
+        data = self._elements[uid].data
+        return ReportElement(
+            element_uid=uid,
+            previous_uid=self.list.previous(uid),
+            next_uid=self.list.next(uid),
+            element_data=ReportElement.ElementData(format=data.format, data=data.data),
+        )
+
+    def report_element_list(self) -> ReportElementList:
+        """All elements, first to last."""
+        return ReportElementList([ReportElementList.ElementListRec(uid) for uid in self.list.order])
+
+    def report_element_count(self) -> ReportElementCount:
+        """How many there are."""
+        return ReportElementCount(len(self.list.order))
+
+
+class MobilityListManager(ListManager, urn="urn:jaus:jss:mobility:ListManager"):
+    """The list manager of mobility 1.0, from before it became a core service."""
+
+
+class ManipulatorListManager(ListManager, urn="urn:jaus:jss:manipulator:ListManager"):
+    """The list manager of manipulator 1.0, from before it became a core service."""
+
+
+def _deleted(msg: DeleteElement) -> list[int]:
+    return [record.element_uid for record in msg.delete_element_list]
+
+
+def _content(record: ElementRec) -> bytes:
+    content = record.element_data.data
+    return content.encode(strict=False) if isinstance(content, Message) else content

@@ -1,0 +1,1 @@
+"""jauspy without `await`: an event loop in a thread does the waiting."""

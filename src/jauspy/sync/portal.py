@@ -1,0 +1,127 @@
+"""An event loop in a thread of its own, for code that has none or must not block the one it has."""
+
+from __future__ import annotations
+
+import asyncio
+import threading
+from collections.abc import Coroutine
+from concurrent.futures import Future, wait
+from types import TracebackType
+from typing import Any, Final, Generic, Self, TypeVar
+
+from jauspy.errors import TransportError
+
+T = TypeVar("T")
+
+CLEANUP: Final = 10.0
+"""Seconds that what was interrupted may take to tidy up: to leave a robot in Standby, to cancel an event."""
+
+
+class Portal:
+    """`portal.run(coroutine)` runs it in the thread and returns what it returns; any thread may call.
+
+    Ctrl-C while it waits cancels the coroutine, waits for its clean-up, and is raised on. The thread is a daemon: it
+    does not keep a program from ending.
+    """
+
+    def __init__(self, name: str = "jauspy") -> None:
+        self._name = name
+        self._lock = threading.Lock()
+        self._loop: asyncio.AbstractEventLoop | None = None
+        self._thread: threading.Thread | None = None
+
+    @property
+    def is_open(self) -> bool:
+        """True between `open` and `close`."""
+        return self._loop is not None
+
+    def open(self) -> None:
+        """Start the thread; twice is fine."""
+        with self._lock:
+            if self._loop is None:
+                ready: Future[asyncio.AbstractEventLoop] = Future()
+                self._thread = threading.Thread(target=_live, args=(ready,), name=self._name, daemon=True)
+                self._thread.start()
+                self._loop = ready.result()
+
+    def close(self) -> None:
+        """Cancel what still runs, wait for it, and end the thread; twice is fine."""
+        with self._lock:
+            loop, self._loop = self._loop, None
+            if loop is not None:
+                loop.call_soon_threadsafe(loop.stop)
+        if loop is not None and self._thread is not None:
+            self._thread.join()
+
+    def run(self, coroutine: Coroutine[Any, Any, T]) -> T:
+        """What the coroutine returns or raises; `TransportError` when the portal is closed, or closes meanwhile."""
+        call: _Call[T] = _Call(coroutine)
+        try:
+            with self._lock:  # so that what is handed in before `close` is begun before the loop stops
+                call.hand_to(self._usable())
+            return call.ended.result()
+        except asyncio.CancelledError:
+            raise TransportError("this was closed while it waited") from None
+        except BaseException:
+            call.interrupt()
+            raise
+
+    def __enter__(self) -> Self:
+        self.open()
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
+    def _usable(self) -> asyncio.AbstractEventLoop:
+        if self._loop is None:
+            raise TransportError("this is not open; use it inside `with`")
+        if threading.current_thread() is self._thread:
+            raise TransportError("called from its own event loop, which would wait for itself; use `await` there")
+        return self._loop
+
+
+class _Call(Generic[T]):
+    """One coroutine on its way through the thread; `ended` is done when its clean-up is, too."""
+
+    def __init__(self, coroutine: Coroutine[Any, Any, T]) -> None:
+        self.ended: Future[T] = Future()
+        self._coroutine = coroutine
+        self._loop: asyncio.AbstractEventLoop | None = None
+        self._task: asyncio.Task[None] | None = None
+
+    def hand_to(self, loop: asyncio.AbstractEventLoop) -> None:
+        """Let it begin in the loop's thread."""
+        self._loop = loop
+        loop.call_soon_threadsafe(self._begin)
+
+    def interrupt(self) -> None:
+        """Cancel it unless it has ended, and wait until it has tidied up."""
+        if self._loop is None:
+            self._coroutine.close()
+        elif not self.ended.done():
+            self._loop.call_soon_threadsafe(self._cancel)
+            wait({self.ended}, CLEANUP)
+
+    def _begin(self) -> None:
+        self._task = asyncio.create_task(self._run())
+
+    def _cancel(self) -> None:
+        if self._task is not None:
+            self._task.cancel()
+
+    async def _run(self) -> None:
+        try:
+            self.ended.set_result(await self._coroutine)
+        except BaseException as error:  # noqa: BLE001 - it belongs to the caller in the other thread
+            self.ended.set_exception(error)
+
+
+def _live(ready: Future[asyncio.AbstractEventLoop]) -> None:
+    with asyncio.Runner() as runner:  # on leaving it cancels what still runs, and waits for it
+        loop = runner.get_loop()
+        asyncio.set_event_loop(loop)
+        ready.set_result(loop)
+        loop.run_forever()

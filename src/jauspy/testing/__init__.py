@@ -1,0 +1,32 @@
+"""For tests of what talks JAUS: a network in memory on virtual time, a real node manager; fixtures are in `plugin`."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from jauspy.testing.clock import VirtualClock as VirtualClock
+    from jauspy.testing.network import VirtualNetwork as VirtualNetwork
+    from jauspy.testing.node import LocalNode as LocalNode
+    from jauspy.testing.place import Place as Place
+    from jauspy.testing.waiting import until as until
+
+_EXPORTS = {
+    "LocalNode": "jauspy.testing.node",
+    "Place": "jauspy.testing.place",
+    "until": "jauspy.testing.waiting",
+    "VirtualClock": "jauspy.testing.clock",
+    "VirtualNetwork": "jauspy.testing.network",
+}
+"""Imported on first use: pytest loads the plugin, and so this package, in every project that has jauspy installed."""
+
+
+def __getattr__(name: str) -> object:
+    if name not in _EXPORTS:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(_EXPORTS[name]), name)
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *_EXPORTS})

@@ -1,0 +1,142 @@
+"""A network in memory: as bad as a test wants it, the same way each time, and on virtual time."""
+
+from __future__ import annotations
+
+import asyncio
+import random
+from collections import deque
+from collections.abc import Callable
+from datetime import datetime
+from itertools import count
+from types import TracebackType
+from typing import Final, Self
+
+from jauspy.codec.base import Message
+from jauspy.ids import JausID
+from jauspy.protocol.header import Packet
+from jauspy.protocol.judp import unpack_all
+from jauspy.testing.clock import VirtualClock
+from jauspy.testing.place import Place, parsed
+from jauspy.transport import LoopbackHub, LoopbackTransport
+
+HELD_BACK: Final = 0.01
+"""Seconds that a datagram which is to be overtaken arrives later than it would."""
+MAX_LOG: Final = 100_000
+"""Packets that `log` remembers: the latest."""
+
+
+class VirtualNetwork(Place):
+    """`async with VirtualNetwork(loss=0.2, delay=0.05) as network: ...`; everything inside lives on virtual time.
+
+    `loss`, `duplication` and `reordering` are fractions of the datagrams (0..1), `delay` and `jitter` seconds; jitter
+    is added at random, up to its full value. All may be changed at any time. `seed` makes chance repeatable. `log` has
+    every packet that was sent, also those that were lost.
+    """
+
+    def __init__(
+        self,
+        *,
+        loss: float = 0.0,
+        duplication: float = 0.0,
+        reordering: float = 0.0,
+        delay: float = 0.0,
+        jitter: float = 0.0,
+        seed: int = 1,
+    ) -> None:
+        self.loss, self.duplication, self.reordering = loss, duplication, reordering
+        self.delay, self.jitter = delay, jitter
+        self.clock = VirtualClock()
+        self.log: deque[Packet] = deque(maxlen=MAX_LOG)
+        self.keeps: Callable[[Packet], bool] = lambda _: True
+        """What it says no to is lost, beside what is lost by chance."""
+        self._cut: set[JausID] = set()
+        self._chance = random.Random(seed)  # noqa: S311 - repeatable, not secret
+        self._hub = _Hub(self)
+
+    def transport(self, id: str | JausID) -> LoopbackTransport:
+        """A way in for the component of this id."""
+        return LoopbackTransport(parsed(id), self._hub)
+
+    def now(self) -> float:
+        """Seconds of the event loop's clock."""
+        return asyncio.get_running_loop().time()
+
+    def utc_now(self) -> datetime:
+        """The wall clock, which starts at midnight of 1 January 2026."""
+        return self.clock.utc_now()
+
+    async def __aenter__(self) -> Self:
+        self.clock.__enter__()
+        return self
+
+    async def __aexit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.clock.__exit__(kind, error, trace)
+
+    # --- making it bad --------------------------------------------------------------------------------------------
+
+    def lose(self, kind: type[Message], times: int | None = None, *, after: int = 0) -> None:
+        """From now on lose packets with this message: all but the first `after`, and no more than `times`."""
+        code, number = _code(kind), count()
+        end = None if times is None else after + times
+
+        def keeps(packet: Packet) -> bool:
+            if packet.payload[:2] != code:
+                return True
+            at = next(number)
+            return at < after or (end is not None and at >= end)
+
+        self.keeps = keeps
+
+    def cut(self, id: str | JausID) -> None:
+        """Lose all that this component sends and all that is sent to it, as if its cable were cut."""
+        self._cut.add(parsed(id))
+
+    def mend(self, id: str | JausID) -> None:
+        """Undo `cut`."""
+        self._cut.discard(parsed(id))
+
+    # --- looking --------------------------------------------------------------------------------------------------
+
+    def sent(self, kind: type[Message], source: str | JausID | None = None) -> list[Packet]:
+        """The packets with this message, from `source` or anybody, that were sent so far."""
+        code, wanted = _code(kind), None if source is None else parsed(source)
+        return [each for each in self.log if each.payload[:2] == code and wanted in (None, each.source)]
+
+    def delays(self, datagram: bytes) -> list[float]:
+        """How long this datagram takes, once for each time that it arrives; logs it."""
+        packets, _ = unpack_all(datagram)
+        self.log += packets
+        if any(each.source in self._cut or each.destination in self._cut for each in packets):
+            return []
+        if not all(map(self.keeps, packets)) or self._happens(self.loss):
+            return []
+        return [self._delay() for _ in range(1 + self._happens(self.duplication))]
+
+    def _delay(self) -> float:
+        held_back = HELD_BACK if self._happens(self.reordering) else 0.0
+        return self.delay + held_back + (self._chance.uniform(0.0, self.jitter) if self.jitter else 0.0)
+
+    def _happens(self, fraction: float) -> bool:
+        return fraction > 0.0 and self._chance.random() < fraction
+
+
+class _Hub(LoopbackHub):
+    """Routes what arrives, when it does."""
+
+    def __init__(self, network: VirtualNetwork) -> None:
+        super().__init__()
+        self._network = network
+
+    def route(self, datagram: bytes, sender: LoopbackTransport) -> None:
+        """Deliver as often and as late as the network says."""
+        for delay in self._network.delays(datagram):
+            if delay > 0.0:
+                asyncio.get_running_loop().call_later(delay, super().route, datagram, sender)
+            else:
+                super().route(datagram, sender)
+
+
+def _code(kind: type[Message]) -> bytes:
+    return kind.CODE.to_bytes(2, "little")

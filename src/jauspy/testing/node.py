@@ -1,0 +1,107 @@
+"""A real node manager of this process, on a port and in a folder of its own."""
+
+from __future__ import annotations
+
+import shutil
+import tempfile
+import time
+from collections.abc import Callable, Mapping
+from datetime import UTC, datetime
+from pathlib import Path
+from types import TracebackType
+from typing import Any, Self, TypeVar
+
+from jauspy.ids import JausID
+from jauspy.node import NodeConfig, NodeManager
+from jauspy.sync.portal import Portal
+from jauspy.testing.place import Place, parsed
+from jauspy.transport import LocalTransport
+
+T = TypeVar("T")
+
+
+class LocalNode(Place):
+    """`with LocalNode() as node: ...`: a node manager in a thread, so that it serves whatever the test does.
+
+    It listens on 127.0.0.1 only, on a free UDP port, and has its sockets
+    in a new folder. `settings` are those of `NodeConfig`, as in `LocalNode(tcp=True)`.
+    """
+
+    def __init__(self, **settings: Any) -> None:
+        self.root = Path(tempfile.mkdtemp(prefix="j"))  # short: a socket's path has at most 107 bytes
+        self.port = 0
+        """Its UDP port; the same when it is stopped and started again."""
+        self._settings: dict[str, Any] = {"address": "127.0.0.1", "local_root": self.root} | settings
+        self._portal = Portal("node manager")
+        self._manager: NodeManager | None = None
+
+    @property
+    def udp(self) -> str:
+        """What `OCU(connect=...)` wants to come in by UDP."""
+        return f"udp://127.0.0.1:{self.port}"
+
+    @property
+    def local(self) -> str:
+        """What `OCU(connect=...)` wants to come in by local sockets."""
+        return f"local:{self.root}"
+
+    @property
+    def components(self) -> tuple[JausID, ...]:
+        """The ids of the components that are registered."""
+        return self._seen(lambda manager: manager.components, ())
+
+    @property
+    def counters(self) -> Mapping[str, int]:
+        """What was received, routed and dropped, by reason."""
+        return self._seen(lambda manager: dict(manager.counters), {})
+
+    def transport(self, id: str | JausID) -> LocalTransport:
+        """A way in for the component of this id, by local sockets."""
+        return LocalTransport(parsed(id), self.root)
+
+    def now(self) -> float:
+        """Seconds of the monotonic clock."""
+        return time.monotonic()
+
+    def utc_now(self) -> datetime:
+        """The wall clock."""
+        return datetime.now(UTC)
+
+    def start(self) -> None:
+        """Start it, after `stop` too; twice is fine."""
+        if self._manager is None:
+            manager = NodeManager(NodeConfig(**{"port": self.port} | self._settings))
+            self._portal.open()
+            self._portal.run(manager.open())
+            self._manager, self.port = manager, manager.port
+
+    def stop(self) -> None:
+        """Stop it, as if it had been ended; twice is fine."""
+        manager, self._manager = self._manager, None
+        if manager is not None:
+            self._portal.run(manager.close())
+        self._portal.close()
+
+    def _seen(self, look: Callable[[NodeManager], T], otherwise: T) -> T:
+        """Something of the manager, read in its own thread."""
+        manager = self._manager
+
+        async def seen() -> T:
+            assert manager is not None
+            return look(manager)
+
+        return otherwise if manager is None else self._portal.run(seen())
+
+    def __enter__(self) -> Self:
+        try:
+            self.start()
+        except BaseException:
+            self.__exit__(None, None, None)
+            raise
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.stop()
+        shutil.rmtree(self.root, ignore_errors=True)

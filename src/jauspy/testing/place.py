@@ -1,0 +1,43 @@
+"""Where components under test meet: the same few methods in memory and on a real node manager."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Iterable
+from datetime import datetime
+from typing import Any
+
+from jauspy.component import Component
+from jauspy.ids import JausID
+from jauspy.ocu import OCU
+from jauspy.services.service import Service
+from jauspy.transport import Transport
+
+
+class Place(ABC):
+    """Makes components and OCUs that reach each other; each is to be used with `async with`."""
+
+    @abstractmethod
+    def transport(self, id: str | JausID) -> Transport:
+        """A way in for the component of this id."""
+
+    @abstractmethod
+    def now(self) -> float:
+        """Seconds of the monotonic clock that components here live on."""
+
+    @abstractmethod
+    def utc_now(self) -> datetime:
+        """The wall clock here."""
+
+    def component(self, id: str | JausID, services: Iterable[Service], **options: Any) -> Component:
+        """A component of these services; `options` are those of `Component`."""
+        return Component(id, services, transport=self.transport(id), clock=self.now, utc_now=self.utc_now, **options)
+
+    def ocu(self, id: str | JausID = "42.1.1", **options: Any) -> OCU:
+        """An OCU; `options` are those of `OCU`."""
+        return OCU(id, transport=self.transport(id), **options)
+
+
+def parsed(id: str | JausID) -> JausID:
+    """The id, also when it is text."""
+    return JausID.parse(id) if isinstance(id, str) else id

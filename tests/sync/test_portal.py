@@ -1,0 +1,92 @@
+from __future__ import annotations
+
+import asyncio
+import signal
+import threading
+
+import pytest
+
+from jauspy.errors import TransportError
+from jauspy.sync.portal import Portal
+
+
+async def here() -> str:
+    return threading.current_thread().name
+
+
+async def forever(log: list[str]) -> None:
+    log.append("begun")
+    try:
+        await asyncio.Event().wait()
+    finally:
+        await asyncio.sleep(0)
+        log.append("tidied up")
+
+
+def test_it_runs_in_another_thread():
+    with Portal("other") as portal:
+        assert portal.run(here()) == "other"
+    assert not portal.is_open
+
+
+def test_errors_come_back():
+    async def fail() -> None:
+        raise ValueError("a bug")
+
+    with Portal() as portal, pytest.raises(ValueError, match="a bug"):
+        portal.run(fail())
+
+
+def test_closed_is_said_and_opened_again_is_fine():
+    portal = Portal()
+    with pytest.raises(TransportError, match="not open"):
+        portal.run(here())
+    for _ in range(2):
+        with portal:
+            assert portal.run(here()) == "jauspy"
+
+
+def test_ctrl_c_waits_for_the_clean_up():
+    log: list[str] = []
+    with Portal() as portal:
+        interrupt = threading.Timer(0.0, lambda: signal.pthread_kill(threading.main_thread().ident, signal.SIGINT))
+
+        async def interrupted() -> None:
+            interrupt.start()
+            await forever(log)
+
+        with pytest.raises(KeyboardInterrupt):
+            portal.run(interrupted())
+        assert log[-1:] == ["tidied up"]
+        assert portal.run(here()) == "jauspy"
+
+
+def test_closing_ends_what_another_thread_waits_for():
+    log: list[str] = []
+    portal = Portal()
+    portal.open()
+    problems: list[Exception] = []
+
+    def wait() -> None:
+        try:
+            portal.run(forever(log))
+        except TransportError as error:
+            problems.append(error)
+
+    thread = threading.Thread(target=wait)
+    thread.start()
+    while not log:
+        portal.run(here())
+    portal.close()
+    thread.join(20)
+    assert (log, str(problems[0])) == (["begun", "tidied up"], "this was closed while it waited")
+
+
+def test_from_its_own_loop_it_says_so_instead_of_hanging():
+    with Portal() as portal:
+
+        async def again() -> str:
+            return portal.run(here())
+
+        with pytest.raises(TransportError, match="its own event loop"):
+            portal.run(again())
