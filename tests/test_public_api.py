@@ -14,6 +14,7 @@ PUBLIC = {
     "ConfigError",
     "ControlRejected",
     "DecodeError",
+    "ElementRejected",
     "EncodeError",
     "EventRejected",
     "JausError",

@@ -10,7 +10,8 @@ JausError
 ├── RequestError           a peer did not do what it was asked
 │   ├── ResponseTimeout    it did not answer in time
 │   ├── ControlRejected    it refused, took back, or never gave access control
-│   └── EventRejected      it refused a subscription
+│   ├── EventRejected      it refused a subscription
+│   └── ElementRejected    it refused a change of its list
 └── ConfigError            a configuration file, option or robot name is wrong
 """
 
@@ -85,6 +86,10 @@ class ControlRejected(RequestError):
 
 class EventRejected(RequestError):
     """A peer refused a subscription."""
+
+
+class ElementRejected(RequestError):
+    """A peer refused to change its list of elements."""
 
 
 class ConfigError(JausError):

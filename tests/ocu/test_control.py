@@ -22,6 +22,7 @@ from jauspy.messages.core import (
 )
 from jauspy.messages.mobility import SetWrenchEffort
 from jauspy.ocu import control as module
+from jauspy.services.core import AccessControl, Discovery, Liveness, Management
 
 Status = ReportStatus.Status
 HOLDER = JausID(42, 1, 1)
@@ -213,6 +214,18 @@ async def test_anothers_emergency_counts_as_lost_and_ones_own_standby_does_not(w
         await second.send("101.1.1", SetEmergency(emergency_code=1))
         await asyncio.wait_for(control.until_lost(), 2)
         assert "went from READY to EMERGENCY" in control.lost
+
+
+async def test_ones_own_acknowledged_standby_is_no_loss_either(virtual_network):
+    services = [AccessControl(timeout=1), Management(), Discovery(), Liveness()]
+    async with virtual_network.component("101.1.1", services), virtual_network.ocu() as ocu:
+        client = (await ocu.discover(101)).service("Management")
+        async with client.control() as control:
+            await client.resume()
+            await asyncio.sleep(1)
+            await client.send(Standby(), ack=True)
+            await asyncio.sleep(10)
+            assert control.held, control.lost
 
 
 async def test_lost_packets_do_not_matter(world):

@@ -7,9 +7,12 @@ from jauspy.ocu.robot import ComponentClient, Robot
 from jauspy.ocu.service import ServiceClient
 from jauspy.ocu.stats import Stats
 from jauspy.ocu.subscription import Subscription
+from jauspy.ocu.watch import Appeared, Changed, Vanished
 
 __all__ = [
     "OCU",
+    "Appeared",
+    "Changed",
     "Component",
     "ComponentClient",
     "Control",
@@ -20,4 +23,5 @@ __all__ = [
     "Stats",
     "Subscription",
     "Subsystem",
+    "Vanished",
 ]

@@ -18,6 +18,7 @@ from jauspy.ocu import discovery
 from jauspy.ocu.link import Link, Patience
 from jauspy.ocu.robot import Robot
 from jauspy.ocu.stats import Stats
+from jauspy.ocu.watch import News, watch
 from jauspy.services.core import Discovery, Identity, Liveness
 from jauspy.services.core.discovery import COMPONENT, NODE, SUBSYSTEM, SYSTEM
 from jauspy.services.host import Host
@@ -111,6 +112,17 @@ class OCU:
     async def discover_all(self, *, timeout: float = 2.0) -> tuple[Robot, ...]:
         """Everybody who answers within `timeout` seconds, other OCUs too, in the order of their numbers."""
         return tuple(Robot(self._link, each) for each in await discovery.discover_all(self._link, timeout))
+
+    async def watch(
+        self, subsystem: int | None = None, *, interval: float = 2.0, silence: float = 7.0
+    ) -> AsyncIterator[News]:
+        """`async for news in ocu.watch()`: what is there, and then what appears, changes and vanishes, for ever.
+
+        All are asked every `interval` seconds; who has said nothing for `silence` seconds has vanished. `subsystem`
+        narrows it to one. A reader that is slow gets the sum of what happened meanwhile.
+        """
+        async for news in watch(self._link, subsystem, interval, silence):
+            yield news
 
     # --- talking without discovery --------------------------------------------------------------------------------
 

@@ -62,7 +62,7 @@ async def _search(link: Link, subsystem: int | None, timeout: float) -> Findings
     end = clock() + timeout
     with link.replies.tapped(EVERYONE, heard, ReportIdentification, ReportServices):
         while clock() < end:
-            _ask_everybody(link, subsystem)
+            ask_everybody(link, subsystem)
             _follow_up(link, findings, subsystem)
             if await _settled(findings, subsystem, min(end, clock() + ASK_AGAIN), link):
                 break
@@ -84,11 +84,13 @@ async def _settled(findings: Findings, subsystem: int | None, end: float, link: 
     return False
 
 
-def _ask_everybody(link: Link, subsystem: int | None) -> None:
+def ask_everybody(link: Link, subsystem: int | None) -> JausID:
+    """Ask who everybody is, or everybody in one subsystem, and what they offer; the address that reaches them."""
     number = ANY_SUBSYSTEM if subsystem is None else subsystem
     everybody = JausID(number, ANY_NODE, ANY_COMPONENT)
-    for question in (QueryIdentification(query_type=Level.SUBSYSTEM), _all_services()):
+    for question in (QueryIdentification(query_type=Level.SUBSYSTEM), all_services()):
         link.send(everybody, question, broadcast=Broadcast.GLOBAL)
+    return everybody
 
 
 def _follow_up(link: Link, findings: Findings, subsystem: int | None) -> None:
@@ -105,12 +107,13 @@ def _follow_up(link: Link, findings: Findings, subsystem: int | None) -> None:
     asked += [
         (id, QueryIdentification(query_type=Level.COMPONENT)) for id in findings.unnamed(Level.COMPONENT, subsystem)
     ]
-    asked += [(id, _all_services()) for id in findings.mute(subsystem)]
+    asked += [(id, all_services()) for id in findings.mute(subsystem)]
     for id, question in asked[:MAX_FOLLOW_UPS]:
         link.send(id, question)
 
 
-def _all_services() -> QueryServices:
+def all_services() -> QueryServices:
+    """The question for all services of all components."""
     return QueryServices(
         node_list=[
             QueryServices.NodeSeq(

@@ -35,24 +35,15 @@ class Findings:
         self.responders.add(source)
         self._services.setdefault(source, frozenset())
         if isinstance(message, ReportIdentification):
-            key = (int(message.query_type), _at_level(int(message.query_type), source))
+            key = (int(message.query_type), at_level(int(message.query_type), source))
             self._names[key] = (message.identification, int(message.type))
         elif isinstance(message, ReportServices):
             self._add_services(message, source)
 
     def _add_services(self, report: ReportServices, source: JausID) -> None:
-        for node in report.node_list:
-            for each in node.component_list:
-                # Small robots call themselves 0: whoever answers means itself by that.
-                numbers = (node.node_rec.node_id or source.node, each.component_rec.component_id or source.component)
-                id = JausID(source.subsystem, *numbers)
-                if id.is_wildcard or len(self._services) >= MAX_COMPONENTS:
-                    continue
-                offered = (
-                    ServiceInfo(service.uri, f"{service.major_version_number}.{service.minor_version_number}")
-                    for service in each.service_list
-                )
-                self._services[id] = self._services.get(id, frozenset()) | frozenset(offered)
+        for id, offered in offers(report, source).items():
+            if id in self._services or len(self._services) < MAX_COMPONENTS:
+                self._services[id] = self._services.get(id, frozenset()) | offered
 
     def components(self, subsystem: int | None = None) -> list[JausID]:
         """The components known so far, in order."""
@@ -61,7 +52,7 @@ class Findings:
     def unnamed(self, level: Level, subsystem: int | None = None) -> list[JausID]:
         """Components whose name at this level is not known yet."""
         ids = self.components(subsystem)
-        return [each for each in ids if (int(level), _at_level(int(level), each)) not in self._names]
+        return [each for each in ids if (int(level), at_level(int(level), each)) not in self._names]
 
     def mute(self, subsystem: int | None = None) -> list[JausID]:
         """Components of which no service is known."""
@@ -99,10 +90,26 @@ class Findings:
         return Component(id, name, type, tuple(sorted(self._services[id])))
 
     def _name(self, level: Level, id: JausID) -> tuple[str, int]:
-        return self._names.get((int(level), _at_level(int(level), id)), ("", 0))
+        return self._names.get((int(level), at_level(int(level), id)), ("", 0))
 
 
-def _at_level(level: int, id: JausID) -> JausID:
+def offers(report: ReportServices, source: JausID) -> dict[JausID, frozenset[ServiceInfo]]:
+    """The services that a report tells of, by component."""
+    found: dict[JausID, frozenset[ServiceInfo]] = {}
+    for node in report.node_list:
+        for each in node.component_list:
+            # Small robots call themselves 0: whoever answers means itself by that.
+            numbers = (node.node_rec.node_id or source.node, each.component_rec.component_id or source.component)
+            id = JausID(source.subsystem, *numbers)
+            if not id.is_wildcard:
+                found[id] = found.get(id, frozenset()) | {
+                    ServiceInfo(service.uri, f"{service.major_version_number}.{service.minor_version_number}")
+                    for service in each.service_list
+                }
+    return found
+
+
+def at_level(level: int, id: JausID) -> JausID:
     """What a name at this level belongs to: all components of a subsystem share its name."""
     if level <= Level.SUBSYSTEM:
         return JausID(id.subsystem, 0, 0)

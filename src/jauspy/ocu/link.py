@@ -110,15 +110,13 @@ class Link:
     ) -> None:
         """Send a message; raises `EncodeError` when a value does not fit."""
         self._open().send(destination, message, priority=priority, broadcast=broadcast, ack=ack)
-        self.recorder.sent += 1
-        for id, control in self._controls.items():
-            if destination.matches(id):
-                control.sent(message)
+        self._sent(destination, message)
 
     async def deliver(self, destination: JausID, message: Message) -> None:
         """Send a message and wait for its ACK; raises `ResponseTimeout` when none comes after all resends."""
-        self.recorder.sent += 1
-        await self._open().deliver(destination, message)
+        component = self._open()
+        self._sent(destination, message)
+        await component.deliver(destination, message)
 
     async def query(
         self,
@@ -262,6 +260,12 @@ class Link:
         """Count a message that could not be read."""
         self.recorder.malformed += 1
         _LOG.debug("malformed: %s", problem)
+
+    def _sent(self, destination: JausID, message: Message) -> None:
+        self.recorder.sent += 1
+        for id, control in self._controls.items():
+            if destination.matches(id):
+                control.sent(message)
 
     def _open(self) -> Shell:
         if self._component is None:

@@ -6,13 +6,15 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Mapping
+from contextlib import suppress
 from typing import Any, Final, TypeVar, overload
 
 from jauspy.codec.base import Message
-from jauspy.errors import RequestError, ResponseTimeout
+from jauspy.errors import ConfigError, RequestError, ResponseTimeout
 from jauspy.ids import JausID
 from jauspy.messages.core import ClearEmergency, QueryStatus, ReportStatus, Resume, SetEmergency, Standby
 from jauspy.ocu.control import Control
+from jauspy.ocu.elements import Elements
 from jauspy.ocu.link import Link, Patience
 from jauspy.ocu.model import ServiceInfo
 from jauspy.ocu.subscription import Request, Subscription
@@ -37,9 +39,28 @@ class ServiceClient:
         self.id = id
         self.info = info
         self._link = link
+        self._elements = Elements(link, self)
 
     def __repr__(self) -> str:
         return f"<{self.info} at {self.id}>"
+
+    @property
+    def elements(self) -> Elements:
+        """The list that the component carries out, of services with a list manager."""
+        return self._elements
+
+    @property
+    def waypoints(self) -> Elements:
+        """`elements`, as one calls them of LocalWaypointListDriver and GlobalWaypointListDriver."""
+        return self._elements
+
+    def message(self, name: str) -> type[Any]:
+        """The message class of this JAUS name as the service has it, in the component's version when that is known."""
+        registry = self._link.registry
+        for version in (self.info.version, None):
+            with suppress(ConfigError):
+                return registry.by_name(name, service=self.info.urn, version=version)
+        raise ConfigError(f"{self.info.short} has no message {name}")
 
     @overload
     async def query(

@@ -33,10 +33,15 @@ async def transport_for(id: JausID, connect: str | None) -> Transport:
     if connect.startswith("local:"):
         return LocalTransport(id, _directory(connect))
     if connect.startswith("udp://"):
-        return UdpTransport(id, peer=await _resolved(*_address(connect)))
+        return UdpTransport(id, peer=await udp_address(connect))
     if connect.startswith("tcp://"):
         return TcpTransport(id, _address(connect))
     raise ConfigError(f"connect={connect!r} is not understood; use {FORMS}")
+
+
+async def udp_address(connect: str) -> tuple[str, int]:
+    """The address in `udp://HOST[:PORT]`; raises as `transport_for`."""
+    return await _resolved(*_address(connect))
 
 
 def _directory(connect: str) -> Path:

@@ -1,0 +1,133 @@
+"""`jauspy conformance`: test whether a robot or component is what the standard says."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from jauspy.cli.options import Connect, Json
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from jauspy.conformance.profile import Profile
+    from jauspy.conformance.results import Report
+    from jauspy.conformance.runner import Settings
+
+ProfileName = Annotated[
+    str | None, typer.Argument(metavar="PROFILE", help="Which test, as in igvc-2015; --list shows them all.")
+]
+Target = Annotated[
+    str | None,
+    typer.Option("--target", metavar="ID", help="What to test, as in 101.1.102, or 101.1.255 for its components."),
+]
+Listing = Annotated[bool, typer.Option("--list", help="Show the profiles, or the steps of PROFILE, and test nothing.")]
+Deadline = Annotated[
+    float,
+    typer.Option("--timeout", min=0.01, metavar="SECONDS", help="How long an answer may take; scales all waiting."),
+]
+Motion = Annotated[bool, typer.Option("--motion/--no-motion", help="Whether the robot may drive.")]
+Only = Annotated[
+    list[str] | None, typer.Option("--only", metavar="STEP", help="Only steps that begin so; may be repeated.")
+]
+Junit = Annotated[Path | None, typer.Option("--junit", metavar="FILE", help="Write JUnit XML.")]
+Html = Annotated[Path | None, typer.Option("--html", metavar="FILE", help="Write a report to read, in one file.")]
+Pcapng = Annotated[Path | None, typer.Option("--pcapng", metavar="FILE", help="Write what was sent and received.")]
+
+
+def conformance(
+    *,
+    profile: ProfileName = None,
+    target: Target = None,
+    list_: Listing = False,
+    connect: Connect = None,
+    timeout: Deadline = 1.5,
+    motion: Motion = True,
+    only: Only = None,
+    json: Json = False,
+    junit: Junit = None,
+    html: Html = None,
+    pcapng: Pcapng = None,
+) -> None:
+    """Test a robot or component of any vendor, step by step.
+
+    Each step passes, fails, is silent, late, malformed, or skipped with a reason. Status 0: all passed; 1: some did
+    not; 2: the test could not run. Give the robot room: some profiles make it drive, and shut it down at the end.
+
+    Without --connect the test speaks UDP multicast itself, from port 3794 if it is free.
+
+    Examples:
+      jauspy conformance igvc-2015 --target 101.1.255 --html report.html
+      jauspy conformance core-1.1 --target 101.1.102 --connect udp://192.168.1.101
+      jauspy conformance --list
+    """
+    from jauspy.cli import console
+    from jauspy.cli.conformance_view import show_list, show_steps
+    from jauspy.conformance.profile import find
+    from jauspy.conformance.runner import Settings
+    from jauspy.errors import ConfigError, JausError
+
+    if list_:
+        show_steps(find(profile)) if profile else show_list()
+        return
+    try:
+        if profile is None or target is None:
+            raise ConfigError("say which test, and of what: `jauspy conformance igvc-2015 --target 101.1.255`")
+        report = _run(find(profile), target, connect, Settings(timeout, motion, tuple(only or ())))
+        _write(report, junit, html, pcapng)
+        _show(report, json=json)
+    except JausError as error:
+        console.error(str(error))
+        raise typer.Exit(2) from None
+    raise typer.Exit(report.status)
+
+
+def _run(profile: Profile, target: str, connect: str | None, settings: Settings) -> Report:
+    import asyncio
+    import time
+    from contextlib import closing
+    from dataclasses import replace
+
+    from jauspy.cli.conformance_view import watching
+    from jauspy.conformance.links import open_wire
+    from jauspy.conformance.runner import run
+    from jauspy.ids import JausID
+
+    id = JausID.parse(target)
+    with closing(asyncio.run(open_wire(connect))) as wire, watching() as watch:
+        report = run(profile, wire, id, began=time.time(), settings=settings, watch=watch)
+    return replace(report, notes=(*getattr(wire, "notes", ()), *report.notes))
+
+
+def _write(report: Report, junit: Path | None, html: Path | None, pcapng: Path | None) -> None:
+    from jauspy.conformance import html as pages, junit as suites, pcap
+    from jauspy.errors import ConfigError
+
+    contents: list[tuple[Path | None, Callable[[], bytes]]] = [
+        (junit, lambda: suites.junit(report)),
+        (html, lambda: pages.page(report).encode()),
+        (pcapng, lambda: pcap.capture(report)),
+    ]
+    for path, content in contents:
+        if path is not None:
+            try:
+                path.write_bytes(content())
+            except OSError as error:
+                raise ConfigError(f"{path}: cannot be written: {error.strerror}") from error
+
+
+def _show(report: Report, *, json: bool) -> None:
+    from jauspy.cli import conformance_view
+
+    if not json:
+        conformance_view.show(report)
+        return
+    from json import dumps
+
+    from jauspy.conformance.as_json import result_json, summary_json
+
+    for result in report.results:
+        print(dumps(result_json(result), ensure_ascii=False))
+    print(dumps(summary_json(report), ensure_ascii=False))

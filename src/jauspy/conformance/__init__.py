@@ -1,0 +1,41 @@
+"""The conformance test: profiles of steps, run against a robot or component of any vendor."""
+
+from jauspy.conformance.bench import Bench, Part
+from jauspy.conformance.checks import Check, carries, carries_only, has, near, that
+from jauspy.conformance.outcome import Failed, Late, Malformed, Outcome, Silent, Skipped
+from jauspy.conformance.profile import Profile, Step, ask, find, known, tell
+from jauspy.conformance.results import Report, Result, Verdict
+from jauspy.conformance.runner import Settings, run
+from jauspy.conformance.tester import Client, Tester
+from jauspy.conformance.wire import Wire
+
+__all__ = [
+    "Bench",
+    "Check",
+    "Client",
+    "Failed",
+    "Late",
+    "Malformed",
+    "Outcome",
+    "Part",
+    "Profile",
+    "Report",
+    "Result",
+    "Settings",
+    "Silent",
+    "Skipped",
+    "Step",
+    "Tester",
+    "Verdict",
+    "Wire",
+    "ask",
+    "carries",
+    "carries_only",
+    "find",
+    "has",
+    "known",
+    "near",
+    "run",
+    "tell",
+    "that",
+]

@@ -1,0 +1,53 @@
+"""Reports as JSON."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from jauspy.conformance.results import Report, Result
+from jauspy.conformance.trace import Entry
+
+
+def result_json(result: Result) -> dict[str, Any]:
+    """One step; times in seconds."""
+    return {
+        "step": result.id,
+        "title": result.title,
+        "verdict": str(result.verdict),
+        "reason": result.reason,
+        "why": result.why,
+        "expected": list(result.expected),
+        "checks": [{"check": each.name, "problem": each.problem} for each in result.looked],
+        "began": round(result.began, 6),
+        "elapsed": round(result.elapsed, 6),
+        "points": result.points,
+        "earned": result.earned,
+        "traffic": [entry_json(each) for each in result.entries],
+    }
+
+
+def entry_json(entry: Entry) -> dict[str, Any]:
+    """One datagram."""
+    return {
+        "at": round(entry.at, 6),
+        "direction": "sent" if entry.direction == ">" else "received",
+        "hex": entry.data.hex(),
+        "decoded": list(entry.lines),
+    }
+
+
+def summary_json(report: Report) -> dict[str, Any]:
+    """The run without its steps."""
+    earned, possible = report.points
+    return {
+        "profile": report.profile,
+        "target": report.target,
+        "began": report.began,
+        "seconds": round(report.seconds, 3),
+        "verdicts": {str(verdict): count for verdict, count in sorted(report.counts.items())},
+        "points": earned,
+        "of": possible,
+        "problem": report.problem,
+        "notes": list(report.notes),
+        "status": report.status,
+    }

@@ -1,0 +1,186 @@
+"""A target in memory on virtual time: components and their node manager, and a `Wire` to them without a network.
+
+Tests of components use it, ours and users'. A second of virtual time costs as much as what happens in it.
+"""
+
+from __future__ import annotations
+
+import heapq
+from collections import deque
+from collections.abc import Callable, Collection, Iterable
+from itertools import count
+from typing import Final
+
+from jauspy.conformance.wire import PORTS, RAW
+from jauspy.ids import JausID
+from jauspy.protocol import judp
+from jauspy.protocol.endpoint import Endpoint
+from jauspy.protocol.node import NodeCore
+from jauspy.protocol.ports import GroupPort, LocalPort, Port, UdpPort
+from jauspy.services.host import Host
+from jauspy.services.outbox import Outgoing
+
+ROOT: Final = "/bench"
+USUAL: Final = UdpPort("192.0.2.42", judp.PORT)
+STRANGE: Final = UdpPort("192.0.2.42", 49152)
+"""Where the tester speaks from: documentation addresses (RFC 5737)."""
+
+Tick = Callable[[float], None]
+"""Lets so many seconds pass for something outside of the components, such as a robot."""
+
+
+class Part:
+    """One component: its services and its endpoint. Made to be broken: a subclass may mangle what it hears and says."""
+
+    def __init__(self, host: Host) -> None:
+        self.host = host
+        self.endpoint = Endpoint(host.id, first_sequence=1)
+
+    def hear(self, payload: bytes, source: JausID, now: float) -> None:
+        """A message came in."""
+        self.host.receive(payload, source, now)
+
+    def say(self, outgoing: Outgoing, now: float) -> None:
+        """A message goes out."""
+        self.endpoint.send(
+            outgoing.destination,
+            outgoing.payload,
+            now=now,
+            priority=outgoing.priority,
+            broadcast=outgoing.broadcast,
+        )
+
+    def handle(self, datagram: bytes, now: float) -> None:
+        """A datagram from the node manager."""
+        self.endpoint.receive(datagram, now)
+
+    def work(self, now: float) -> list[bytes]:
+        """Do what is due; the datagrams to send."""
+        self.endpoint.handle_timeout(now)
+        while (packet := self.endpoint.next_event()) is not None:
+            self.hear(packet.payload, packet.source, now)
+        self.host.handle_timeout(now)
+        for outgoing in self.host.poll_output(now):
+            self.say(outgoing, now)
+        while self.endpoint.next_outcome() is not None:
+            pass
+        return self.endpoint.poll_output()
+
+    def next_timeout(self) -> float | None:
+        """When there is something to do."""
+        due = [at for at in (self.host.next_timeout(), self.endpoint.next_timeout()) if at is not None]
+        return min(due, default=None)
+
+
+class Bench:
+    """A `Wire` to components in this process.
+
+    `delay`: seconds that a datagram travels. `tick` is told of the time that passes, at most `step` seconds at once.
+    A subclass may mangle datagrams: `inbound` and `outbound` say what becomes of one.
+    """
+
+    features: Collection[str] = (RAW, PORTS)
+
+    def __init__(
+        self,
+        parts: Iterable[Part],
+        *,
+        delay: float = 0.001,
+        tick: Tick | None = None,
+        step: float = 0.02,
+        now: float = 0.0,
+    ) -> None:
+        self.parts = {each.host.id: each for each in parts}
+        self.node = NodeCore(ROOT)
+        self._delay = delay
+        self._tick = tick
+        self._step = step
+        self._now = now
+        self._order = count()
+        self._air: list[tuple[float, int, bytes, UdpPort]] = []
+        self._arrived: deque[bytes] = deque()
+        self._listening: set[UdpPort] = {USUAL}
+        for id, part in self.parts.items():
+            self.node.components.register(int(id), LocalPort(f"{ROOT}/{int(id)}"))
+            self._transmit(part)
+
+    # --- to be mangled ----------------------------------------------------------------------------------------------
+
+    def inbound(self, datagram: bytes) -> Iterable[bytes]:
+        """What reaches the node manager when the tester sends this."""
+        return (datagram,)
+
+    def outbound(self, datagram: bytes) -> Iterable[bytes]:
+        """What reaches the tester when the node manager sends this."""
+        return (datagram,)
+
+    def way_back(self, port: UdpPort) -> UdpPort:
+        """Where the node manager's answer to this address goes."""
+        return port
+
+    # --- a Wire -----------------------------------------------------------------------------------------------------
+
+    def now(self) -> float:
+        """Virtual seconds."""
+        return self._now
+
+    def join(self, id: JausID) -> None:
+        """Everybody who speaks from the tester's address is reached there."""
+
+    def send(self, datagram: bytes, source: JausID, *, strange_port: bool = False) -> None:  # noqa: ARG002 - one address for all
+        """Hand a datagram to the node manager, after the delay."""
+        port = STRANGE if strange_port else USUAL
+        self._listening.add(port)
+        for each in self.inbound(datagram):
+            heapq.heappush(self._air, (self._now + self._delay, next(self._order), each, port))
+
+    def receive(self, until: float) -> bytes | None:
+        """What comes next; time passes until then, or until the time is over."""
+        while not self._arrived and self._now < until:
+            self._advance(min(until, self._next_event()))
+        return self._arrived.popleft() if self._arrived else None
+
+    def close(self) -> None:
+        """End the components."""
+        for part in self.parts.values():
+            part.host.close(self._now)
+
+    # --- inside -----------------------------------------------------------------------------------------------------
+
+    def _next_event(self) -> float:
+        times = [part.next_timeout() for part in self.parts.values()]
+        times += [self.node.next_timeout(), self._air[0][0] if self._air else None]
+        return max(self._now, min((at for at in times if at is not None), default=float("inf")))
+
+    def _advance(self, to: float) -> None:
+        while self._tick is not None and self._now < to:
+            span = min(self._step, to - self._now)
+            self._tick(span)
+            self._now = to if span < self._step else self._now + span
+        self._now = max(self._now, to)
+        while self._air and self._air[0][0] <= self._now:
+            _, _, datagram, port = heapq.heappop(self._air)
+            self.node.receive(datagram, port, self._now)
+            self._route()
+        self.node.handle_timeout(self._now)
+        self._route()
+        for part in self.parts.values():
+            self._transmit(part)
+
+    def _transmit(self, part: Part) -> None:
+        for datagram in part.work(self._now):
+            self.node.receive(datagram, LocalPort(f"{ROOT}/{int(part.host.id)}"), self._now)
+        self._route()
+
+    def _route(self) -> None:
+        while output := self.node.poll_output():
+            for port, datagram in output:
+                self._deliver(port, datagram)
+
+    def _deliver(self, port: Port, datagram: bytes) -> None:
+        if isinstance(port, LocalPort):
+            part = self.parts[JausID.from_int(int(port.path.rpartition("/")[2]))]
+            part.handle(datagram, self._now)
+            self._transmit(part)
+        elif isinstance(port, GroupPort) or (isinstance(port, UdpPort) and self.way_back(port) in self._listening):
+            self._arrived += self.outbound(datagram)

@@ -1,0 +1,89 @@
+"""What an answer is looked at for: each check has a name, so that a report can say which one did not hold."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import Any, TypeAlias
+
+from jauspy.codec.base import Message
+
+Judge: TypeAlias = Callable[[Any], str]
+"""Takes a message, says what is wrong with it; empty when nothing is."""
+
+
+@dataclass(frozen=True, slots=True)
+class Check:
+    """Something that must hold for a message. `name` is a sentence without subject, as in `has status 5`."""
+
+    name: str
+    problem: Judge
+
+
+def has(**fields: object) -> tuple[Check, ...]:
+    """Each of these fields has exactly this value; a dotted path is written with two underscores."""
+    return tuple(_equal(name.replace("__", "."), value) for name, value in fields.items())
+
+
+def near(tolerance: float, **fields: float) -> tuple[Check, ...]:
+    """Each of these numbers is there, and within `tolerance`."""
+    return tuple(_near(name, value, tolerance) for name, value in fields.items())
+
+
+def carries(*fields: str) -> tuple[Check, ...]:
+    """Each of these optional fields is in the report."""
+    return tuple(Check(f"carries {name}", _missing(name)) for name in fields)
+
+
+def carries_only(*fields: str) -> Check:
+    """Of the optional fields none but these is in the report."""
+    what = f"carries no optional field but {', '.join(fields)}" if fields else "carries no optional field"
+
+    def problem(message: Message) -> str:
+        extra = [name for name, value in _optional(message).items() if value is not None and name not in fields]
+        return f"also carries {', '.join(extra)}, which was not asked for" if extra else ""
+
+    return Check(what, problem)
+
+
+def that(name: str, holds: Callable[[Any], bool]) -> Check:
+    """Anything else; `name` says what holds."""
+    return Check(name, lambda message: "" if holds(message) else f"does not hold: {name}")
+
+
+def _equal(path: str, value: object) -> Check:
+    def problem(message: Message) -> str:
+        got = _field(message, path)
+        return "" if got == value else f"{path} is {_shown(got)}, not {_shown(value)}"
+
+    return Check(f"has {path} {_shown(value)}", problem)
+
+
+def _near(path: str, value: float, tolerance: float) -> Check:
+    def problem(message: Message) -> str:
+        got = _field(message, path)
+        if got is None:
+            return f"{path} is missing"
+        return "" if abs(got - value) <= tolerance else f"{path} is {got:.6g}, not {value:g}"
+
+    return Check(f"has {path} {value:g}", problem)
+
+
+def _missing(name: str) -> Judge:
+    return lambda message: "" if getattr(message, name) is not None else f"{name} is missing"
+
+
+def _field(message: Any, path: str) -> Any:
+    for name in path.split("."):
+        message = getattr(message, name)
+    return message
+
+
+def _optional(message: Message) -> Mapping[str, object]:
+    slots = getattr(message.layout(), "slots", ())
+    return {slot.name: getattr(message, slot.name) for slot in slots if slot.optional}
+
+
+def _shown(value: object) -> str:
+    return f"{int(value)} {value.name}" if isinstance(value, IntEnum) else f"{value!r}"

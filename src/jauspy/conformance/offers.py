@@ -1,0 +1,56 @@
+"""What a target offers: its components and their services, as Discovery reports them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Final, TypeAlias
+
+from jauspy.conformance.checks import that
+from jauspy.conformance.outcome import Outcome
+from jauspy.conformance.tester import Tester
+from jauspy.errors import RequestError
+from jauspy.ids import JausID
+from jauspy.messages.core import QueriedComponentRec, QueriedNodeRec, QueryServices, ReportServices
+
+ServiceKey: TypeAlias = tuple[str, str]
+"""URN and version, as `1.1`."""
+
+ALL_SERVICES: Final = QueryServices(
+    node_list=[
+        QueryServices.NodeSeq(
+            node_rec=QueriedNodeRec(node_id=255), component_list=[QueriedComponentRec(component_id=255)]
+        )
+    ]
+)
+"""Asks for everything: 255 stands for all nodes, and for all components."""
+ASKER: Final = "42.1.1"
+
+
+@dataclass(frozen=True, slots=True)
+class Offers:
+    """The services of each component of the target."""
+
+    components: Mapping[JausID, frozenset[ServiceKey]]
+
+    def with_any(self, wanted: frozenset[ServiceKey]) -> Mapping[JausID, frozenset[ServiceKey]]:
+        """Of each component what is wanted; those that have nothing of it are left out."""
+        found = {id: services & wanted for id, services in sorted(self.components.items())}
+        return {id: services for id, services in found.items() if services}
+
+
+def discover(tester: Tester) -> Offers:
+    """Ask the target for all of its services; raises `RequestError` when it does not say."""
+    listed = that("lists a component", lambda report: any(each.component_list for each in report.node_list))
+    try:
+        report = tester.client(ASKER).ask(ALL_SERVICES, ReportServices, listed, within=2.0)
+    except Outcome as error:
+        raise RequestError(f"{tester.target} does not say which services it offers: {error}") from error
+    found = {
+        JausID(tester.component.subsystem, node.node_rec.node_id, component.component_rec.component_id): frozenset(
+            (each.uri, f"{each.major_version_number}.{each.minor_version_number}") for each in component.service_list
+        )
+        for node in report.node_list
+        for component in node.component_list
+    }
+    return Offers({id: services for id, services in found.items() if tester.target.matches(id)})

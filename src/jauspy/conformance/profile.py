@@ -1,0 +1,113 @@
+"""What a profile is: named steps, each a function of a tester."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field
+from importlib.metadata import EntryPoint, entry_points
+from typing import Final, TypeAlias
+
+from jauspy.codec.base import Message
+from jauspy.conformance.checks import Check
+from jauspy.conformance.offers import Offers
+from jauspy.conformance.tester import Tester
+from jauspy.errors import ConfigError
+from jauspy.ids import JausID
+
+GROUP: Final = "jauspy.conformance"
+"""Entry points of profiles: a name, and where the `Profile` is."""
+
+BUILT_IN: Final = {
+    "igvc-2015": "igvc_2015:PROFILE",
+}
+"""Where the shipped ones are; loaded when they are run."""
+
+Action: TypeAlias = Callable[[Tester], object]
+"""What a step does: it raises an `Outcome` unless it passes."""
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One step. `id` is unique in its profile."""
+
+    id: str
+    title: str
+    run: Action
+    points: float = 0.0
+    why: str = ""
+    """Where the expectation comes from, when the messages sent do not say it: a state, a rule."""
+    moves: bool = False
+    """The robot drives: `--no-motion` leaves the step out."""
+    wants: frozenset[str] = field(default=frozenset())
+    """Features of the wire that it needs."""
+
+
+Plan: TypeAlias = Callable[[Offers], Sequence[Step]]
+"""The steps for what a target offers."""
+
+
+@dataclass(frozen=True, slots=True)
+class Profile:
+    """A test of one standard or competition.
+
+    `steps` are the same for every target, or made by a function from what the target offers (`Offers`). Such a
+    function may raise `ConfigError` when there is nothing to test.
+    """
+
+    name: str
+    title: str
+    steps: tuple[Step, ...] | Plan
+
+    @property
+    def asks_for_services(self) -> bool:
+        """True when the target must be asked first what it offers."""
+        return callable(self.steps)
+
+    def plan(self, offers: Offers) -> tuple[Step, ...]:
+        """The steps for a target."""
+        return tuple(self.steps(offers)) if callable(self.steps) else self.steps
+
+
+def ask(
+    client: str,
+    message: Message | bytes,
+    answer: type[Message],
+    *checks: Check | Iterable[Check],
+    to: JausID | None = None,
+) -> Action:
+    """The commonest step: a client sends a message and gets the right answer."""
+    return lambda tester: tester.client(client).ask(message, answer, *checks, to=to)
+
+
+def tell(client: str, message: Message | bytes) -> Action:
+    """A client sends a message that has no answer."""
+
+    def action(tester: Tester) -> None:
+        tester.client(client).send(message)
+        tester.client(client).silence()
+
+    return action
+
+
+def known() -> list[str]:
+    """The names of the profiles that come with jauspy, and of those that packages announce."""
+    return sorted({*BUILT_IN, *(entry.name for entry in entry_points(group=GROUP))})
+
+
+def find(name: str) -> Profile:
+    """The profile of that name; `ConfigError` lists what there is, or says why it cannot be loaded."""
+    if name in BUILT_IN:
+        return _loaded(EntryPoint(name, f"jauspy.conformance.profiles.{BUILT_IN[name]}", GROUP))
+    for entry in entry_points(group=GROUP, name=name):
+        return _loaded(entry)
+    raise ConfigError(f"no conformance profile {name!r}; there are: {', '.join(known())}")
+
+
+def _loaded(entry: EntryPoint) -> Profile:
+    try:
+        profile = entry.load()
+    except (ImportError, AttributeError) as error:
+        raise ConfigError(f"conformance profile {entry.name!r} ({entry.value}) cannot be loaded: {error}") from error
+    if not isinstance(profile, Profile):
+        raise ConfigError(f"conformance profile {entry.name!r} ({entry.value}) is no Profile")
+    return profile

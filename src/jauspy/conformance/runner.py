@@ -1,0 +1,125 @@
+"""Runs a profile against a target, step by step."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import Final
+
+from jauspy.codec.registry import Registry
+from jauspy.conformance.offers import Offers, discover
+from jauspy.conformance.outcome import Outcome
+from jauspy.conformance.profile import Profile, Step
+from jauspy.conformance.results import Report, Result, Verdict
+from jauspy.conformance.tester import TIMEOUT, Tester
+from jauspy.conformance.wire import Wire
+from jauspy.errors import ConfigError, RequestError
+from jauspy.ids import JausID
+from jauspy.messages import registry as known_messages
+
+Watch = Callable[[Result], None]
+"""Hears of each step as it ends."""
+
+DEAF: Final = (
+    "{target} answers nothing; check that it runs, that its id is right, that it takes messages for a wildcard id "
+    "if that is one, and that both are on one network (`jauspy ls` shows who answers)"
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """How to run. `timeout` is in seconds; without `motion`, steps that make the robot drive are left out.
+
+    `only` are beginnings of step ids; all steps when there is none. Later steps may need earlier ones.
+    """
+
+    timeout: float = TIMEOUT
+    motion: bool = True
+    only: tuple[str, ...] = ()
+
+
+def run(
+    profile: Profile,
+    wire: Wire,
+    target: JausID,
+    *,
+    began: float,
+    settings: Settings | None = None,
+    registry: Registry = known_messages,
+    watch: Watch = lambda _: None,
+) -> Report:
+    """The report of a whole run. `began`: the wall clock, seconds since 1970. Never raises for what the target does."""
+    settings = settings or Settings()
+    tester = Tester(wire, target, registry=registry, timeout=settings.timeout)
+    results: list[Result] = []
+    problem = ""
+    try:
+        for step in _chosen(profile.plan(_offers(profile, tester)), settings.only):
+            results.append(run_step(step, tester, settings))
+            watch(results[-1])
+            if results[-1].verdict is Verdict.SILENT and not tester.answered:
+                problem = DEAF.format(target=target)
+                break
+    except ConfigError as error:
+        problem = str(error)
+    except RequestError as error:
+        problem = str(error) if tester.answered else DEAF.format(target=target)
+    return Report(
+        profile=profile.name,
+        title=profile.title,
+        target=str(target),
+        began=began,
+        seconds=tester.now,
+        results=tuple(results),
+        entries=tuple(tester.entries),
+        problem=problem,
+        notes=(f"{tester.left_out} datagrams were too many to keep",) if tester.left_out else (),
+    )
+
+
+def _offers(profile: Profile, tester: Tester) -> Offers:
+    return discover(tester) if profile.asks_for_services else Offers({})
+
+
+def _chosen(steps: tuple[Step, ...], only: Iterable[str]) -> tuple[Step, ...]:
+    chosen = tuple(step for step in steps if not only or any(step.id.startswith(each) for each in only))
+    if not chosen:
+        raise ConfigError(
+            f"no step begins with {' or '.join(only)}; there are: {', '.join(s.id for s in steps[:12])}, ..."
+        )
+    return chosen
+
+
+def run_step(step: Step, tester: Tester, settings: Settings) -> Result:
+    """One step and how it ended."""
+    tester.begin()
+    began, first = tester.now, len(tester.entries)
+    verdict, reason = Verdict.PASS, _obstacle(step, tester, settings)
+    if reason:
+        verdict = Verdict.SKIPPED
+    else:
+        try:
+            step.run(tester)
+        except Outcome as outcome:
+            verdict, reason = outcome.verdict, str(outcome)
+    return Result(
+        id=step.id,
+        title=step.title,
+        verdict=verdict,
+        reason=reason,
+        why="; ".join(dict.fromkeys(each for each in (*tester.why, step.why) if each)),
+        expected=tuple(dict.fromkeys(tester.expected)),
+        looked=tuple(tester.looked),
+        entries=tuple(tester.entries[first:]),
+        began=began,
+        ended=tester.now,
+        points=step.points,
+    )
+
+
+def _obstacle(step: Step, tester: Tester, settings: Settings) -> str:
+    """Why a step is not tried; empty when it is."""
+    missing = step.wants.difference(tester.wire.features)
+    if missing:
+        return f"this way of connecting cannot do it ({', '.join(sorted(missing))}); use udp://HOST, or multicast"
+    return "it moves the robot, and --no-motion was given" if step.moves and not settings.motion else ""

@@ -1,0 +1,89 @@
+"""Subscribing to events, and looking at the stream that comes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import Final
+
+from jauspy.codec.base import Message
+from jauspy.conformance.checks import has, near
+from jauspy.conformance.tester import Client, Tester
+from jauspy.ids import JausID
+from jauspy.messages.core import CancelEvent, ConfirmEventRequest, CreateEvent, Event
+
+RATE_STEP: Final = 1092 / 65535
+"""Hertz of one step of a rate on the wire (AS5710)."""
+ONE_HERTZ: Final = 60 * RATE_STEP
+HALF_HERTZ: Final = 30 * RATE_STEP
+"""As the judge sends them: raw 003C and 001E."""
+TOLERANCE: Final = 0.25
+"""Part of the period that an interval may be off, for networks and schedulers."""
+PERIODS: Final = 4
+"""Of a stream that are watched."""
+
+Arrivals = Sequence[tuple[float, Event]]
+
+
+def subscribe(
+    client: Client, request: int, query: Message | bytes, rate: float = ONE_HERTZ, to: JausID | None = None
+) -> ConfirmEventRequest:
+    """A periodic event; it must be confirmed with the rate that was asked for."""
+    wanted = CreateEvent(
+        request_id=request,
+        event_type=CreateEvent.EventType.PERIODIC,
+        requested_periodic_rate=rate,
+        query_message=query,
+    )
+    return client.ask(
+        wanted, ConfirmEventRequest, has(request_id=request), near(0.02 * rate, confirmed_periodic_rate=rate), to=to
+    )
+
+
+def cancel(client: Client, request: int, event: int, to: JausID | None = None) -> None:
+    """End an event, and hear no more of it."""
+    client.ask(CancelEvent(request, event), ConfirmEventRequest, has(request_id=request, event_id=event), to=to)
+
+
+def watch(client: Client, event: int, rate: float, report: type[Message]) -> None:
+    """The stream of an event keeps its rate, counts, and carries the report."""
+    arrivals = client.collect(Event, PERIODS / rate, lambda message: message.event_id == event)
+    judge(client.tester, arrivals, rate, report)
+
+
+def judge(tester: Tester, arrivals: Arrivals, rate: float, report: type[Message]) -> None:
+    """Look at what came of one event."""
+    name = f"{report.NAME} at {rate:.2g} Hz"
+    tester.expected.append(f"Event 41F1h with {name}")
+    tester.check(f"the stream of {name} keeps its rate", pace(arrivals, rate))
+    numbers = [event.sequence_number for _, event in arrivals]
+    steps = {after - before & 0xFF for before, after in pairwise(numbers)}
+    tester.check(
+        f"the sequence number of {name} grows by one", "" if steps == {1} else f"the sequence numbers are {numbers}"
+    )
+    others = [event for _, event in arrivals if code(event) != report.CODE]
+    tester.check(f"the events carry {report.NAME}", f"an event carries {code(others[0]):04X}h" if others else "")
+
+
+def pace(arrivals: Arrivals, rate: float) -> str:
+    """What is wrong with the intervals; the first report may come at any time."""
+    times = [at for at, _ in arrivals]
+    if len(times) < PERIODS - 1:
+        return f"{len(times)} events came in {PERIODS / rate:.3g} s, which is not {rate:.2g} Hz"
+    intervals = [after - before for before, after in pairwise(times)]
+    wrong = [each for each in intervals if abs(each * rate - 1.0) > TOLERANCE]
+    return f"{len(times)} events, {wrong[0]:.3f} s apart, which is not {rate:.2g} Hz" if wrong else ""
+
+
+def code(event: Event) -> int:
+    """The message id of what an event carries."""
+    report = event.report_message
+    return report.CODE if isinstance(report, Message) else int.from_bytes(report[:2], "little")
+
+
+def stopped(client: Client, event: int, seconds: float) -> None:
+    """Nothing more comes of an event that was cancelled, apart from what was under way."""
+    client.tester.wait(0.05 * client.tester.timeout)
+    client.forget(Event)
+    arrivals = client.collect(Event, seconds, lambda message: message.event_id == event)
+    client.tester.check("the events stop", f"{len(arrivals)} came after the end" if arrivals else "")

@@ -1,0 +1,81 @@
+"""What went over the wire during a run, with the time, and as far as it can be read."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+from functools import cached_property
+
+from jauspy.codec.base import Message
+from jauspy.codec.registry import Registry
+from jauspy.errors import DecodeError
+from jauspy.ids import JausID
+from jauspy.protocol import judp
+from jauspy.protocol.header import Packet
+
+
+class Direction(StrEnum):
+    """As the tester sees it."""
+
+    SENT = ">"
+    RECEIVED = "<"
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One datagram; `at` is in seconds since the run began."""
+
+    at: float
+    direction: Direction
+    data: bytes
+    registry: Registry
+
+    @cached_property
+    def packets(self) -> tuple[Packet, ...]:
+        """What can be read of it as AS5669A."""
+        return tuple(judp.unpack_all(self.data)[0])
+
+    @cached_property
+    def lines(self) -> tuple[str, ...]:
+        """A line for each packet: from, to, message and fields."""
+        if not self.packets:
+            return (f"{len(self.data)} bytes that are no AS5669A packet",)
+        return tuple(f"{each.source} to {each.destination}: {self._content(each)}" for each in self.packets)
+
+    def _content(self, packet: Packet) -> str:
+        if not packet.payload:
+            return f"{packet.ack.name}, sequence number {packet.sequence}"
+        return described(packet.payload, self.registry)
+
+
+def described(payload: bytes, registry: Registry) -> str:
+    """A message on one line: its name and fields, and what is wrong with it."""
+    if len(payload) < 2:
+        return f"{payload.hex()}: too short for a message"
+    code = f"{int.from_bytes(payload[:2], 'little'):04X}h"
+    try:
+        message, deviations = registry.decode(payload, strict=False)
+    except DecodeError:
+        return f"{code} {payload[2:].hex()}".strip()
+    wrong = f" ({'; '.join(map(str, deviations))})" if deviations else ""
+    return f"{code} {message!r}{wrong}"
+
+
+def named(kind: type[Message]) -> str:
+    """`ReportStatus 4002h`."""
+    return f"{kind.NAME} {kind.CODE:04X}h"
+
+
+@dataclass(frozen=True, slots=True)
+class Heard:
+    """One whole message that a client got."""
+
+    at: float
+    client: JausID
+    source: JausID
+    payload: bytes
+
+    @property
+    def code(self) -> int:
+        """Its message id."""
+        return int.from_bytes(self.payload[:2], "little")

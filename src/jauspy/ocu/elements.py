@@ -1,0 +1,279 @@
+"""The list of a component, of waypoints or whatever its drivers carry out, as a Python sequence."""
+
+from __future__ import annotations
+
+from collections.abc import AsyncIterator, Callable, Iterable, Sequence
+from functools import partial
+from itertools import pairwise
+from typing import TYPE_CHECKING, Final, TypeAlias, overload
+
+from jauspy.codec.base import Message
+from jauspy.errors import ConfigError, DecodeError, ElementRejected, RequestError, ResponseTimeout
+from jauspy.messages.core import (
+    ConfirmElementRequest,
+    DeleteElement,
+    ElementRec,
+    QueryElement,
+    QueryElementList,
+    RejectElementRequest,
+    ReportElement,
+    ReportElementList,
+    ReportStatus,
+    SetElement,
+)
+from jauspy.ocu.link import Link
+from jauspy.ocu.progress import progress
+
+if TYPE_CHECKING:
+    from jauspy.ocu.service import ServiceClient
+
+Element: TypeAlias = Message | bytes
+"""A message, or bytes of a format of the user's own."""
+
+BATCH: Final = 255
+"""Elements that fit one request."""
+RESERVED: Final = (0, 65535)
+"""Numbers that no element has: 0 stands for none, 65535 for all."""
+_Code: TypeAlias = RejectElementRequest.ResponseCode
+_MEANINGS: Final[dict[int, str]] = {
+    _Code.INVALID_ELEMENT_ID: "it takes no element of this number",
+    _Code.INVALID_PREVIOUS_ELEMENT: "the list has changed meanwhile; call `read()` and try again",
+    _Code.INVALID_NEXT_ELEMENT: "the list has changed meanwhile; call `read()` and try again",
+    _Code.UNSUPPORTED_ELEMENT_TYPE: "none of its drivers carries out such an element",
+    _Code.ELEMENT_NOT_FOUND: "the list has changed meanwhile; call `read()` and try again",
+    _Code.OUT_OF_MEMORY: "it has no room for more elements",
+    _Code.UNSPECIFIED_ERROR: "it does not say why",
+}
+
+
+class Elements(Sequence[Element]):
+    """The elements as they were when they were last read or changed from here: `len`, `[]`, `in` and loops use those.
+
+    What changes them is sent first and shows here when the component has confirmed it. Changing needs control; raises
+    `ElementRejected` with the reason, or `ResponseTimeout`. Lists longer than 255 are changed in several requests.
+    """
+
+    def __init__(self, link: Link, service: ServiceClient) -> None:
+        self._link = link
+        self._service = service
+        self._items: dict[int, Element] | None = None
+        """By number, in the list's order; None before the first look at the component's own."""
+
+    def __repr__(self) -> str:
+        return f"<{len(self)} elements of {self._service!r}>"
+
+    def __len__(self) -> int:
+        return len(self._items or ())
+
+    @overload
+    def __getitem__(self, index: int) -> Element: ...
+
+    @overload
+    def __getitem__(self, index: slice) -> tuple[Element, ...]: ...
+
+    def __getitem__(self, index: int | slice) -> Element | tuple[Element, ...]:
+        return tuple((self._items or {}).values())[index]
+
+    # --- reading and changing -------------------------------------------------------------------------------------
+
+    async def read(self) -> tuple[Element, ...]:
+        """Fetch the list from the component."""
+        items: dict[int, Element] = {}
+        for uid in await self._read_order():
+            report = await self._service.query(QueryElement(element_uid=uid), expects=ReportElement)
+            items[uid] = self._content(report.element_data)
+        self._items = items
+        return self[:]
+
+    async def upload(self, elements: Iterable[Element]) -> None:
+        """Replace the whole list, whatever it held."""
+        records = list(elements)
+        await self._delete(await self._read_order())
+        self._items = {}
+        await self._insert(0, records)
+
+    async def append(self, element: Element) -> None:
+        """Put it at the end."""
+        await self.extend([element])
+
+    async def extend(self, elements: Iterable[Element]) -> None:
+        """Put them at the end."""
+        await self._known()
+        await self._insert(len(self), list(elements))
+
+    async def insert(self, index: int, element: Element) -> None:
+        """Put it before the element at `index`, as `list.insert` does."""
+        await self._known()
+        await self._insert(slice(index, None).indices(len(self))[0], [element])
+
+    async def replace(self, index: int | slice, elements: Element | Iterable[Element]) -> None:
+        """What `list[index] = elements` does. One that is being carried out is begun anew."""
+        uids = await self._at(index)
+        new = [elements] if isinstance(elements, Message | bytes) else list(elements)
+        if isinstance(index, int) and len(new) != 1:
+            raise ConfigError(f"{len(new)} elements cannot replace the one at {index}; use a slice")
+        if len(new) == len(uids):
+            await self._set(dict(zip(uids, new, strict=True)), list(await self._known()))
+            return
+        assert isinstance(index, slice)
+        if index.step not in (None, 1):
+            raise ConfigError(f"{len(new)} elements cannot replace {len(uids)} that do not follow each other")
+        at = index.indices(len(self))[0]
+        await self._delete(uids)
+        await self._insert(at, new)
+
+    async def delete(self, index: int | slice) -> None:
+        """What `del list[index]` does. Deleting the element that is being carried out ends the execution."""
+        await self._delete(await self._at(index))
+
+    async def clear(self) -> None:
+        """Delete all, also what was not read yet."""
+        await self.upload(())
+
+    # --- carrying out ---------------------------------------------------------------------------------------------
+
+    async def execute(self, speed: float | None = None, *, start: int = 0) -> None:
+        """Carry out the list from the element at `start`; `speed` in m/s, for drivers that have one.
+
+        Raises `RequestError` when the component is not Ready, for then it ignores this.
+        """
+        (uid,) = await self._at(start)
+        command = self._service.message("ExecuteList")
+        await self._service.send(command(element_uid=uid, **_speed(command, speed)))
+        await self._check_ready(command.NAME)
+
+    async def set_speed(self, speed: float) -> None:
+        """Go on at another speed, in m/s."""
+        command = self._service.message("ExecuteList")
+        await self._service.send(command(**_speed(command, speed)))
+
+    async def active(self) -> int | None:
+        """The index of the element that is being carried out, None when there is none."""
+        report = await self._service.query(self._service.message("QueryActiveElement")())
+        return await self._index(report.element_uid)
+
+    async def progress(self, *, rate: float | None = None, grace: float = 2.0) -> AsyncIterator[int]:
+        """The index of each element as it becomes the active one, until there is none any more.
+
+        The component tells of changes, or, with `rate`, how it is so many times a second. `grace` is how long
+        (seconds) it may take until the first is active.
+        """
+        query = self._service.message("QueryActiveElement")()
+        async for uid in progress(self._service, query, rate, grace):
+            index = await self._index(uid)
+            if index is not None:
+                yield index
+
+    # --- inside ---------------------------------------------------------------------------------------------------
+
+    async def _known(self) -> dict[int, Element]:
+        if self._items is None:
+            await self.read()
+        assert self._items is not None
+        return self._items
+
+    async def _read_order(self) -> list[int]:
+        report = await self._service.query(QueryElementList(), expects=ReportElementList)
+        return [each.element_uid for each in report.element_list]
+
+    async def _at(self, index: int | slice) -> list[int]:
+        uids = list(await self._known())
+        if isinstance(index, slice):
+            return uids[index]
+        if not -len(uids) <= index < len(uids):
+            raise IndexError(f"there is no element {index}; the list has {len(uids)}")
+        return [uids[index]]
+
+    async def _index(self, uid: int) -> int | None:
+        if not uid:
+            return None
+        if uid not in await self._known():
+            await self.read()
+        order = list(await self._known())
+        return order.index(uid) if uid in order else None
+
+    async def _insert(self, at: int, elements: list[Element]) -> None:
+        order = list(taken := await self._known())
+        free = (uid for uid in range(1, RESERVED[1]) if uid not in taken)
+        new = dict(zip(free, elements, strict=False))
+        if len(new) < len(elements):
+            raise ConfigError(f"{len(order) + len(elements)} elements are more than the {RESERVED[1] - 1} of a list")
+        await self._set(new, [*order[:at], *new, *order[at:]])
+
+    async def _set(self, new: dict[int, Element], order: list[int]) -> None:
+        """Make these elements; `order` is the list's afterwards. Each request alone leaves the list well linked."""
+        uids = [uid for uid in order if uid in new]
+        for start in range(0, len(uids), BATCH):
+            batch, later = uids[start : start + BATCH], set(uids[start + BATCH :])
+            items = await self._known()
+            then = [uid for uid in order if uid in items or uid not in later]
+            links = {uid: (before, after) for (before, uid), (_, after) in pairwise(pairwise([0, *then, 0]))}
+            records = [ElementRec(uid, *links[uid], _data(new[uid])) for uid in batch]
+            await self._request(partial(_set_element, records))
+            changed = items | {uid: new[uid] for uid in batch}
+            self._items = {uid: changed[uid] for uid in then}
+
+    async def _delete(self, uids: list[int]) -> None:
+        for start in range(0, len(uids), BATCH):
+            batch = [DeleteElement.DeleteElementRec(uid) for uid in uids[start : start + BATCH]]
+            try:
+                await self._request(partial(_delete_element, batch))
+            except ElementRejected:
+                # A request that was sent again, because its confirmation was lost, finds nothing to delete any more.
+                if {each.element_uid for each in batch} & set(await self._read_order()):
+                    raise
+            gone = {each.element_uid for each in batch}
+            self._items = {uid: item for uid, item in (self._items or {}).items() if uid not in gone}
+
+    async def _request(self, make: Callable[[int], Message]) -> None:
+        number = self._link.next_request_id(self._service.id)
+        try:
+            answer = await self._link.request(
+                self._service.id,
+                make(number),
+                ConfirmElementRequest,
+                RejectElementRequest,
+                accept=lambda each: getattr(each, "request_id", None) == number,
+            )
+        except ResponseTimeout as error:
+            raise ResponseTimeout(f"{error}; a list obeys only the client in control: see `control()`") from None
+        if isinstance(answer, RejectElementRequest):
+            code = answer.response_code
+            name, why = getattr(code, "name", f"code {code}"), _MEANINGS.get(code, "a reason not in the standard")
+            raise ElementRejected(f"{self._service.id} refused to change its list ({name}): {why}")
+
+    async def _check_ready(self, command: str) -> None:
+        status = await self._service.status()
+        if status != ReportStatus.Status.READY:
+            name = getattr(status, "name", status)
+            raise RequestError(f"{self._service.id} ignores {command} while it is {name}; call `resume()` first")
+
+    def _content(self, data: ReportElement.ElementData) -> Element:
+        if data.format != ReportElement.ElementDataFormat.JAUS_MESSAGE or isinstance(data.data, Message):
+            return data.data
+        try:
+            return self._link.registry.decode(data.data)
+        except DecodeError:
+            return data.data
+
+
+def _set_element(records: list[ElementRec], number: int) -> SetElement:
+    return SetElement(SetElement.RequestIDRec(number), records)
+
+
+def _delete_element(batch: list[DeleteElement.DeleteElementRec], number: int) -> DeleteElement:
+    return DeleteElement(DeleteElement.RequestIDRec(number), batch)
+
+
+def _data(element: Element) -> ElementRec.ElementData:
+    kinds = ElementRec.ElementDataFormat
+    return ElementRec.ElementData(kinds.JAUS_MESSAGE if isinstance(element, Message) else kinds.USER_DEFINED, element)
+
+
+def _speed(command: type[Message], speed: float | None) -> dict[str, float]:
+    has_speed = "speed" in {slot for kind in command.__mro__ for slot in getattr(kind, "__slots__", ())}
+    if has_speed and speed is None:
+        raise ConfigError(f"{command.NAME} of {command.SERVICE} needs a speed in m/s, as in execute(speed=1.0)")
+    if not has_speed and speed is not None:
+        raise ConfigError(f"{command.NAME} of {command.SERVICE} has no speed; leave it out")
+    return {} if speed is None else {"speed": speed}

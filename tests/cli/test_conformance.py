@@ -1,0 +1,80 @@
+"""`jauspy conformance` as a process against `jauspy up igvc`, and what it says when it cannot."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from xml.etree import ElementTree as ET
+
+import pytest
+from typer.testing import CliRunner
+
+from jauspy.capture.reader import is_capture
+from jauspy.cli.main import app
+
+JAUSPY = [sys.executable, "-m", "jauspy.cli.main"]
+SOME = ("--only", "01", "--only", "02", "--only", "2", "--only", "31")
+"""Steps of igvc-2015 that take no time: discovery and access control."""
+
+
+@pytest.fixture
+def robot(free_port, local_root):
+    arguments = ["up", "igvc", "--backend", "kinematic", "--port", str(free_port), "--local-root", str(local_root)]
+    process = subprocess.Popen([*JAUSPY, *arguments], stdout=subprocess.PIPE, text=True)
+    assert any("stop it" in line for line in process.stdout)
+    yield local_root, free_port
+    process.terminate()
+    process.communicate(timeout=20)
+
+
+def invoke(*arguments):
+    return CliRunner().invoke(app, ["conformance", *map(str, arguments)])
+
+
+def test_some_steps_by_udp_and_through_a_node_manager(robot, tmp_path):
+    root, port = robot
+    files = {kind: tmp_path / f"run.{kind}" for kind in ("junit", "html", "pcapng")}
+    options = [word for kind, path in files.items() for word in (f"--{kind}", path)]
+    ways = (f"udp://127.0.0.1:{port}", options), (f"local:{root}", ())
+    for where, more in ways:
+        # generous, for a machine that is busy with other things
+        result = invoke(
+            "igvc-2015", "--target", "105.1.255", "--connect", where, "--timeout", 5, "--json", *SOME, *more
+        )
+        lines = [json.loads(line) for line in result.stdout.splitlines()]
+        assert [each for each in lines[:-1] if each["verdict"] != "pass"] == []
+        assert result.exit_code == 0
+        assert lines[-1]["points"] == lines[-1]["of"] == 13
+    assert len(ET.fromstring(files["junit"].read_bytes())) == 13
+    assert "13 pass" in files["html"].read_text()
+    assert is_capture(files["pcapng"].read_bytes()[:4])
+
+
+def test_what_fails_is_explained(robot):
+    _, port = robot
+    result = invoke("igvc-2015", "--target", "105.1.1", "--connect", f"udp://127.0.0.1:{port}", "--only", "24")
+    assert result.exit_code == 1
+    assert "24 the client is in control: fail" in result.stdout
+    assert "subsystem_id is 0, not 42" in result.stdout
+    assert "from: urn:jaus:jss:core:AccessControl 1.1: QueryControl 200Dh" in result.stdout
+    assert "0 of 1 points" in result.stdout
+
+
+def test_a_target_that_is_not_there(free_port):
+    result = invoke("igvc-2015", "--target", "7.1.255", "--connect", f"udp://127.0.0.1:{free_port}", "--timeout", 0.1)
+    assert result.exit_code == 2
+    assert "7.1.255 answers nothing" in result.stderr
+
+
+def test_wrong_use():
+    assert "there are: " in invoke("igvc-1815", "--target", "1.1.1").stderr
+    nothing = invoke("igvc-2015")
+    assert nothing.exit_code == 2
+    assert "say which test" in nothing.stderr
+    assert invoke("igvc-2015", "--target", "1.1").exit_code == 2
+
+
+def test_list():
+    assert "igvc-2015" in invoke("--list").stdout
+    assert "29  a client with more authority takes over" in invoke("igvc-2015", "--list").stdout

@@ -1,0 +1,40 @@
+"""Our robot `igvc` in memory: the same services as `jauspy up igvc`, on the kinematic backend and virtual time."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from datetime import UTC, datetime, timedelta
+
+from jauspy.conformance import Bench, Part, Profile, Report, Settings, find, run
+from jauspy.ids import JausID
+from jauspy.modules import robots
+from jauspy.modules.mobility import cm_mob
+from jauspy.platform import backends
+
+START = datetime(2026, 3, 14, 15, 9, 26, 535000, tzinfo=UTC)
+TARGET = JausID(105, 1, 255)
+
+Maker = Callable[..., Bench]
+
+
+def robot(part: type[Part] = Part, bench: type[Bench] = Bench, **options: object) -> Bench:
+    """The whole robot; `part` and `bench` may be broken ones."""
+    config = robots.load("igvc")
+    body = backends.find("kinematic").open(config.model, config.world)
+    made: list[Bench] = []
+
+    def utc_now() -> datetime:
+        return START + timedelta(seconds=made[0].now() if made else 0.0)
+
+    hosts = [
+        cm_mob(config.id_of(module), body.drive, module, identities={}, utc_now=utc_now, now=0.0)
+        for module in config.modules
+    ]
+    made.append(bench([part(host) for host in hosts], tick=body.advance, **options))
+    return made[0]
+
+
+def examined(profile: str | Profile, bench: Bench, target: JausID = TARGET, **settings: object) -> Report:
+    """A run against it."""
+    chosen = find(profile) if isinstance(profile, str) else profile
+    return run(chosen, bench, target, began=START.timestamp(), settings=Settings(**settings))

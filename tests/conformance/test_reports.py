@@ -1,0 +1,131 @@
+"""A run as JSON, JUnit, HTML and pcapng."""
+
+from __future__ import annotations
+
+import json
+import re
+from html.parser import HTMLParser
+from xml.etree import ElementTree as ET
+
+import pytest
+from tests.conformance.scripted import ScriptedWire
+
+from jauspy.capture.reader import CaptureReader
+from jauspy.conformance import Profile, Step, Verdict, ask, has, run
+from jauspy.conformance.as_json import result_json, summary_json
+from jauspy.conformance.html import page, summary
+from jauspy.conformance.junit import junit
+from jauspy.conformance.pcap import capture
+from jauspy.messages.core import QueryIdentification, QueryStatus, ReportIdentification, ReportStatus
+
+NAME = b"<b>\x01\x9f&"
+ANSWERS = {
+    0x2002: bytes.fromhex("02400200000000"),
+    0x2B00: bytes.fromhex("004b041127") + bytes([len(NAME)]) + NAME,
+}
+
+
+@pytest.fixture(scope="module")
+def report():
+    wire = ScriptedWire("101.1.1", lambda payload: [(0.1, ANSWERS[int.from_bytes(payload[:2], "little")])])
+    status = ask("42.1.1", QueryStatus(), ReportStatus, has(status=ReportStatus.Status.READY))
+    steps = (
+        Step("1", "who", ask("42.1.1", QueryIdentification(4), ReportIdentification), points=1),
+        Step("2", "<ready>", status, points=1),
+        Step("3", "skipped", status, points=1, wants=frozenset({"telepathy"})),
+    )
+    return run(Profile("mine", "a <profile>", steps), wire, wire.id, began=1_700_000_000.0)
+
+
+def test_json(report):
+    lines = [json.loads(json.dumps(result_json(each))) for each in report.results]
+    assert [each["verdict"] for each in lines] == ["pass", "fail", "skipped"]
+    sent, received = lines[1]["traffic"]
+    assert sent["direction"] == "sent"
+    assert received["hex"].endswith("02400200000000" + "0100")
+    assert "ReportStatus(status=<Status.STANDBY: 2>" in received["decoded"][0]
+    assert summary_json(report) | {"seconds": 0} == {
+        "profile": "mine",
+        "target": "101.1.1",
+        "began": 1_700_000_000.0,
+        "seconds": 0,
+        "verdicts": {"pass": 1, "fail": 1, "skipped": 1},
+        "points": 1,
+        "of": 3,
+        "problem": "",
+        "notes": [],
+        "status": 1,
+    }
+
+
+def test_junit(report):
+    suite = ET.fromstring(junit(report))
+    assert suite.attrib | {"time": ""} == {
+        "name": "mine",
+        "tests": "3",
+        "failures": "1",
+        "errors": "0",
+        "skipped": "1",
+        "time": "",
+        "timestamp": "2023-11-14T22:13:20+00:00",
+        "hostname": "101.1.1",
+    }
+    failure = suite[1].find("failure")
+    assert failure is not None
+    assert failure.get("type") == "fail"
+    assert "status is 2 STANDBY" in failure.get("message", "")
+    assert "from: urn:jaus:jss:core:Management 1.1: QueryStatus 2002h" in (failure.text or "")
+    assert suite[2].find("skipped") is not None
+
+
+class Page(HTMLParser):
+    def __init__(self) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.tags: list[tuple[str, dict]] = []
+        self.text = ""
+
+    def handle_starttag(self, tag, attributes):
+        self.tags.append((tag, dict(attributes)))
+        if tag not in ("meta",):
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag
+
+    def handle_data(self, data):
+        self.text += data
+
+
+def test_html_is_whole_safe_and_needs_nothing_else(report):
+    text = page(report)
+    parsed = Page()
+    parsed.feed(text)
+    assert parsed.open == []
+    assert not re.search(r"https?:|url\(|@import|<script|<link|<img", text)
+    assert not {"b", "ready", "profile"} & {tag for tag, _ in parsed.tags}
+    assert "<ready>" in parsed.text
+    assert "status is 2 STANDBY, not 1 READY" in parsed.text
+    steps = [attributes for tag, attributes in parsed.tags if tag == "details"]
+    assert ["open" in each for each in steps] == [False, True, False]
+    assert summary(report) == "1 pass, 1 fail, 1 skipped; 1 of 3 points"
+
+
+def test_pcapng(report, tmp_path):
+    path = tmp_path / "run.pcapng"
+    path.write_bytes(capture(report))
+    with path.open("rb") as file:
+        datagrams = list(CaptureReader(file, name=path.name))
+    assert [each.payload for each in datagrams] == [each.data for each in report.entries]
+    assert [round(each.time - 1_700_000_000.0, 3) for each in datagrams] == [0.0, 0.1, 0.1, 0.2]
+
+
+def test_what_cannot_run_is_an_error():
+    deaf = ScriptedWire("101.1.1", lambda _: [])
+    report = run(
+        Profile("p", "t", (Step("1", "x", ask("42.1.1", QueryStatus(), ReportStatus)),)), deaf, deaf.id, began=0.0
+    )
+    assert report.results[0].verdict is Verdict.SILENT
+    suite = ET.fromstring(junit(report))
+    assert suite.get("errors") == "1"
+    assert "answers nothing" in page(report)

@@ -1,0 +1,156 @@
+"""What a target does, and the verdict that it gets."""
+
+from __future__ import annotations
+
+import pytest
+from tests.conformance.scripted import ScriptedWire
+
+from jauspy.conformance import Profile, Settings, Skipped, Step, Verdict, ask, has, run, tell
+from jauspy.conformance.results import Report, worst
+from jauspy.errors import ConfigError
+from jauspy.ids import JausID
+from jauspy.messages.core import QueryStatus, ReportStatus
+
+READY = bytes.fromhex("02400100000000")
+STANDBY = bytes.fromhex("02400200000000")
+SHORT = bytes.fromhex("0240010000")
+PULSE = bytes.fromhex("0242")
+EVENT = bytes.fromhex("f14101000200000002420000")
+ASK = Step("1", "ready", ask("42.1.1", QueryStatus(), ReportStatus, has(status=ReportStatus.Status.READY)), points=2)
+
+
+def outcome(*answers: tuple[float, bytes], step: Step = ASK, target: str = "101.1.1", **settings: object) -> Report:
+    wire = ScriptedWire("101.1.1", lambda _: answers)
+    return run(Profile("p", "title", (step,)), wire, JausID.parse(target), began=0.0, settings=Settings(**settings))
+
+
+@pytest.mark.parametrize(
+    ("answers", "verdict", "reason"),
+    [
+        ([(0.1, READY)], Verdict.PASS, ""),
+        ([(1.4, READY)], Verdict.PASS, ""),
+        ([(2.0, READY)], Verdict.LATE, "ReportStatus 4002h came 0.50 s after the deadline of 1.5 s"),
+        ([(0.1, STANDBY)], Verdict.FAIL, "status is 2 STANDBY, not 1 READY"),
+        ([(0.1, STANDBY), (0.2, READY)], Verdict.FAIL, "status is 2 STANDBY"),
+        ([(0.1, SHORT)], Verdict.MALFORMED, "ReportStatus 4002h from 101.1.1 is malformed: byte 3: reserved"),
+        ([(0.1, READY + b"\0")], Verdict.MALFORMED, "is malformed"),
+        ([], Verdict.SILENT, "no ReportStatus 4002h came in 3 s"),
+        ([(3.1, READY)], Verdict.SILENT, "no ReportStatus 4002h came in 3 s"),
+        ([(0.1, PULSE)], Verdict.FAIL, "no ReportStatus 4002h came, but ReportHeartbeatPulse 4202h"),
+        ([(0.1, EVENT)], Verdict.SILENT, "no ReportStatus"),
+    ],
+)
+def test_of_an_answer(answers, verdict, reason):
+    (result,) = outcome(*answers).results
+    assert result.verdict is verdict
+    assert reason in result.reason
+    assert result.earned == (2 if verdict is Verdict.PASS else 0)
+
+
+def test_with_a_wildcard_one_right_answer_is_enough():
+    (result,) = outcome((0.1, STANDBY), (0.2, READY), target="101.1.255").results
+    assert result.verdict is Verdict.PASS
+
+
+def test_answers_of_others_do_not_count():
+    assert outcome((0.1, READY), target="101.1.2").results[0].verdict is Verdict.SILENT
+
+
+def test_a_command_has_no_answer():
+    step = Step("1", "quiet", tell("42.1.1", QueryStatus()))
+    assert outcome(step=step).results[0].verdict is Verdict.PASS
+    (result,) = outcome((0.01, READY), step=step).results
+    assert result.reason == "ReportStatus 4002h came, where nothing should"
+
+
+def test_a_step_says_where_it_comes_from_and_what_was_looked_at():
+    (result,) = outcome((0.1, READY)).results
+    assert result.why == "urn:jaus:jss:core:Management 1.1: QueryStatus 2002h"
+    assert result.expected == ("ReportStatus 4002h and has status 1 READY",)
+    assert [each.name for each in result.looked] == [
+        "ReportStatus 4002h comes",
+        "ReportStatus 4002h is as its definition says",
+        "ReportStatus 4002h has status 1 READY",
+        "ReportStatus 4002h comes in time",
+    ]
+    assert [str(each.direction) for each in result.entries] == [">", "<"]
+
+
+def test_status_of_a_run():
+    assert outcome((0.1, READY)).status == 0
+    assert outcome((0.1, STANDBY)).status == 1
+    deaf = outcome()
+    assert deaf.status == 2
+    assert "101.1.1 answers nothing" in deaf.problem
+    assert worst([]) == 2
+    assert worst([deaf, outcome((0.1, STANDBY)), outcome((0.1, READY))]) == 1
+
+
+def test_nothing_tried_is_no_success():
+    def skip(_):
+        raise Skipped("no such service")
+
+    assert outcome(step=Step("1", "x", skip)).status == 2
+    moving = outcome((0.1, READY), step=Step("1", "x", ASK.run, moves=True), motion=False)
+    assert moving.results[0].reason == "it moves the robot, and --no-motion was given"
+    assert moving.status == 2
+
+
+def test_waiting_scales_with_the_timeout():
+    assert outcome((2.0, READY), timeout=3.0).results[0].verdict is Verdict.PASS
+    assert outcome((0.2, READY), timeout=0.15).results[0].verdict is Verdict.LATE
+
+
+def test_only_some_steps():
+    assert outcome((0.1, READY), only=("1",)).counts[Verdict.PASS] == 1
+    assert "no step begins with 7" in outcome((0.1, READY), only=("7",)).problem
+
+
+def test_a_missing_feature_skips():
+    wire = ScriptedWire("101.1.1", lambda _: [(0.1, READY)])
+    wire.features = ()
+    report = run(Profile("p", "t", (Step("1", "x", ASK.run, wants=frozenset({"raw"})), ASK)), wire, wire.id, began=0.0)
+    assert [each.verdict for each in report.results] == [Verdict.SKIPPED, Verdict.PASS]
+    assert "(raw)" in report.results[0].reason
+
+
+def test_a_flood_is_bounded(monkeypatch):
+    from jauspy.conformance import tester
+
+    monkeypatch.setattr(tester, "MAX_ENTRIES", 10)
+    report = outcome(*((0.001 * n, PULSE) for n in range(2000)))
+    assert report.results[0].verdict is Verdict.FAIL
+    assert len(report.entries) == 10
+    assert report.notes == ("1991 datagrams were too many to keep",)
+
+
+def test_unknown_profiles_are_named():
+    from jauspy.conformance import find
+
+    with pytest.raises(ConfigError, match="no conformance profile 'x'; there are: "):
+        find("x")
+
+
+def test_profiles_of_other_packages(monkeypatch):
+    from importlib.metadata import EntryPoint
+
+    from jauspy.conformance import find, known, profile
+
+    mine = EntryPoint("mine", "tests.conformance.test_verdicts:MINE", profile.GROUP)
+    wrong = EntryPoint("wrong", "tests.conformance.test_verdicts:READY", profile.GROUP)
+    gone = EntryPoint("gone", "no.such.module:PROFILE", profile.GROUP)
+
+    def entry_points(*, group, name=None):
+        assert group == "jauspy.conformance"
+        return [each for each in (mine, wrong, gone) if name in (None, each.name)]
+
+    monkeypatch.setattr(profile, "entry_points", entry_points)
+    assert set(known()) >= {"mine", "wrong", "gone", "igvc-2015"}
+    assert find("mine").title == "of somebody else"
+    with pytest.raises(ConfigError, match="is no Profile"):
+        find("wrong")
+    with pytest.raises(ConfigError, match="cannot be loaded"):
+        find("gone")
+
+
+MINE = Profile("mine", "of somebody else", (ASK,))

@@ -1,0 +1,273 @@
+"""Lists as Python sequences, against the real ListManager and a driver that is told when it arrives."""
+
+from __future__ import annotations
+
+import asyncio
+
+import pytest
+
+from jauspy.errors import ConfigError, ElementRejected, RequestError, ResponseTimeout
+from jauspy.ids import JausID
+from jauspy.messages.core import (
+    ConfirmElementRequest,
+    DeleteElement,
+    SetElement,
+)
+from jauspy.messages.mobility import ReportActiveElement, SetGlobalWaypoint, SetLocalWaypoint
+from jauspy.ocu.progress import POLL
+from jauspy.services.core import AccessControl, Discovery, Events, ListDriver, ListManager, Liveness, Management
+from jauspy.testing import LocalNode
+
+ROBOT = JausID(101, 1, 1)
+
+
+class Driver(ListDriver, urn="urn:jaus:jss:mobility:LocalWaypointListDriver"):
+    """Knows what it was told to go for; a test says when it has arrived."""
+
+    element_types = (SetLocalWaypoint,)
+
+    def __init__(self) -> None:
+        self.began: list[float] = []
+        self.speeds: list[float] = []
+
+    def begin_element(self, uid, message) -> None:
+        self.began.append(message.x)
+
+    def end_elements(self) -> None:
+        pass
+
+    def execute_waypoint_list(self, msg) -> None:
+        self.speeds.append(msg.speed)
+        self.elements.execute(msg.element_uid)
+
+    def modify_travel_speed(self, msg) -> None:
+        self.speeds.append(msg.speed)
+
+    def reset_travel_speed(self) -> None:
+        self.elements.stop()
+
+    def report_active_element(self) -> ReportActiveElement:
+        return ReportActiveElement(self.elements.active)
+
+    def report_travel_speed(self):
+        raise NotImplementedError
+
+    report_travel_speed_ext = report_local_waypoint = report_local_waypoint_ext = waypoint_exists = report_travel_speed
+
+    def arrive(self, component) -> None:
+        self.elements.done()
+        component.wake()
+
+
+def at(*xs: float) -> list[SetLocalWaypoint]:
+    return [SetLocalWaypoint(x=float(x), y=0.0) for x in xs]
+
+
+def xs(elements) -> list[int]:
+    return [round(each.x) for each in elements]
+
+
+def services(driver: Driver, **options):
+    return [AccessControl(timeout=0), Events(), Management(), Discovery(), Liveness(), ListManager(**options), driver]
+
+
+@pytest.fixture
+def driver() -> Driver:
+    return Driver()
+
+
+@pytest.fixture
+async def robot(virtual_network, driver):
+    async with virtual_network.component(ROBOT, services(driver)) as component:
+        yield component
+
+
+@pytest.fixture
+async def client(robot, ocu):
+    """The list driver of a robot that this OCU controls and that is Ready."""
+    found = (await ocu.discover(101)).service("LocalWaypointListDriver")
+    async with found.control():
+        await found.resume()
+        yield found
+
+
+def order(component) -> list[int]:
+    """What the component really has."""
+    manager = component.host.service(ListManager)
+    return [round(manager.message(uid).x) for uid in manager.list.order]
+
+
+async def test_uploaded_and_read_back(robot, client):
+    waypoints = client.waypoints
+    assert len(waypoints) == 0
+    await waypoints.upload(at(1, 2, 3, 4))
+    assert order(robot) == xs(waypoints) == [1, 2, 3, 4]
+    await waypoints.upload(at(7, 8))
+    assert order(robot) == xs(waypoints) == [7, 8]
+    assert xs(await waypoints.read()) == [7, 8]
+    assert isinstance(waypoints[0], SetLocalWaypoint)
+
+
+async def test_it_is_a_sequence(client):
+    waypoints = client.waypoints
+    await waypoints.upload(at(1, 2, 3, 4))
+    assert xs(waypoints[1:3]) == [2, 3]
+    assert waypoints[-1].x == pytest.approx(4, abs=1e-4)
+    assert waypoints[0] in waypoints
+    assert [round(each.x) for each in reversed(waypoints)] == [4, 3, 2, 1]
+
+
+CHANGES = [
+    (lambda it: it.append(at(9)[0]), lambda it: it.append(9)),
+    (lambda it: it.extend(at(8, 9)), lambda it: it.extend([8, 9])),
+    (lambda it: it.insert(0, at(9)[0]), lambda it: it.insert(0, 9)),
+    (lambda it: it.insert(2, at(9)[0]), lambda it: it.insert(2, 9)),
+    (lambda it: it.insert(-1, at(9)[0]), lambda it: it.insert(-1, 9)),
+    (lambda it: it.insert(99, at(9)[0]), lambda it: it.insert(99, 9)),
+    (lambda it: it.replace(1, at(9)[0]), lambda it: it.__setitem__(1, 9)),
+    (lambda it: it.replace(-1, at(9)[0]), lambda it: it.__setitem__(-1, 9)),
+    (lambda it: it.replace(slice(1, 3), at(9, 8)), lambda it: it.__setitem__(slice(1, 3), [9, 8])),
+    (lambda it: it.replace(slice(0, 4, 2), at(9, 8)), lambda it: it.__setitem__(slice(0, 4, 2), [9, 8])),
+    (lambda it: it.replace(slice(1, 3), at(9)), lambda it: it.__setitem__(slice(1, 3), [9])),
+    (lambda it: it.replace(slice(1, 1), at(9, 8)), lambda it: it.__setitem__(slice(1, 1), [9, 8])),
+    (lambda it: it.delete(0), lambda it: it.__delitem__(0)),
+    (lambda it: it.delete(-1), lambda it: it.__delitem__(-1)),
+    (lambda it: it.delete(slice(1, 3)), lambda it: it.__delitem__(slice(1, 3))),
+    (lambda it: it.delete(slice(None, None, 2)), lambda it: it.__delitem__(slice(None, None, 2))),
+    (lambda it: it.clear(), lambda it: it.clear()),
+]
+
+
+@pytest.mark.parametrize(("change", "same"), CHANGES)
+@pytest.mark.parametrize("bad", [False, True])
+async def test_each_change_is_what_a_python_list_does(virtual_network, robot, client, *, change, same, bad):
+    wanted = [1, 2, 3, 4]
+    await client.waypoints.upload(at(*wanted))
+    if bad:  # each confirmation is lost once, so each request is sent twice
+        virtual_network.lose(ConfirmElementRequest, times=1)
+    same(wanted)
+    await change(client.waypoints)
+    assert order(robot) == xs(client.waypoints) == wanted
+
+
+async def test_what_was_there_before_is_read_first(client, ocu):
+    await client.waypoints.upload(at(1, 2))
+    again = (await ocu.discover(101)).service("LocalWaypointListDriver").waypoints
+    await again.append(at(3)[0])
+    assert xs(again) == [1, 2, 3]
+
+
+async def test_long_lists_go_in_several_requests(virtual_network, robot, client):
+    await client.waypoints.upload(at(*range(600)))
+    assert order(robot) == list(range(600))
+    assert len(virtual_network.sent(SetElement)) == 3
+    await client.waypoints.clear()
+    assert order(robot) == []
+    assert len(virtual_network.sent(DeleteElement)) == 3
+
+
+async def test_refusals_say_why_and_change_nothing(robot, client):
+    await client.waypoints.upload(at(1, 2))
+    with pytest.raises(ElementRejected, match=r"101\.1\.1 .*UNSUPPORTED_ELEMENT_TYPE.*none of its drivers"):
+        await client.waypoints.append(SetGlobalWaypoint(latitude=1.0, longitude=2.0))
+    with pytest.raises(ElementRejected, match="UNSUPPORTED_ELEMENT_TYPE"):
+        await client.waypoints.append(b"something else")
+    assert order(robot) == xs(client.waypoints) == [1, 2]
+
+
+async def test_a_change_behind_ones_back_is_said(robot, client, ocu):
+    await client.waypoints.upload(at(1, 2, 3))
+    await (await ocu.discover(101)).service("LocalWaypointListDriver").waypoints.delete(2)
+    with pytest.raises(ElementRejected, match=r"the list has changed meanwhile; call `read\(\)`"):
+        await client.waypoints.append(at(4)[0])
+    await client.waypoints.read()
+    await client.waypoints.append(at(4)[0])
+    assert order(robot) == [1, 2, 4]
+
+
+async def test_without_control_it_says_so(robot, ocu):
+    waypoints = (await ocu.discover(101)).service("LocalWaypointListDriver").waypoints
+    with pytest.raises(ResponseTimeout, match="only the client in control"):
+        await waypoints.append(at(1)[0])
+
+
+@pytest.mark.parametrize(
+    ("change", "error"),
+    [
+        (lambda it: it.delete(4), IndexError),
+        (lambda it: it.replace(-5, at(1)[0]), IndexError),
+        (lambda it: it.replace(0, at(1, 2)), ConfigError),
+        (lambda it: it.replace(slice(0, 4, 2), at(1)), ConfigError),
+        (lambda it: it.execute(), ConfigError),
+        (lambda it: it.execute(1.0, start=9), IndexError),
+    ],
+)
+async def test_mistakes_are_said_before_anything_is_sent(virtual_network, robot, client, change, error):
+    await client.waypoints.upload(at(1, 2, 3, 4))
+    sent = len(virtual_network.sent(SetElement)) + len(virtual_network.sent(DeleteElement))
+    with pytest.raises(error):
+        await change(client.waypoints)
+    assert len(virtual_network.sent(SetElement)) + len(virtual_network.sent(DeleteElement)) == sent
+    assert order(robot) == [1, 2, 3, 4]
+
+
+async def test_the_list_is_carried_out_and_followed(robot, driver, client):
+    waypoints = client.waypoints
+    await waypoints.upload(at(1, 2, 3))
+    await waypoints.execute(speed=1.5)
+    assert await waypoints.active() == 0
+    seen = []
+    async for index in waypoints.progress():
+        seen.append(index)
+        driver.arrive(robot)
+    assert seen == [0, 1, 2]
+    assert [round(x) for x in driver.began] == [1, 2, 3]
+    assert driver.speeds == [pytest.approx(1.5, abs=0.01)]
+    assert await waypoints.active() is None
+
+
+async def test_from_the_middle_and_at_another_speed(robot, driver, client):
+    await client.waypoints.upload(at(1, 2, 3))
+    await client.waypoints.execute(speed=1.0, start=-1)
+    assert await client.waypoints.active() == 2
+    await client.waypoints.set_speed(0.5)
+    await client.status()
+    assert driver.speeds == [pytest.approx(1.0, abs=0.01), pytest.approx(0.5, abs=0.01)]
+
+
+async def test_nothing_is_carried_out_in_standby(client):
+    await client.waypoints.upload(at(1))
+    await client.standby()
+    with pytest.raises(RequestError, match=r"101\.1\.1 ignores ExecuteList while it is STANDBY; call `resume\(\)`"):
+        await client.waypoints.execute(speed=1.0)
+    assert [each async for each in client.waypoints.progress()] == []
+
+
+async def test_progress_by_asking_where_events_are_refused(virtual_network, ocu, driver):
+    refusing = [AccessControl(timeout=0), Events(limit=0), Management(), Discovery(), ListManager(), driver]
+    async with virtual_network.component(ROBOT, refusing) as component:
+        found = (await ocu.discover(101)).service("LocalWaypointListDriver")
+        async with found.control():
+            await found.resume()
+            await found.waypoints.upload(at(1, 2))
+            await found.waypoints.execute(speed=1.0)
+            seen = []
+            async for index in found.waypoints.progress():
+                seen.append(index)
+                asyncio.get_running_loop().call_later(3 * POLL, driver.arrive, component)
+        assert seen == [0, 1]
+
+
+async def test_over_a_real_node_manager(driver):
+    with LocalNode() as node:
+        async with node.component(ROBOT, services(driver)) as component, node.ocu() as ocu:
+            found = (await ocu.discover(101)).service("LocalWaypointListDriver")
+            async with found.control():
+                await found.resume()
+                await found.waypoints.upload(at(*range(300)))
+                await found.waypoints.delete(slice(4, None))
+                await found.waypoints.execute(speed=1.0)
+                async with asyncio.timeout(20):
+                    async for _ in found.waypoints.progress():
+                        driver.arrive(component)
+            assert [round(x) for x in driver.began] == [0, 1, 2, 3]

@@ -1,0 +1,217 @@
+"""What appears, changes and vanishes, on virtual time."""
+
+from __future__ import annotations
+
+import asyncio
+
+import pytest
+
+from jauspy.errors import ConfigError
+from jauspy.ids import JausID
+from jauspy.messages.core import ReportIdentification, ReportServices
+from jauspy.ocu import Appeared, Changed, Component, Node, ServiceInfo, Subsystem, Vanished
+from jauspy.ocu.findings import MAX_COMPONENTS
+from jauspy.ocu.sightings import SETTLE, Sightings
+from jauspy.protocol.header import Packet
+from jauspy.protocol.judp import pack
+from jauspy.services.core import Discovery, Identity, Liveness
+from jauspy.testing import LocalNode
+
+ME = JausID(101, 1, 1)
+
+
+def named(name: str) -> Discovery:
+    return Discovery({2: Identity(name, 10001), 3: Identity("node", 40001), 4: Identity("component", 60001)})
+
+
+def kinds(news) -> list[str]:
+    """`+subsystem 101.0.0` and the like."""
+    sign = {Appeared: "+", Changed: "~", Vanished: "-"}
+    found = []
+    for each in news:
+        thing = each.before if isinstance(each, Vanished) else each.now
+        what = thing.short if isinstance(thing, ServiceInfo) else type(thing).__name__.lower()
+        found.append(f"{sign[type(each)]}{what} {each.id}")
+    return found
+
+
+async def read(news, seconds: float) -> list:
+    """Everything that is told within this time."""
+    found: list = []
+    reading = asyncio.ensure_future(anext(news))
+    end = asyncio.get_running_loop().time() + seconds
+    while (left := end - asyncio.get_running_loop().time()) > 0:
+        done, _ = await asyncio.wait({reading}, timeout=left)
+        if done:
+            found.append(reading.result())
+            reading = asyncio.ensure_future(anext(news))
+    reading.cancel()
+    await asyncio.wait({reading})
+    return found
+
+
+ALL = [
+    "+subsystem 101.0.0",
+    "+node 101.1.0",
+    "+component 101.1.1",
+    "+core:Discovery 101.1.1",
+    "+core:Liveness 101.1.1",
+]
+
+
+async def collect(ocu, into: list, **options) -> None:
+    async for each in ocu.watch(**options):
+        into.append(each)  # noqa: PERF401 - what was told is looked at meanwhile
+
+
+@pytest.fixture
+async def news(virtual_network, ocu):
+    """The news of a watching OCU so far."""
+    found: list = []
+    task = asyncio.create_task(collect(ocu, found))
+    yield found
+    task.cancel()
+    await asyncio.wait({task})
+
+
+async def test_the_whole_is_told_before_its_parts_and_each_once(virtual_network, news):
+    async with virtual_network.component(ME, [named("robot"), Liveness()]):
+        await asyncio.sleep(60)
+        assert [each for each in kinds(news) if "Transport" not in each and "Events" not in each] == ALL
+        assert isinstance(news[0].now, Subsystem)
+        assert isinstance(news[1].now, Node)
+        assert isinstance(news[2].now, Component)
+        assert (news[0].now.name, news[2].now.name) == ("robot", "component")
+
+
+async def test_what_falls_silent_vanishes_parts_first_and_may_come_back(virtual_network, news):
+    async with virtual_network.component(ME, [named("robot"), Liveness()]):
+        await asyncio.sleep(10)
+        appeared = kinds(news)
+        virtual_network.cut(ME)
+        news.clear()
+        await asyncio.sleep(4.5)
+        assert news == []
+        await asyncio.sleep(5)
+        assert kinds(news) == [each.replace("+", "-") for each in reversed(appeared)]
+        assert news[-1].before.name == "robot"
+
+        news.clear()
+        virtual_network.mend(ME)
+        await asyncio.sleep(4)
+        assert kinds(news) == appeared
+
+
+async def test_lost_packets_do_not_make_it_vanish(virtual_network, news):
+    async with virtual_network.component(ME, [named("robot"), Liveness()]):
+        await asyncio.sleep(10)
+        news.clear()
+        virtual_network.loss = 0.3
+        await asyncio.sleep(120)
+        assert news == []
+
+
+async def test_another_name_is_a_change(virtual_network, news):
+    async with virtual_network.component(ME, [named("robot"), Liveness()]):
+        await asyncio.sleep(10)
+        news.clear()
+    async with virtual_network.component(ME, [named("another"), Liveness()]):
+        await asyncio.sleep(10)
+        assert kinds(news) == ["~subsystem 101.0.0"]
+        assert (news[0].before.name, news[0].now.name) == ("robot", "another")
+
+
+async def test_services_come_and_go(virtual_network, news):
+    async with virtual_network.component(ME, [named("robot"), Liveness()]):
+        await asyncio.sleep(10)
+        news.clear()
+    async with virtual_network.component(ME, [named("robot")]):
+        await asyncio.sleep(10)
+        assert kinds(news) == ["-core:Liveness 101.1.1"]
+
+
+async def test_one_subsystem_of_many(virtual_network, ocu):
+    found: list = []
+    task = asyncio.create_task(collect(ocu, found, subsystem=102))
+    async with (
+        virtual_network.component(ME, [named("one")]),
+        virtual_network.component("102.1.1", [named("two")]),
+    ):
+        await asyncio.sleep(10)
+    task.cancel()
+    await asyncio.wait({task})
+    assert {each.id.subsystem for each in found} == {102}
+
+
+async def test_a_slow_reader_gets_the_sum(virtual_network, ocu):
+    news = ocu.watch()
+    async with virtual_network.component(ME, [named("robot")]):
+        assert (await anext(news)).now.name == "robot"
+        async with virtual_network.component("102.1.1", [named("brief")]):
+            await asyncio.sleep(20)
+        await asyncio.sleep(20)
+        rest = await read(news, 20)
+    assert {each.id.subsystem for each in rest} == {101}
+    await news.aclose()
+
+
+async def test_what_is_only_listed_vanishes_with_its_silence_although_it_stays_listed():
+    sightings = Sightings()
+    listing = ReportServices.decode(_listing(9))
+    sightings.add(listing, ME, 0.0)
+    assert list(sightings) == [ME, JausID(101, 1, 9)]
+    sightings.add(ReportIdentification(4, 60001, "nine"), JausID(101, 1, 9), 1.0)
+    sightings.add(listing, ME, 10.0)
+    sightings.expire(5.0)
+    sightings.add(listing, ME, 11.0)
+    assert list(sightings) == [ME]
+    sightings.add(ReportIdentification(4, 60001, "nine"), JausID(101, 1, 9), 12.0)
+    assert list(sightings) == [ME, JausID(101, 1, 9)]
+
+
+def _listing(component: int) -> bytes:
+    """A report of 101.1.X that this component offers one service, as sent."""
+    service = b"\x05urn:x\x01\x00"
+    return ReportServices.CODE.to_bytes(2, "little") + bytes([1, 1, 1, component, 0, 1]) + service
+
+
+def test_a_flood_of_ids_is_bounded():
+    sightings = Sightings()
+    for number in range(MAX_COMPONENTS + 100):
+        sightings.add(ReportIdentification(4, 60001, "x"), JausID(1 + number // 200, 1, 1 + number % 200), 0.0)
+    assert len(list(sightings)) == MAX_COMPONENTS
+    assert len(sightings.subsystems(SETTLE)) == MAX_COMPONENTS // 200 + 1
+    sightings.expire(1.0)
+    assert list(sightings) == []
+    assert sightings._names == {}
+
+
+async def test_garbage_is_no_news(virtual_network, news):
+    peer = virtual_network.transport(ME)
+    await peer.open()
+    for payload in (b"\x00", ReportIdentification.CODE.to_bytes(2, "little"), b"\x07\x4b\xff\xff"):
+        peer.send(pack(Packet(ME, JausID(42, 1, 1), payload, 1)))
+    await asyncio.sleep(5)
+    await peer.close()
+    assert news == []
+
+
+@pytest.mark.parametrize("options", [{"interval": 0.0}, {"interval": 5.0, "silence": 4.0}, {"subsystem": 65535}])
+async def test_wrong_options_are_said(ocu, options):
+    with pytest.raises(ConfigError):
+        await anext(ocu.watch(**options))
+
+
+async def test_over_a_real_node_manager():
+    with LocalNode() as node:
+        async with node.ocu() as ocu:
+            found: list = []
+            task = asyncio.create_task(collect(ocu, found, interval=0.2, silence=1.0))
+            async with asyncio.timeout(20):
+                async with node.component(ME, [named("robot"), Liveness()]):
+                    while f"+core:Liveness {ME}" not in kinds(found):
+                        await asyncio.sleep(0.01)
+                while f"-subsystem {ME.subsystem}.0.0" not in kinds(found):
+                    await asyncio.sleep(0.01)
+            task.cancel()
+            await asyncio.wait({task})
