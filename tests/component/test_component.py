@@ -72,6 +72,11 @@ async def test_the_core_services_are_there_without_being_asked():
         assert isinstance(await ocu.query(ME, QueryTime(0xFF)), ReportTime)
 
 
+def test_few_are_there_when_that_is_asked_for():
+    names = {each.name for each in component(LoopbackHub(), Liveness(), core=False).host.definitions.values()}
+    assert names == {"Liveness", "Events", "Transport"}
+
+
 async def test_given_core_services_replace_the_usual_ones():
     class Pulse(Liveness):
         beats = 0

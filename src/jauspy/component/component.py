@@ -31,7 +31,7 @@ class Component:
     """`async with jauspy.Component("101.1.120", [Battery()]): ...`, or `jauspy.run(component)`.
 
     The core services (Transport, Events, AccessControl, Management, Time, Liveness and Discovery) are there unless they
-    are given. `name` is what Discovery tells. `connect` says where the node manager is: None (on this machine, its
+    are given; with `core=False` only those that the others inherit from. `name` is what Discovery tells. `connect` says where the node manager is: None (on this machine, its
     sockets in /tmp), or as for `OCU`; `transport` replaces it. An id with zeros, as in `"0.0.101"`, waits to be given
     the rest, see `move`. Raises `ConfigError` that names every method which a service lacks.
     """
@@ -42,6 +42,7 @@ class Component:
         services: Iterable[Service],
         *,
         name: str = _NAME,
+        core: bool = True,
         connect: str | None = None,
         transport: Transport | None = None,
         delivery: Delivery | None = None,
@@ -49,7 +50,9 @@ class Component:
         utc_now: Callable[[], datetime] = lambda: datetime.now(UTC),
     ) -> None:
         me = _usable(id)
-        self.host = Host(me, with_core(services, name), utc_now=utc_now, now=(clock or _loop_time)())
+        self.host = Host(
+            me, with_core(services, name) if core else services, utc_now=utc_now, now=(clock or _loop_time)()
+        )
         self._connect = connect
         self._transport = transport
         self._delivery = delivery
