@@ -1,33 +1,40 @@
-"""Puts a robot into a world: two MJCF files become one MuJoCo model."""
+"""Puts a robot into a world: a URDF and a MJCF file become one MuJoCo model."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from importlib.resources import as_file, files
 from typing import Final
 
 import mujoco
+import numpy as np
+from lxml import etree
 
 from jauspy.errors import ConfigError
+from jauspy.platform.description import Description, Joint, JointKind, RobotModel, TrackSetup
 
 TIMESTEP: Final = 0.002
 """Seconds of one physics step."""
 
+ROTOR_INERTIA: Final = 0.02
+"""Armature of a joint as a part of its greatest effort: what geared rotors add to what a joint moves."""
 
-def known(kind: str) -> list[str]:
-    """Names of the shipped `robots` or `worlds`, sorted."""
-    folder = files("jauspy_sim") / kind
+
+def known_worlds() -> list[str]:
+    """Names of the worlds that come along, sorted."""
+    folder = files("jauspy_sim") / "worlds"
     return sorted(entry.name.removesuffix(".xml") for entry in folder.iterdir() if entry.name.endswith(".xml"))
 
 
 def prefix(robot: str) -> str:
-    """What the names of a robot's parts begin with in the model, `inc1/base`, apart from the world's names."""
+    """What the names of a robot's parts begin with in the model, `inc1/base_link`, apart from the world's names."""
     return f"{robot}/"
 
 
-def build(robot: str, world: str) -> mujoco.MjModel:
-    """The compiled model of that robot at the origin of that world; `ConfigError` lists the names there are."""
-    spec = _read("worlds", world)
-    spec.attach(_read("robots", robot), prefix=prefix(robot), frame=spec.worldbody.add_frame())
+def build(robot: RobotModel, world: str) -> mujoco.MjModel:
+    """The compiled model of that robot at the origin of that world; `ConfigError` lists the worlds there are."""
+    spec = _world(world)
+    spec.attach(robot_spec(robot), prefix=prefix(robot.description.name), frame=spec.worldbody.add_frame())
     spec.option.timestep = TIMESTEP
     spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
     spec.option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
@@ -35,9 +42,74 @@ def build(robot: str, world: str) -> mujoco.MjModel:
     return spec.compile()
 
 
-def _read(kind: str, name: str) -> mujoco.MjSpec:
-    names = known(kind)
+def robot_spec(robot: RobotModel) -> mujoco.MjSpec:
+    """The robot alone, free to move, with a motor at each joint."""
+    spec = _from_urdf(robot.description)
+    base = spec.body(robot.description.root())
+    base.add_freejoint(name="base")
+    for joint in robot.description.joints.values():
+        _dynamics(spec, joint)
+    for track in (robot.tracks.left, robot.tracks.right):
+        _belt(spec, robot.description.joint(track), robot.tracks)
+    for link, coefficient in robot.description.friction.items():
+        _grip(spec, link, coefficient)
+    return spec
+
+
+def _world(name: str) -> mujoco.MjSpec:
+    names = known_worlds()
     if name not in names:
-        raise ConfigError(f"the backend 'sim' has no {name!r} among its {kind}; it has: {', '.join(names)}")
-    with as_file(files("jauspy_sim") / kind / f"{name}.xml") as path:
+        raise ConfigError(f"the backend 'sim' has no world {name!r}; it has: {', '.join(names)}")
+    with as_file(files("jauspy_sim") / "worlds" / f"{name}.xml") as path:
         return mujoco.MjSpec.from_file(str(path))
+
+
+def _from_urdf(description: Description) -> mujoco.MjSpec:
+    """MuJoCo would weld fixed links together and drop what is only seen; both are wanted: frames, and pictures."""
+    root = etree.fromstring(description.urdf.encode())
+    options = etree.SubElement(etree.SubElement(root, "mujoco"), "compiler")
+    options.set("discardvisual", "false")
+    options.set("fusestatic", "false")
+    try:
+        return mujoco.MjSpec.from_string(etree.tostring(root, encoding="unicode"))
+    except ValueError as error:
+        raise ConfigError(f"MuJoCo cannot read the URDF of {description.name}: {error}") from error
+
+
+def _dynamics(spec: mujoco.MjSpec, joint: Joint) -> None:
+    if joint.kind is JointKind.FIXED:
+        return
+    found = spec.joint(joint.name)
+    found.damping = _like(found.damping, joint.damping)
+    found.frictionloss = joint.friction
+    found.armature = ROTOR_INERTIA * joint.effort
+    if joint.mimics is None:
+        _motor(spec, joint)
+
+
+def _motor(spec: mujoco.MjSpec, joint: Joint) -> None:
+    motor = spec.add_actuator(name=joint.name, target=joint.name, trntype=mujoco.mjtTrn.mjTRN_JOINT)
+    motor.ctrllimited = True
+    motor.ctrlrange = (-joint.effort, joint.effort)
+
+
+def _belt(spec: mujoco.MjSpec, joint: Joint, tracks: TrackSetup) -> None:
+    """A body whose position is put back to zero after every step, so that only the speed of its surface acts."""
+    found = spec.joint(joint.name)
+    found.armature = tracks.inertia
+    found.limited = mujoco.mjtLimited.mjLIMITED_FALSE
+    found.solref_friction = (2.0 * TIMESTEP, 1.0)
+    for geom in spec.body(joint.child).geoms:
+        geom.priority = 1  # the belt's friction counts, whatever it runs on
+    spec.add_exclude(bodyname1=joint.parent, bodyname2=joint.child)
+
+
+def _grip(spec: mujoco.MjSpec, link: str, coefficient: float) -> None:
+    for geom in spec.body(link).geoms:
+        geom.friction = (coefficient, *geom.friction[1:])
+
+
+def _like(present: float | Sequence[float], value: float) -> float | tuple[float, ...]:
+    """MuJoCo 4 keeps damping as a polynomial of the speed, MuJoCo 3 as a number."""
+    terms = np.size(present)
+    return (value, *[0.0] * (terms - 1)) if terms > 1 else value

@@ -6,14 +6,15 @@ from importlib.util import find_spec
 
 from jauspy.errors import ConfigError
 from jauspy.platform.contract import Robot
+from jauspy.platform.description import RobotModel
 
 
 class MujocoBackend:
-    """Robots and worlds of `jauspy_sim/robots` and `jauspy_sim/worlds`, any robot in any world."""
+    """Any robot in any of the worlds of `jauspy_sim/worlds`."""
 
     name: str = "sim"
 
-    def open(self, robot: str, world: str) -> Robot:
+    def open(self, robot: RobotModel, world: str) -> Robot:
         """That robot, settled on the ground at the world's origin."""
         if find_spec("mujoco") is None:
             raise ConfigError("the backend 'sim' needs MuJoCo: pip install 'jauspy[sim]'")

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from typing import Final
 
 import mujoco
 
+from jauspy.platform.description import RobotModel
 from jauspy_sim import log
 from jauspy_sim.assembly import TIMESTEP, build, prefix
+from jauspy_sim.joints import SimulatedJoints
 from jauspy_sim.tracks import TrackedDrive
 
 SETTLING_STEPS: Final = 250
@@ -21,24 +24,35 @@ ROUNDING: Final = 1e-9
 class SimulatedRobot:
     """One robot and its world. The same commands at the same times give the same trajectory, bit for bit."""
 
-    def __init__(self, model: mujoco.MjModel, name_prefix: str) -> None:
+    def __init__(self, model: mujoco.MjModel, robot: RobotModel) -> None:
         self._model = model
-        self._data = mujoco.MjData(model)
-        self._drive = TrackedDrive(model, self._data, name_prefix)
+        self._data = data = mujoco.MjData(model)
+        name_prefix = prefix(robot.description.name)
+        self._drive = TrackedDrive(model, data, name_prefix, robot.tracks)
+        self._groups = {
+            name: SimulatedJoints(model, data, name_prefix, robot.description, setup)
+            for name, setup in robot.groups.items()
+        }
+        mujoco.mj_forward(model, data)
         self._steps = 0
         self._owed = 0.0
         self._run(SETTLING_STEPS)
 
     @classmethod
-    def open(cls, robot: str, world: str) -> SimulatedRobot:
-        """Build and settle that robot in that world; `ConfigError` lists the names there are."""
+    def open(cls, robot: RobotModel, world: str) -> SimulatedRobot:
+        """Build and settle that robot in that world; `ConfigError` lists the worlds there are."""
         log.redirect()
-        return cls(build(robot, world), prefix(robot))
+        return cls(build(robot, world), robot)
 
     @property
     def drive(self) -> TrackedDrive:
         """The tracked chassis."""
         return self._drive
+
+    @property
+    def groups(self) -> Mapping[str, SimulatedJoints]:
+        """Its other joints, by the names that its description gives them."""
+        return self._groups
 
     @property
     def time(self) -> float:
@@ -58,8 +72,13 @@ class SimulatedRobot:
     def close(self) -> None:
         """Stop; MuJoCo's memory goes with the object."""
         self._drive.stop()
+        for group in self._groups.values():
+            group.hold()
 
     def _run(self, steps: int) -> None:
+        groups = tuple(self._groups.values())
         for _ in range(steps):
+            for group in groups:
+                group.control()
             mujoco.mj_step(self._model, self._data)
             self._drive.rewind_belts()

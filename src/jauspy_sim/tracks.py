@@ -9,6 +9,7 @@ import mujoco
 import numpy as np
 
 from jauspy.platform.contract import Pose, Twist
+from jauspy.platform.description import TrackSetup
 from jauspy.platform.skid_steer import mix
 
 BRAKE_FORCE: Final = 400.0
@@ -24,19 +25,20 @@ def roll_pitch_yaw(w: float, x: float, y: float, z: float) -> tuple[float, float
 
 
 class TrackedDrive:
-    """A `DriveBase`: joints and motors `left_track`, `right_track`, free joint `base`, their names after `prefix`."""
+    """A `DriveBase`: free joint `base`, joints and motors of two belts, their names after `prefix`."""
 
-    def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, prefix: str) -> None:
+    def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, prefix: str, tracks: TrackSetup) -> None:
         self._model = model
         self._data = data
         base = model.joint(f"{prefix}base")
         self._base_position = slice(base.qposadr[0], base.qposadr[0] + 7)
         self._base_velocity = slice(base.dofadr[0], base.dofadr[0] + 6)
-        tracks = [f"{prefix}{name}" for name in ("left_track", "right_track")]
-        belts = [model.joint(name) for name in tracks]
+        names = [f"{prefix}{name}" for name in (tracks.left, tracks.right)]
+        belts = [model.joint(name) for name in names]
         self._belt_positions = [int(belt.qposadr[0]) for belt in belts]
         self._belt_dofs = [int(belt.dofadr[0]) for belt in belts]
-        self._motors = [int(model.actuator(name).id) for name in tracks]
+        self._motors = [int(model.actuator(name).id) for name in names]
+        self._forces = [float(model.actuator_ctrlrange[motor][1]) for motor in self._motors]
         self._gear_friction = [float(model.dof_frictionloss[dof]) for dof in self._belt_dofs]
         self.stop()
 
@@ -44,10 +46,9 @@ class TrackedDrive:
         """Drive with fractions of the motors' full force, -1..1; positive z turns left. Zero brakes."""
         efforts = mix(linear_x, rotational_z)
         braking = not any(efforts)
-        for motor, dof, friction, effort in zip(
-            self._motors, self._belt_dofs, self._gear_friction, efforts, strict=True
-        ):
-            self._data.ctrl[motor] = effort
+        rows = zip(self._motors, self._forces, self._belt_dofs, self._gear_friction, efforts, strict=True)
+        for motor, force, dof, friction, effort in rows:
+            self._data.ctrl[motor] = -force * effort  # on the ground a belt runs backward when the robot drives forward
             self._model.dof_frictionloss[dof] = BRAKE_FORCE if braking else friction
 
     def stop(self) -> None:

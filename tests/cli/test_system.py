@@ -149,9 +149,8 @@ def test_up_refuses_a_world_that_the_backend_has_not(local_root):
 
 def test_up_names_only_what_can_be_done(robot, local_root):
     copy = Path(local_root) / "other.toml"
-    source = Path(__file__).parents[2] / "src" / "jauspy" / "robots" / "inc1.toml"
-    text = source.read_text().replace("subsystem = 101", "subsystem = 102")
-    copy.write_text(text.replace("[[modules]]", "[[modules]]\nservices = []"))
+    module = "[[modules]]\ntype = 'CM-MOB'\ncomponent = 102\nservices = []\n"
+    copy.write_text(f"extends = 'inc1'\nsubsystem = 102\n{module}")
     process = start("up", str(copy), "--backend", "kinematic", "--local-root", str(local_root))
     lines = []
     for line in process.stdout:
@@ -166,8 +165,7 @@ def test_up_names_only_what_can_be_done(robot, local_root):
 
 def test_up_uses_the_node_manager_that_runs(robot, local_root):
     copy = Path(local_root) / "other.toml"
-    source = Path(__file__).parents[2] / "src" / "jauspy" / "robots" / "inc1.toml"
-    copy.write_text(source.read_text().replace("subsystem = 101", "subsystem = 102"))
+    copy.write_text("extends = 'inc1'\nsubsystem = 102\n")
     second = start("up", str(copy), "--backend", "kinematic", "--local-root", str(local_root))
     assert wait_for(second, "node manager: was running") == []
     second.terminate()
@@ -191,7 +189,7 @@ def test_up_without_a_node_manager_says_what_to_do(local_root):
 
 
 def test_an_unknown_robot_lists_the_known(local_root):
-    assert "known are: inc1" in jauspy("up", "nobody", "--local-root", str(local_root), status=1).stderr
+    assert "known are: igvc, inc1" in jauspy("up", "nobody", "--local-root", str(local_root), status=1).stderr
 
 
 def test_the_demo(free_port):

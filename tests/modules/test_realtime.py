@@ -4,13 +4,15 @@ import threading
 
 import pytest
 
+from jauspy.modules.description import robot_model
 from jauspy.modules.realtime import RealTime
+from jauspy.modules.robots import load
 from jauspy.platform.kinematic import KinematicBackend
 
 
 @pytest.fixture
 def inc1():
-    robot = KinematicBackend().open("inc1", "empty")
+    robot = KinematicBackend().open(robot_model(load("inc1")), "empty")
     yield robot
     robot.close()
 

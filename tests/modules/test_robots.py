@@ -7,9 +7,13 @@ from jauspy.modules.robots import known, load
 
 GOOD = """
 name = "mine"
-model = "inc1"
+urdf = "mine.urdf"
 subsystem = 7
 node = 2
+
+[tracks]
+left = "left"
+right = "right"
 
 [[modules]]
 type = "CM-MOB"
@@ -74,27 +78,27 @@ def test_not_even_text(write, tmp_path):
 @pytest.mark.parametrize(
     ("old", "new", "said"),
     [
-        ("subsystem = 7", "subsystem = 65535", r"subsystem: 65535: .*65534"),
+        ("subsystem = 7", "subsystem = 65535", r"subsystem = 65535: .*65534"),
         ("subsystem = 7", "", r"subsystem: is missing"),
-        ("subsystem = 7", "subsytem = 7", r"subsytem: there is no such key; known here are: .*subsystem"),
-        ("node = 2", "node = 'two'", r"node: 'two': .*integer"),
-        ("component = 33", "component = 255", r"modules\[0\]\.component: 255: .*254"),
-        ("CM-MOB", "CM-BOM", r"modules\[0\]\.type: 'CM-BOM': .*'CM-MOB'"),
-        ("component = 33", "component = 33\nspeed = 3", r"modules\[0\]\.speed: .*known here are: access_control"),
+        ("subsystem = 7", "subsytem = 7", r"subsytem = 7: there is no such key; known here are: .*subsystem"),
+        ("node = 2", "node = 'two'", r"node = 'two': .*integer"),
+        ("component = 33", "component = 255", r"modules\[0\]\.component = 255: .*254"),
+        ("CM-MOB", "CM-BOM", r"modules\[0\]\.type = 'CM-BOM': .*'CM-MOB'"),
+        ("component = 33", "component = 33\nspeed = 3", r"modules\[0\]\.speed = 3: .*known here are: access_control"),
         (
             "component = 33",
             "component = 33\nservices = ['Tim']",
-            r"modules\[0\]\.services\[0\]: 'Tim': .*'Time', 'Liveness'.*'LocalPoseSensor'",
+            r"modules\[0\]\.services\[0\] = 'Tim': .*'Time', 'Liveness'.*'LocalPoseSensor'",
         ),
         (
             "component = 33",
             "component = 33\naccess_control = { timeout = 256 }",
-            r"modules\[0\]\.access_control\.timeout: 256: .*255",
+            r"modules\[0\]\.access_control\.timeout = 256: .*255",
         ),
         (
             "component = 33",
             "component = 33\naccess_control = { timout = 2 }",
-            r"access_control\.timout: .*known here are: default_authority, timeout",
+            r"access_control\.timout = 2: .*known here are: default_authority, timeout",
         ),
         (
             "component = 33",
@@ -130,10 +134,22 @@ def test_what_a_module_offers(write):
 
 def test_a_robot_without_modules(write):
     with pytest.raises(ConfigError, match=r"modules: there is none"):
-        load(write(GOOD.partition("[[modules]]")[0] + "modules = []"))
+        load(write("modules = []\n" + GOOD.partition("[[modules]]")[0]))
 
 
 def test_all_mistakes_are_told_at_once(write):
     with pytest.raises(ConfigError) as caught:
         load(write("name = ''"))
     assert str(caught.value).count("\n") >= 4
+
+
+def test_extends_another_robot(write):
+    config = load(write('extends = "inc1"\nname = "seven"\nsubsystem = 7'))
+    parent = load("inc1")
+    assert (config.name, config.subsystem, config.urdf) == ("seven", 7, parent.urdf)
+    assert config.groups == parent.groups
+
+
+def test_extends_itself(write):
+    with pytest.raises(ConfigError, match=r"robot\.toml: extends = '\./robot\.toml': .*not lead back"):
+        load(write('extends = "./robot.toml"'))

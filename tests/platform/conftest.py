@@ -5,10 +5,13 @@ from importlib.util import find_spec
 
 import pytest
 
+from jauspy.modules.description import robot_model
+from jauspy.modules.robots import load
 from jauspy.platform.backends import find
 from jauspy.platform.contract import Robot
 
 OpenRobot = Callable[[], Robot]
+INC1 = robot_model(load("inc1"))
 
 
 @pytest.fixture(
@@ -26,7 +29,7 @@ def open_robot(backend_name: str) -> Iterator[OpenRobot]:
     opened: list[Robot] = []
 
     def open_one() -> Robot:
-        opened.append(find(backend_name).open("inc1", "empty"))
+        opened.append(find(backend_name).open(INC1, "empty"))
         return opened[-1]
 
     yield open_one

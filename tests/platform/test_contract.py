@@ -6,6 +6,8 @@ from collections.abc import Callable
 import pytest
 
 from jauspy.errors import ConfigError
+from jauspy.modules.description import robot_model
+from jauspy.modules.robots import load
 from jauspy.platform.backends import find
 from jauspy.platform.contract import Pose, Robot, Twist
 
@@ -220,14 +222,9 @@ def test_closing_twice_is_fine(robot: Robot) -> None:
     robot.close()
 
 
-def test_unknown_robot_lists_the_known_ones(backend_name: str) -> None:
-    with pytest.raises(ConfigError, match=r"'inc9'.*inc1"):
-        find(backend_name).open("inc9", "empty")
-
-
 def test_unknown_world_lists_the_known_ones(backend_name: str) -> None:
     with pytest.raises(ConfigError, match=r"'moon'.*demo.*empty"):
-        find(backend_name).open("inc1", "moon")
+        find(backend_name).open(robot_model(load("inc1")), "moon")
 
 
 def test_backend_says_its_name(backend_name: str) -> None:

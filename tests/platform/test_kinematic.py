@@ -4,11 +4,15 @@ import math
 
 import pytest
 
+from jauspy.modules.description import robot_model
+from jauspy.modules.robots import load
 from jauspy.platform.kinematic import KinematicBackend, SkidSteerParameters, track_speed
+
+INC1 = robot_model(load("inc1"))
 
 
 def test_stops_completely() -> None:
-    robot = KinematicBackend().open("inc1", "empty")
+    robot = KinematicBackend().open(INC1, "empty")
     robot.drive.set_effort(1.0, 0.5)
     robot.advance(1.0)
     robot.drive.stop()
@@ -22,7 +26,7 @@ def test_friction_never_reverses_a_track() -> None:
 
 
 def test_time_is_exact_and_yaw_wraps() -> None:
-    robot = KinematicBackend().open("inc1", "demo")
+    robot = KinematicBackend().open(INC1, "demo")
     robot.drive.set_effort(0.0, 1.0)
     for _ in range(7):
         robot.advance(0.777)

@@ -3,6 +3,8 @@
 import pytest
 
 from jauspy.errors import ConfigError
+from jauspy.modules.description import robot_model
+from jauspy.modules.robots import load
 from jauspy_sim import backend as backend_module
 from jauspy_sim.backend import MujocoBackend
 
@@ -10,4 +12,4 @@ from jauspy_sim.backend import MujocoBackend
 def test_says_what_to_install_without_mujoco(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(backend_module, "find_spec", lambda name: None)
     with pytest.raises(ConfigError, match=r"pip install 'jauspy\[sim\]'"):
-        MujocoBackend().open("inc1", "demo")
+        MujocoBackend().open(robot_model(load("inc1")), "demo")

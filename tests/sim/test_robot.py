@@ -11,25 +11,29 @@ from jauspy_sim.backend import MujocoBackend
 
 pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 
-from jauspy_sim.assembly import TIMESTEP, build, known, prefix
+from jauspy.modules.description import robot_model
+from jauspy.modules.robots import known, load
+from jauspy_sim.assembly import TIMESTEP, build, known_worlds, prefix
 from jauspy_sim.robot import SimulatedRobot
 from jauspy_sim.tracks import roll_pitch_yaw
+
+INC1 = robot_model(load("inc1"))
 
 
 @pytest.fixture
 def demo() -> SimulatedRobot:
-    return SimulatedRobot.open("inc1", "demo")
+    return SimulatedRobot.open(INC1, "demo")
 
 
-@pytest.mark.parametrize("world", known("worlds"))
-@pytest.mark.parametrize("robot", known("robots"))
+@pytest.mark.parametrize("world", known_worlds())
+@pytest.mark.parametrize("robot", known())
 def test_any_robot_stands_in_any_world(robot: str, world: str) -> None:
-    pose = SimulatedRobot.open(robot, world).drive.pose()
+    pose = SimulatedRobot.open(robot_model(load(robot)), world).drive.pose()
     assert max(map(abs, (pose.x, pose.y, pose.z, pose.roll, pose.pitch, pose.yaw))) < 1e-3
 
 
 def test_masses_are_plausible() -> None:
-    model = build("inc1", "empty")
+    model = build(INC1, "empty")
     base = model.body(f"{prefix('inc1')}base_link").id
     assert 40.0 < model.body_subtreemass[base] < 60.0
     for body in range(base, model.nbody):
@@ -75,7 +79,7 @@ def test_pushes_a_carton(demo: SimulatedRobot) -> None:
 def test_belts_do_not_travel(demo: SimulatedRobot) -> None:
     demo.drive.set_effort(1.0, 0.3)
     demo.advance(1.0)
-    for track in ("left_track", "right_track"):
+    for track in ("base_link_to_left_track", "base_link_to_right_track"):
         joint = demo._data.joint(f"{prefix('inc1')}{track}")
         assert joint.qpos[0] == 0.0
         assert joint.qvel[0] < -0.3
@@ -109,15 +113,15 @@ def test_roll_pitch_yaw_of_a_quaternion(angles: tuple[float, float, float]) -> N
 
 
 def test_unknown_world_lists_the_known_ones() -> None:
-    with pytest.raises(ConfigError, match=r"'mars'.*worlds.*demo, empty"):
-        MujocoBackend().open("inc1", "mars")
+    with pytest.raises(ConfigError, match=r"'mars'.*demo, empty"):
+        MujocoBackend().open(INC1, "mars")
 
 
 def test_warnings_are_logged_and_no_file_is_left(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    robot = SimulatedRobot.open("inc1", "empty")
+    robot = SimulatedRobot.open(INC1, "empty")
     robot._data.qpos[:] = math.nan
     with caplog.at_level(logging.WARNING, logger="jauspy_sim.mujoco"):
         robot.advance(TIMESTEP)

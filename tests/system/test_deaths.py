@@ -19,8 +19,6 @@ from jauspy.ocu import OCU
 from jauspy.ocu.subscription import Subscription
 from jauspy.transport import LocalTransport
 
-INC1 = Path(__file__).parents[2] / "src" / "jauspy" / "robots" / "inc1.toml"
-
 
 async def silence(poses: Subscription[Any]) -> None:
     """Until what was under way has arrived and no more comes."""
@@ -57,7 +55,7 @@ async def test_a_robot_outlives_the_other_robot_that_started_the_node_manager(
     root: Path, free_port: int, start: Callable[..., subprocess.Popen[str]]
 ) -> None:
     second_robot = root / "second.toml"
-    second_robot.write_text(INC1.read_text().replace("subsystem = 101", "subsystem = 102"))
+    second_robot.write_text("extends = 'inc1'\nsubsystem = 102\n")
     options = ("--backend", "kinematic", "--port", str(free_port), "--local-root", str(root))
     first = await asyncio.to_thread(start, "up", "inc1", *options, ready="stop it")
     await asyncio.to_thread(start, "up", str(second_robot), *options, ready="was running")

@@ -66,10 +66,9 @@ async def test_on_two_loopback_addresses(root: Path, free_port: int) -> None:
 
 async def test_on_two_hosts(cable: tuple[str, str], root: Path, start: Callable[..., object]) -> None:
     """Each in a network namespace with `jauspy up`; the OCU is on the first, by its local socket."""
-    inc1 = Path(__file__).parents[2] / "src" / "jauspy" / "robots" / "inc1.toml"
     for namespace, subsystem in zip(cable, EFFORTS, strict=True):
         robot = root / f"{subsystem}.toml"
-        robot.write_text(inc1.read_text().replace("subsystem = 101", f"subsystem = {subsystem}"))
+        robot.write_text(f"extends = 'inc1'\nsubsystem = {subsystem}\n")
         options = ("--backend", "kinematic", "--local-root", str(root / str(subsystem)))
         start("up", str(robot), *options, ready="stop it", within=(str(shutil.which("ip")), "netns", "exec", namespace))
     async with OCU(connect=f"local:{root / '101'}") as ocu:

@@ -8,6 +8,7 @@ from typing import Annotated, Final, Literal, Self, TypeAlias
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, model_validator
 
 from jauspy.ids import JausID
+from jauspy.modules.config_joints import Groups, TracksConfig
 
 
 def _on_the_wire(name: str) -> str:
@@ -59,13 +60,16 @@ class RobotConfig(_Strict):
 
     name: Annotated[Name, AfterValidator(_on_the_wire)]
     description: Annotated[str, Field(max_length=200)] = ""
-    model: Name
-    """The backend's name of the robot."""
+    urdf: Annotated[str, Field(min_length=1)]
+    """The file that describes its links and joints, as URDF or xacro; a relative path starts at the TOML file."""
     subsystem: Annotated[int, Field(ge=1, le=65534)]
     node: Annotated[int, Field(ge=1, le=254)]
     backend: Name = "kinematic"
     world: Name = "empty"
     modules: tuple[ModuleConfig, ...]
+    tracks: TracksConfig
+    groups: Groups = {}
+    """Its other joints."""
 
     @model_validator(mode="after")
     def _check_modules(self) -> Self:

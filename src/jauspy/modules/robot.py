@@ -13,6 +13,7 @@ from typing import Final, Self
 from jauspy.component import Shell
 from jauspy.ids import JausID
 from jauspy.modules.config import ModuleConfig, RobotConfig
+from jauspy.modules.description import robot_model
 from jauspy.modules.mobility import cm_mob
 from jauspy.modules.realtime import RealTime, Snapshot
 from jauspy.platform import backends
@@ -103,7 +104,7 @@ class RobotRunner:
         await self.close()
 
     def _bring_to_life(self, stack: AsyncExitStack) -> RealTime:
-        robot = backends.find(self.config.backend).open(self.config.model, self.config.world)
+        robot = backends.find(self.config.backend).open(robot_model(self.config), self.config.world)
         stack.callback(robot.close)
         return stack.enter_context(RealTime(robot, lapse=LAPSE))
 

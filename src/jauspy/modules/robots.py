@@ -3,19 +3,22 @@
 from __future__ import annotations
 
 import tomllib
-from importlib.resources import files
+from importlib.resources import as_file, files
 from importlib.resources.abc import Traversable
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
-from pydantic import BaseModel, ValidationError
-from pydantic_core import ErrorDetails
+from pydantic import ValidationError
 
 from jauspy.errors import ConfigError
-from jauspy.modules.config import AccessControlConfig, ModuleConfig, RobotConfig
+from jauspy.modules.config import RobotConfig
+from jauspy.node.explain import explain
 
 SUFFIX: Final = ".toml"
 _FOLDER: Final = files("jauspy") / "robots"
+
+MOST_EXTENSIONS: Final = 8
+"""Files that may extend each other in a row."""
 
 
 def known() -> list[str]:
@@ -24,47 +27,43 @@ def known() -> list[str]:
 
 
 def load(name_or_path: str | Path) -> RobotConfig:
-    """The robot of that name, or of that TOML file; `ConfigError` names the key that is wrong and what it may be."""
-    source = _find(name_or_path)
+    """The robot of that name, or of that TOML file; `ConfigError` names the key that is wrong and what it may be.
+
+    A file may say `extends = "inc1"` (a name or a path): it has all keys of that file that it does not set itself.
+    """
+    source = _find(name_or_path, Path())
+    data = _read(source, MOST_EXTENSIONS)
+    try:
+        return RobotConfig.model_validate(data)
+    except ValidationError as error:
+        problems = "\n".join(f"  {explain(each, RobotConfig)}" for each in error.errors(include_url=False))
+        raise ConfigError(f"{source}: is not a description of a robot:\n{problems}") from error
+
+
+def _read(source: Traversable, extensions: int) -> dict[str, Any]:
+    """The keys of a file and of those that it extends; `urdf` starts at the file that sets it."""
     try:
         data = tomllib.loads(source.read_text(encoding="utf-8"))
     except OSError as error:
         raise ConfigError(f"{source}: cannot be read: {error.strerror}") from error
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         raise ConfigError(f"{source}: is not TOML: {error}") from error
-    try:
-        return RobotConfig.model_validate(data)
-    except ValidationError as error:
-        problems = "\n".join(f"  {_explain(each)}" for each in error.errors(include_url=False))
-        raise ConfigError(f"{source}: is not a description of a robot:\n{problems}") from error
+    with as_file(source) as file:
+        folder = file.parent
+    if isinstance(data.get("urdf"), str):
+        data["urdf"] = str(folder / data["urdf"])
+    other = data.pop("extends", None)
+    if other is None:
+        return data
+    if not isinstance(other, str) or not extensions:
+        raise ConfigError(f"{source}: extends = {other!r}: it must name another robot, and not lead back to this one")
+    return _read(_find(other, folder), extensions - 1) | data
 
 
-def _find(name_or_path: str | Path) -> Traversable:
+def _find(name_or_path: str | Path, folder: Path) -> Traversable:
     text = str(name_or_path)
     if isinstance(name_or_path, Path) or text.endswith(SUFFIX) or "/" in text:
-        return Path(name_or_path)
+        return folder / name_or_path
     if text not in known():
         raise ConfigError(f"no robot {text!r}; known are: {', '.join(known())}; or give the path of a .toml file")
     return _FOLDER / f"{text}{SUFFIX}"
-
-
-def _explain(problem: ErrorDetails) -> str:
-    """One problem as `modules[0].component: 300: ... less than or equal to 254`."""
-    where = problem["loc"]
-    key = "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in where).lstrip(".") or "the file"
-    match problem["type"]:
-        case "missing":
-            return f"{key}: is missing"
-        case "extra_forbidden":
-            return f"{key}: there is no such key; known here are: {', '.join(_keys(where[:-1]))}"
-        case "value_error":
-            return str(problem["ctx"]["error"])
-        case _:
-            return f"{key}: {problem['input']!r}: {problem['msg'][0].lower()}{problem['msg'][1:]}"
-
-
-def _keys(where: tuple[int | str, ...]) -> list[str]:
-    """The keys that a table may have."""
-    tables: dict[tuple[str, ...], type[BaseModel]]
-    tables = {(): RobotConfig, ("modules",): ModuleConfig, ("modules", "access_control"): AccessControlConfig}
-    return sorted(tables[tuple(str(part) for part in where if not isinstance(part, int))].model_fields)

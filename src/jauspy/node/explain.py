@@ -30,7 +30,7 @@ def explain(problem: ErrorDetails, model: type[BaseModel]) -> str:
 def _keys(where: tuple[int | str, ...], model: type[BaseModel]) -> list[str]:
     """The keys of the table in which a key is unknown."""
     for part in where[:-1]:
-        if isinstance(part, str):
+        if isinstance(part, str) and part in model.model_fields:  # else a name that the user chose
             model = next(models_in(model.model_fields[part].annotation))
     return sorted(model.model_fields)
 

@@ -6,8 +6,13 @@ Frames follow REP-103: x forward, y left, z up; metres, seconds, radians. The se
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
+
+if TYPE_CHECKING:
+    from jauspy.platform.description import RobotModel
+    from jauspy.platform.joints import JointGroup
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,6 +68,11 @@ class Robot(Protocol):
         ...
 
     @property
+    def groups(self) -> Mapping[str, JointGroup]:
+        """Its other joints, by the names that its description gives them: `arm`, `gripper`."""
+        ...
+
+    @property
     def time(self) -> float:
         """Seconds of the robot's own time since it was opened."""
         ...
@@ -84,6 +94,6 @@ class Backend(Protocol):
         """The name it has in configuration files, e.g. `kinematic`."""
         ...
 
-    def open(self, robot: str, world: str) -> Robot:
-        """A robot of that name in that world; `ConfigError` lists the known names."""
+    def open(self, robot: RobotModel, world: str) -> Robot:
+        """That robot in that world; `ConfigError` lists the known worlds."""
         ...

@@ -3,15 +3,21 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
 from jauspy.errors import ConfigError
 from jauspy.platform.contract import Pose, Twist
+from jauspy.platform.description import RobotModel
+from jauspy.platform.kinematic_joints import KinematicJoints
 from jauspy.platform.skid_steer import mix
 
 MAX_STEP: Final = 0.005
 """Longest integration step, seconds."""
+
+SLIP: Final = 2.4
+"""How much farther apart than the tracks two wheels would be that turn as they do."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,7 +36,6 @@ class SkidSteerParameters:
     """Distance of two wheels that would turn as the tracks do; slip makes it larger than their real distance."""
 
 
-ROBOTS: Final = {"inc1": SkidSteerParameters()}
 WORLDS: Final = ("demo", "empty")
 """Worlds that are known by name; what stands in them is not there for a kinematic robot."""
 
@@ -40,6 +45,13 @@ def track_speed(speed: float, effort: float, dt: float, parameters: SkidSteerPar
     resistance = parameters.friction + (parameters.brake if effort == 0.0 else 0.0)
     driven = speed + (effort * parameters.free_speed - speed) * (1.0 - math.exp(-dt / parameters.response))
     return math.copysign(max(0.0, abs(driven) - resistance * dt), driven)
+
+
+def parameters_of(robot: RobotModel) -> SkidSteerParameters:
+    """The chassis of that robot: full speed and distance of the tracks are those of its description."""
+    left, right = (robot.description.joint(name) for name in (robot.tracks.left, robot.tracks.right))
+    gauge = abs(left.origin.y - right.origin.y)
+    return SkidSteerParameters(free_speed=left.velocity, slip_width=SLIP * gauge)
 
 
 class SkidSteer:
@@ -86,16 +98,22 @@ class SkidSteer:
 
 
 class KinematicRobot:
-    """A robot that is only a chassis on a floor."""
+    """A chassis on a floor, and joints without weight."""
 
-    def __init__(self, parameters: SkidSteerParameters) -> None:
-        self._drive = SkidSteer(parameters)
+    def __init__(self, robot: RobotModel) -> None:
+        self._drive = SkidSteer(parameters_of(robot))
+        self._groups = {name: KinematicJoints(robot.description, setup) for name, setup in robot.groups.items()}
         self._time = 0.0
 
     @property
     def drive(self) -> SkidSteer:
         """The chassis."""
         return self._drive
+
+    @property
+    def groups(self) -> Mapping[str, KinematicJoints]:
+        """Its other joints, by the names that its description gives them."""
+        return self._groups
 
     @property
     def time(self) -> float:
@@ -109,11 +127,15 @@ class KinematicRobot:
         steps = math.ceil(dt / MAX_STEP)
         for _ in range(steps):
             self._drive.step(dt / steps)
+            for group in self._groups.values():
+                group.step(dt / steps)
         self._time += dt
 
     def close(self) -> None:
         """Stop; nothing else to release."""
         self._drive.stop()
+        for group in self._groups.values():
+            group.hold()
 
 
 class KinematicBackend:
@@ -121,10 +143,8 @@ class KinematicBackend:
 
     name: str = "kinematic"
 
-    def open(self, robot: str, world: str) -> KinematicRobot:
+    def open(self, robot: RobotModel, world: str) -> KinematicRobot:
         """A robot at rest at the origin."""
-        if robot not in ROBOTS:
-            raise ConfigError(f"the kinematic backend knows no robot {robot!r}; it knows: {', '.join(sorted(ROBOTS))}")
         if world not in WORLDS:
             raise ConfigError(f"the kinematic backend knows no world {world!r}; it knows: {', '.join(WORLDS)}")
-        return KinematicRobot(ROBOTS[robot])
+        return KinematicRobot(robot)

@@ -1,0 +1,51 @@
+"""Makes what a backend needs out of a robot's TOML and its URDF."""
+
+from __future__ import annotations
+
+import xacro
+
+from jauspy.errors import ConfigError
+from jauspy.modules.config import RobotConfig
+from jauspy.platform.description import Description, JointKind, RobotModel
+from jauspy.platform.urdf import parse
+
+
+def robot_model(config: RobotConfig) -> RobotModel:
+    """The robot that a TOML file describes; `ConfigError` names the key that does not fit the URDF."""
+    description = parse(_expanded(config.urdf))
+    _check_tracks(config, description)
+    for name, group in config.groups.items():
+        _check_group(f"groups.{name}", [joint.name for joint in group.joints], group.base, group.tip, description)
+    groups = {name: group.setup() for name, group in config.groups.items()}
+    return RobotModel(description, config.tracks.setup(), groups)
+
+
+def _expanded(path: str) -> str:
+    try:
+        return str(xacro.process_file(path).toxml())
+    except OSError as error:
+        raise ConfigError(f"urdf: {path}: cannot be read: {error.strerror}") from error
+    except Exception as error:  # xacro evaluates expressions: anything may come out of them
+        raise ConfigError(f"urdf: {path}: xacro cannot expand it: {error}") from error
+
+
+def _check_tracks(config: RobotConfig, description: Description) -> None:
+    for key, name in (("left", config.tracks.left), ("right", config.tracks.right)):
+        joint = description.joints.get(name)
+        if joint is None or joint.kind is not JointKind.PRISMATIC:
+            known = [each.name for each in description.joints.values() if each.kind is JointKind.PRISMATIC]
+            raise ConfigError(
+                f"tracks.{key}: {name!r} is not a prismatic joint of the URDF; those are: {', '.join(known)}"
+            )
+
+
+def _check_group(key: str, names: list[str], base: str, tip: str, description: Description) -> None:
+    for link in (base, tip):
+        if link not in description.links():
+            raise ConfigError(f"{key}: the URDF has no link {link!r}; it has: {', '.join(sorted(description.links()))}")
+    for name in names:
+        if description.joint(name).kind is JointKind.FIXED:
+            raise ConfigError(f"{key}.joints: {name!r} does not move")
+    moving = [joint.name for joint in description.chain(base, tip) if joint.kind is not JointKind.FIXED]
+    if moving != names:
+        raise ConfigError(f"{key}.joints: between {base} and {tip} move, in this order: {', '.join(moving)}")

@@ -1,0 +1,66 @@
+"""The contract with what moves joints: arms, grippers, flippers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import Enum
+from typing import Protocol
+
+from jauspy.platform.description import Joint
+
+
+class ControlMode(Enum):
+    """What a joint's controller follows; switched by commanding it."""
+
+    EFFORT = "effort"
+    VELOCITY = "velocity"
+    POSITION = "position"
+
+
+@dataclass(frozen=True, slots=True)
+class Target:
+    """What one joint is to do: newton metres or newtons; rad/s or m/s; radians or metres.
+
+    A position is approached at most at `speed`, with at most `acceleration`; the joint's own limits when not given.
+    """
+
+    mode: ControlMode
+    value: float
+    speed: float | None = None
+    acceleration: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class JointState:
+    """The joints of a group at one moment, base to tip. Efforts are those that the motors apply."""
+
+    positions: tuple[float, ...]
+    velocities: tuple[float, ...]
+    efforts: tuple[float, ...]
+
+
+class JointGroup(Protocol):
+    """Joints that are commanded together. At rest they hold their position."""
+
+    @property
+    def joints(self) -> tuple[Joint, ...]:
+        """The joints that move, base to tip."""
+        ...
+
+    @property
+    def chain(self) -> tuple[Joint, ...]:
+        """All joints from the group's base link to its tip link, fixed ones included."""
+        ...
+
+    def command(self, targets: Sequence[Target | None]) -> None:
+        """What each joint is to do from now on, base to tip; None leaves a joint at what it does. Limits clamp."""
+        ...
+
+    def hold(self) -> None:
+        """Stop, and hold the present positions."""
+        ...
+
+    def state(self) -> JointState:
+        """Positions, velocities and efforts after the last step."""
+        ...

@@ -1,0 +1,111 @@
+"""Reads a URDF, as xacro leaves it, into a `Description`."""
+
+from __future__ import annotations
+
+import math
+from typing import TypeAlias
+
+from lxml import etree
+
+from jauspy.errors import ConfigError
+from jauspy.platform.contract import Pose
+from jauspy.platform.description import HERE, Description, Joint, JointKind
+
+Element: TypeAlias = etree._Element  # noqa: SLF001 - lxml gives its element no public name
+
+KINDS = {kind.value: kind for kind in JointKind}
+
+
+def parse(text: str) -> Description:
+    """The robot that a URDF describes; `ConfigError` says what is wrong and in which joint."""
+    try:
+        root = etree.fromstring(text.encode(), etree.XMLParser(resolve_entities=False, no_network=True))
+    except etree.XMLSyntaxError as error:
+        raise ConfigError(f"the URDF is not XML: {error}") from error
+    if root.tag != "robot":
+        raise ConfigError(f"the URDF begins with <{root.tag}>, not with <robot>")
+    joints = [_joint(element) for element in root.findall("joint")]
+    description = Description(root.get("name", "robot"), text, {joint.name: joint for joint in joints}, _friction(root))
+    _check(description, [str(link.get("name")) for link in root.findall("link")], joints)
+    return description
+
+
+def _check(description: Description, links: list[str], joints: list[Joint]) -> None:
+    if len(description.joints) != len(joints):
+        raise ConfigError(f"the URDF of {description.name} gives a joint's name twice")
+    for joint in joints:
+        for link in (joint.parent, joint.child):
+            if link not in links:
+                raise ConfigError(f"joint {joint.name!r} names the link {link!r}, which the URDF does not have")
+    roots = set(links) - {joint.child for joint in joints}
+    if len(roots) != 1:
+        raise ConfigError(f"the URDF of {description.name} must have one root link; it has: {', '.join(sorted(roots))}")
+
+
+def _joint(element: Element) -> Joint:
+    name = str(element.get("name"))
+    kind = KINDS.get(str(element.get("type")))
+    if kind is None:
+        raise ConfigError(f"joint {name!r} is {element.get('type')!r}; jauspy knows: {', '.join(KINDS)}")
+    limit, dynamics, mimic = element.find("limit"), element.find("dynamics"), element.find("mimic")
+    if kind is not JointKind.FIXED and limit is None:
+        raise ConfigError(f"joint {name!r} has no <limit>; it needs lower, upper, effort and velocity")
+    return Joint(
+        name,
+        kind,
+        _link(element, "parent", name),
+        _link(element, "child", name),
+        _origin(element, name),
+        _axis(element, name),
+        lower=_number(limit, "lower", name),
+        upper=_number(limit, "upper", name),
+        effort=_number(limit, "effort", name),
+        velocity=_number(limit, "velocity", name),
+        damping=_number(dynamics, "damping", name),
+        friction=_number(dynamics, "friction", name),
+        mimics=None if mimic is None else mimic.get("joint"),
+    )
+
+
+def _link(element: Element, tag: str, joint: str) -> str:
+    found = element.find(tag)
+    if found is None or not found.get("link"):
+        raise ConfigError(f"joint {joint!r} has no <{tag} link=...>")
+    return str(found.get("link"))
+
+
+def _number(element: Element | None, key: str, where: str) -> float:
+    return _numbers("0" if element is None else element.get(key, "0"), 1, where)[0]
+
+
+def _numbers(text: str, count: int, where: str) -> tuple[float, ...]:
+    try:
+        values = tuple(float(part) for part in text.split())
+    except ValueError:
+        values = ()
+    if len(values) != count or not all(map(math.isfinite, values)):
+        raise ConfigError(f"{where!r}: {text!r} is not {count} finite number{'s' if count > 1 else ''}")
+    return values
+
+
+def _origin(element: Element, joint: str) -> Pose:
+    origin = element.find("origin")
+    if origin is None:
+        return HERE
+    xyz, rpy = (_numbers(origin.get(key, "0 0 0"), 3, joint) for key in ("xyz", "rpy"))
+    return Pose(*xyz, *rpy)
+
+
+def _axis(element: Element, joint: str) -> tuple[float, float, float]:
+    axis = element.find("axis")
+    x, y, z = _numbers("1 0 0" if axis is None else axis.get("xyz", ""), 3, joint)
+    length = math.hypot(x, y, z)
+    if not length:
+        raise ConfigError(f"joint {joint!r}: the axis has no direction")
+    return x / length, y / length, z / length
+
+
+def _friction(root: Element) -> dict[str, float]:
+    """Gazebo's extension of URDF, `<gazebo reference="LINK"><mu1>`, is the usual place for coefficients of friction."""
+    found = ((gazebo.get("reference"), gazebo.find("mu1")) for gazebo in root.findall("gazebo"))
+    return {link: _numbers(mu.text or "", 1, link)[0] for link, mu in found if link and mu is not None}
