@@ -31,9 +31,10 @@ class Component:
     """`async with jauspy.Component("101.1.120", [Battery()]): ...`, or `jauspy.run(component)`.
 
     The core services (Transport, Events, AccessControl, Management, Time, Liveness and Discovery) are there unless they
-    are given; with `core=False` only those that the others inherit from. `name` is what Discovery tells. `connect` says where the node manager is: None (on this machine, its
-    sockets in /tmp), or as for `OCU`; `transport` replaces it. An id with zeros, as in `"0.0.101"`, waits to be given
-    the rest, see `move`. Raises `ConfigError` that names every method which a service lacks.
+    are given; with `core=False` only those that the others inherit from. `name` is what Discovery tells. `connect` says
+    where the node manager is: None (on this machine, its sockets in /tmp), or as for `OCU`; `transport` replaces it. An
+    id with zeros, as in `"0.0.101"`, waits to be given the rest, see `move`. Raises `ConfigError` that names every
+    method which a service lacks.
     """
 
     def __init__(
