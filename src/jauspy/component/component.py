@@ -85,6 +85,11 @@ class Component:
         return self._shell is not None
 
     @property
+    def is_connected(self) -> bool:
+        """True while its node manager answers."""
+        return self._shell is not None and self._shell.transport.connected
+
+    @property
     def counters(self) -> Mapping[str, int]:
         """Everything counted, as `host.received`; empty while it is closed."""
         return self._shell.counters if self._shell else {}

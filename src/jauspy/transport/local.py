@@ -101,7 +101,7 @@ class LocalTransport:
         self.id = id
         self._listen(asyncio.get_running_loop(), new)
         self._accepted.clear()
-        self._loss.set()
+        self._loss.set()  # the keeper connects again at once
 
     def send(self, datagram: bytes) -> None:
         """Hand a datagram to the node manager; what it cannot take yet waits, in bounds."""
