@@ -80,6 +80,8 @@ def test_the_command_line_goes_before_the_file(written: Path) -> None:
         ("[[networks]]\naddress = '10.0.0.1'", "networks: 2 are named 'lan'; give each its own `name`"),
         ("[[networks]]\nname = 'b'\naddress = '10.0.0.1'", "'lan' has all of port 3794; give it an `address`"),
         ("metrics = '9794'", "metrics = '9794': write ADDRESS:PORT, as in 127.0.0.1:9794"),
+        ('multicast_group6 = "ff15::1"', "multicast_group6: needs IPv6; set `address6`"),
+        ('address6 = "::"\nmulticast_group6 = "fd00::1"', "write an IPv6 multicast address, as in ff15::"),
         ("port = ", "is not TOML"),
     ],
 )

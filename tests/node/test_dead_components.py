@@ -1,18 +1,33 @@
 """Components that died without goodbye: their ids are free again, and their sockets do not stay behind."""
 
 import asyncio
+import contextlib
 import socket
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Callable
 from pathlib import Path
 
 import pytest
 
 from jauspy.ids import JausID
-from jauspy.node import NodeConfig, NodeManager
+from jauspy.node import NodeConfig, NodeManager, sweep
 from jauspy.protocol import judp, junior
+from jauspy.protocol.directory import ComponentPort, Directory
 from jauspy.protocol.header import Packet
+from jauspy.protocol.ports import LocalPort
 
 LIVING, DEAD = JausID.parse("126.1.11"), JausID.parse("126.1.20")
+
+
+@pytest.fixture
+def swept(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The node manager looks after its components all the time."""
+    monkeypatch.setattr(sweep, "INTERVAL", 0.01)
+
+
+async def until(condition: Callable[[], bool]) -> None:
+    async with asyncio.timeout(20):
+        while not condition():
+            await asyncio.sleep(0.01)
 
 
 @pytest.fixture
@@ -66,3 +81,64 @@ async def test_only_components_sockets_in_the_local_root_are_removed(
         await receive(living)
     assert node.components == (LIVING,)
     assert path.exists() == stays
+
+
+@pytest.mark.usefixtures("swept")
+async def test_a_component_that_died_is_noticed_though_nobody_speaks_to_it(root: Path, node: NodeManager) -> None:
+    path = root / str(int(DEAD))
+    with await connected(root, LIVING, root / str(int(LIVING))):
+        (await connected(root, DEAD, path)).close()
+        await until(lambda: node.components == (LIVING,))
+        assert not path.exists()
+        for _ in range(5):
+            await asyncio.sleep(0.02)
+            assert node.components == (LIVING,)
+    assert node.counters["components.lost"] == 1
+
+
+@pytest.mark.usefixtures("swept")
+async def test_what_waited_for_one_that_died_is_counted(root: Path, node: NodeManager) -> None:
+    with await connected(root, LIVING, root / str(int(LIVING))) as living:
+        dead = await connected(root, DEAD, root / str(int(DEAD)))
+        sent = 0
+        while not (waiting := node.state.waiting.get(str(root / str(int(DEAD))), 0)) > 20:
+            with contextlib.suppress(BlockingIOError):
+                living.sendto(judp.pack(Packet(LIVING, DEAD, b"\x02\x20", sent)), str(node.path))
+                sent += 1
+            await asyncio.sleep(0)
+        dead.close()
+        await until(lambda: node.components == (LIVING,))
+    assert node.counters["dropped.component_gone"] == waiting
+
+
+@pytest.mark.usefixtures("swept")
+async def test_a_component_that_came_by_udp_is_noticed_too(node: NodeManager) -> None:
+    there = ("127.0.0.1", node.port)
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as living:
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as dead:
+            for sock, id in ((living, LIVING), (dead, DEAD)):
+                sock.setblocking(False)
+                sock.sendto(junior.connect(id), there)
+                assert await receive(sock) == junior.accept(id)
+        await until(lambda: node.components == (LIVING,))
+        for _ in range(5):
+            await asyncio.sleep(0.02)
+            assert node.components == (LIVING,)
+
+
+def test_many_components_are_looked_at_a_few_at_a_time() -> None:
+    components, asked = Directory(), []
+    for number in range(3 * sweep.PER_TURN):
+        components.register(number + 1, LocalPort(f"/{number}"))
+
+    def is_dead(path: str) -> bool:
+        asked.append(path)
+        return path == "/7"
+
+    gone: list[ComponentPort] = []
+    looking = sweep.Sweep(components, is_dead, gone.append)
+    for turn in range(1, 4):
+        looking.turn()
+        assert len(asked) == turn * sweep.PER_TURN
+    assert len(set(asked)) == len(asked)
+    assert gone == [LocalPort("/7")]

@@ -1,12 +1,15 @@
 """Two hosts on one cable: node managers in two network namespaces find each other by multicast."""
 
 import contextlib
+import json
 import os
 import socket
 import subprocess
 import sys
 from collections.abc import Iterator
 from pathlib import Path
+
+import pytest
 
 from jauspy.ids import EVERYONE, JausID
 from jauspy.protocol import judp, junior
@@ -15,12 +18,12 @@ from jauspy.protocol.header import Broadcast, Packet
 NEAR, FAR = JausID.parse("101.1.1"), JausID.parse("102.1.1")
 
 DAEMON = """
-import asyncio, pathlib, sys
+import asyncio, json, sys
 from jauspy.node import NodeConfig, NodeManager
 from jauspy.transport import memberships
 memberships.WATCH_INTERVAL = 0.1
-async def main(root):
-    async with NodeManager(NodeConfig(local_root=pathlib.Path(root))) as manager:
+async def main(settings):
+    async with NodeManager(NodeConfig.make(**json.loads(settings))) as manager:
         print("ready", flush=True)
         await asyncio.to_thread(sys.stdin.read)
 asyncio.run(main(sys.argv[1]))
@@ -28,9 +31,10 @@ asyncio.run(main(sys.argv[1]))
 
 
 @contextlib.contextmanager
-def node_manager(namespace: str, root: Path) -> Iterator[None]:
+def node_manager(namespace: str, root: Path, **settings: object) -> Iterator[None]:
     root.mkdir()
-    command = ("ip", "netns", "exec", namespace, sys.executable, "-c", DAEMON, str(root))
+    told = json.dumps(settings | {"local_root": str(root)})
+    command = ("ip", "netns", "exec", namespace, sys.executable, "-c", DAEMON, told)
     with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as process:
         assert process.stdout is not None
         assert process.stdout.readline() == b"ready\n"
@@ -68,25 +72,78 @@ def test_two_hosts_find_each_other_and_talk(cable: tuple[str, str], root: Path) 
             assert judp.unpack(receiver.recv(5000)) == [packet]
 
 
+def run(*command: str) -> None:
+    subprocess.run(command, check=True, capture_output=True, timeout=20)
+
+
+def until_heard(speaker: socket.socket, folder: Path, listener: socket.socket) -> None:
+    """Broadcast until the other one hears it."""
+    until_arrived(Packet(NEAR, EVERYONE, b"\x00\x2b\x04", broadcast=Broadcast.GLOBAL), speaker, folder, listener)
+
+
+def until_arrived(packet: Packet, speaker: socket.socket, folder: Path, listener: socket.socket) -> None:
+    """Send until it arrives: an interface that has just come up may not be ready in both directions."""
+    listener.settimeout(0.2)
+    for _ in range(100):
+        speaker.sendto(judp.pack(packet), str(folder / junior.SOCKET_NAME))
+        with contextlib.suppress(TimeoutError):
+            while judp.unpack(listener.recv(5000)) != [packet]:
+                continue
+            return
+    raise AssertionError("it did not arrive in 20 s")
+
+
 def test_a_network_that_comes_up_late_is_joined(cable: tuple[str, str], root: Path) -> None:
     near, far = root / "a", root / "b"
     end = f"jv{os.getpid()}b"
     late = ("ip", "-n", cable[1])
-    subprocess.run((*late, "addr", "flush", "dev", end), check=True)
-    subprocess.run((*late, "link", "set", end, "down"), check=True)
+    run(*late, "addr", "flush", "dev", end)
+    run(*late, "link", "set", end, "down")
     with contextlib.ExitStack() as stack:
         for namespace, folder in zip(cable, (near, far), strict=True):
             stack.enter_context(node_manager(namespace, folder))
         a = stack.enter_context(component(near, NEAR))
         b = stack.enter_context(component(far, FAR))
         for change in (("link", "set", end, "up"), ("addr", "add", "10.77.0.2/24", "dev", end)):
-            subprocess.run((*late, *change), check=True)
-        subprocess.run((*late, "route", "add", "default", "dev", end), check=True)
-        b.settimeout(0.2)
-        for number in range(100):
-            everybody = judp.pack(Packet(NEAR, EVERYONE, b"\x00\x2b\x04", number, broadcast=Broadcast.GLOBAL))
-            a.sendto(everybody, str(near / junior.SOCKET_NAME))
-            with contextlib.suppress(TimeoutError):
-                assert judp.unpack(b.recv(100))[0].source == NEAR
-                return
-        raise AssertionError("no multicast arrived in 20 s")
+            run(*late, *change)
+        run(*late, "route", "add", "default", "dev", end)
+        until_heard(a, near, b)
+
+
+@pytest.mark.parametrize("chosen", ["all", "10.77.0.2"])
+def test_an_interface_that_goes_and_comes_back_is_joined_again(cable: tuple[str, str], root: Path, chosen: str) -> None:
+    """The whole interface is deleted, as when an adapter is pulled out, and made anew: another one to the kernel."""
+    near, far = root / "a", root / "b"
+    ends = [f"jv{os.getpid()}{letter}" for letter in "ab"]
+    with contextlib.ExitStack() as stack:
+        for number, (namespace, folder) in enumerate(zip(cable, (near, far), strict=True), 1):
+            interface = "all" if chosen == "all" else f"10.77.0.{number}"
+            stack.enter_context(node_manager(namespace, folder, multicast_interfaces=[interface]))
+        a = stack.enter_context(component(near, NEAR))
+        b = stack.enter_context(component(far, FAR))
+        until_heard(a, near, b)
+        run("ip", "-n", cable[0], "link", "del", ends[0])
+        run("ip", "link", "add", ends[0], "netns", cable[0], "type", "veth", "peer", ends[1], "netns", cable[1])
+        for number, (namespace, end) in enumerate(zip(cable, ends, strict=True), 1):
+            run("ip", "-n", namespace, "addr", "add", f"10.77.0.{number}/24", "dev", end)
+            run("ip", "-n", namespace, "link", "set", end, "up")
+        until_heard(a, near, b)
+
+
+@pytest.mark.parametrize("own", [{}, {"multicast_interfaces": ["all"]}], ids=["by route", "all"])
+def test_two_hosts_find_each_other_by_ipv6_alone(cable: tuple[str, str], root: Path, own: dict[str, list[str]]) -> None:
+    """By a multicast from a link-local address, which is answered on the interface it came by."""
+    near, far = root / "a", root / "b"
+    settings = {"address6": "::", "multicast_group6": "ff15::6a61:7573", **own}
+    with contextlib.ExitStack() as stack:
+        if not Path("/proc/sys/net/ipv6").exists():
+            pytest.skip("this system has no IPv6")
+        for namespace, letter in zip(cable, "ab", strict=True):
+            run("ip", "-n", namespace, "-4", "addr", "flush", "dev", f"jv{os.getpid()}{letter}")
+        for namespace, folder in zip(cable, (near, far), strict=True):
+            stack.enter_context(node_manager(namespace, folder, **settings))
+        a = stack.enter_context(component(near, NEAR))
+        b = stack.enter_context(component(far, FAR))
+        until_heard(a, near, b)
+        until_arrived(Packet(FAR, NEAR, b"\x00\x4b", 1), b, far, a)
+        until_arrived(Packet(NEAR, FAR, b"\x02\x20", 2), a, near, b)

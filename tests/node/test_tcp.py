@@ -97,7 +97,7 @@ async def test_several_ids_behind_a_connection_and_broadcasts(node: NodeManager,
         for number, id in enumerate((FAR, OTHER)):
             far.writer.write(judp.pack(Packet(id, HERE, b"\x02\x20", number))[1:])
             await here.next()
-        assert await far.receive(1) == "02"
+        greeting = "02"
         for message in (
             Packet(HERE, FAR, b"\x02\x20", 1),
             Packet(HERE, OTHER, b"\x02\x20", 2),
@@ -105,17 +105,32 @@ async def test_several_ids_behind_a_connection_and_broadcasts(node: NodeManager,
         ):
             data = judp.pack(message)
             here.transport.send(data)
-            assert await far.receive(len(data) - 1) == data[1:].hex()
+            assert await far.receive(len(data) - (not greeting)) == greeting + data[1:].hex()
+            greeting = ""
 
 
 async def test_an_unknown_destination_is_asked_for_on_connections_too(node: NodeManager, here: Inbox) -> None:
     async with peer(node) as far:
-        assert await far.receive(1) == "02"
+        await until(lambda: node.counters["tcp.accepted"] == 1)
         here.transport.send(judp.pack(Packet(HERE, FAR, b"\x02\x20", 1)))
-        assert await far.receive(16) == "001000110101c800020164000220" + "0100"
+        assert await far.receive(17) == "02001000110101c800020164000220" + "0100"
 
 
-@pytest.mark.parametrize("rubbish", ["01000010", "02 02 001000", "02000500", "02c0ffff", "02ff"], ids=str)
+@pytest.mark.parametrize("compression", ["", "0000"], ids=["as Junior", "as FKIE's"])
+async def test_version_1_is_answered_in_the_form_it_came(node: NodeManager, here: Inbox, compression: str) -> None:
+    async with peer(node) as far:
+        far.send(f"01 {compression} 0012 06023412 02016400 0101c800 0200 0700 aabb")
+        assert await here.next() == bytes.fromhex("010000 0012 06023412 02016400 0101c800 0200 0700 aabb")
+        here.transport.send(judp.pack(Packet(HERE, FAR, b"\x02\x20", 1)))
+        here.transport.send(bytes.fromhex("010000 0012 06023412 0101c800 02016400 0200 0800 ccdd"))
+        expected = bytes.fromhex(f"01 {compression} 0012 06023412 0101c800 02016400 0200 0800 ccdd")
+        assert await far.receive(len(expected)) == expected.hex()
+        assert node.counters["dropped.tcp_version"] == 1
+
+
+@pytest.mark.parametrize(
+    "rubbish", ["03000010", "01001006 01", "02 02 001000", "02000500", "02c0ffff", "02ff"], ids=str
+)
 async def test_a_stream_that_lost_its_boundaries_is_closed_and_the_others_go_on(
     node: NodeManager, here: Inbox, rubbish: str
 ) -> None:
@@ -173,8 +188,8 @@ async def test_a_peer_that_does_not_read_delays_nobody_and_gets_whole_packets(no
 
 async def test_connections_are_bounded(node: NodeManager, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(tcp, "MAX_CONNECTIONS", 1)
-    async with peer(node) as first:
-        assert await first.receive(1) == "02"
+    async with peer(node):
+        await until(lambda: node.counters["tcp.accepted"] == 1)
         async with peer(node) as second:
             assert await second.ended()
     assert node.counters["tcp.refused"] == 1

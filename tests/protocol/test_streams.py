@@ -7,7 +7,7 @@ from hypothesis import given, strategies as st
 
 from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
-from jauspy.protocol import jserial, jtcp, judp
+from jauspy.protocol import jserial, judp
 from jauspy.protocol.crc import crc16
 from jauspy.protocol.header import Packet
 from jauspy.protocol.jserial import FrameDecoder
@@ -65,7 +65,7 @@ packets = st.builds(
 def test_any_cuts_give_the_same_packets(datagrams: list[bytes], draw: st.DataObject) -> None:
     serial = FrameDecoder()
     for start, frame, decode in (
-        (jtcp.GREETING, jtcp.frame, StreamDecoder().feed),
+        (b"\x02", StreamDecoder().frame, StreamDecoder().feed),
         (b"noise\x10\x10\x10\x02", jserial.frame, lambda part: serial.feed(part)[0]),
     ):
         stream = start + b"".join(map(frame, datagrams))
@@ -125,10 +125,29 @@ def test_a_tcp_stream_of_another_implementation() -> None:
     ]
 
 
+RA = "06023412 02016400 0101c800 0200 0700 aabb"
+
+
+@pytest.mark.parametrize("compression", ["", "0000"], ids=["as Junior sends it", "as FKIE's sends it"])
+@given(st.data())
+def test_a_version_1_stream_in_both_forms(compression: str, draw: st.DataObject) -> None:
+    stream = data("01" + 3 * f"{compression} 0012 {RA}")
+    cuts = sorted(draw.draw(st.lists(st.integers(0, len(stream)), max_size=10)))
+    decoder = StreamDecoder()
+    parts = [stream[a:b] for a, b in zip([0, *cuts], [*cuts, len(stream)], strict=True)]
+    assert [each.hex() for part in parts for each in decoder.feed(part)] == 3 * [data(f"010000 0012 {RA}").hex()]
+    assert decoder.frame(data(f"010000 0012 {RA}")) == data(f"{compression} 0012 {RA}")
+
+
 @pytest.mark.parametrize(
     ("stream", "reason"),
     [
-        ("01000000", "stream_version"),
+        ("03000000", "stream_version"),
+        ("4a415553", "stream_version"),
+        ("01000f0602", "stream_lost"),
+        ("01001006010000", "stream_lost"),
+        ("0100000000", "stream_lost"),
+        ("0105250010", "stream_lost"),
         ("02020010", "stream_lost"),
         ("02000d00", "stream_lost"),
         ("02801000", "stream_lost"),

@@ -115,7 +115,38 @@ def test_joins_what_comes_and_leaves_what_goes(machine: Machine) -> None:
 
 
 def test_two_addresses_of_one_interface_are_both_joined() -> None:
+    """To the kernel the second one is in use already."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sock:
-        if not multicast.join(sock, GROUP, ["127.0.0.1"]):
+        if not Memberships(sock, GROUP, ["127.0.0.1"]).joined:
             pytest.skip("this kernel does not multicast on its loopback interface")
-        assert multicast.join(sock, GROUP, ["127.0.0.1"]) == 1
+        assert Memberships(sock, GROUP, ["127.0.0.1", "127.0.0.2"]).joined == 2
+
+
+@pytest.mark.parametrize(
+    ("chosen", "found"),
+    [
+        (ALL, ("eth0", "wlan0")),
+        ("wlan0", ("wlan0",)),
+        ("fd00::1", ("eth0",)),
+        ("10.0.0.1", ("eth0",)),
+        ("127.0.0.1", ("lo",)),
+        (multicast.ANY, (multicast.ANY,)),
+        ("eth1", ()),
+    ],
+)
+def test_interfaces_with_ipv6_by_name_or_any_address(
+    monkeypatch: pytest.MonkeyPatch, chosen: str, found: tuple[str, ...]
+) -> None:
+    four, six = socket.AF_INET, socket.AF_INET6
+    machine = {
+        "lo": [(four, "127.0.0.1"), (six, "::1")],
+        "eth0": [(four, "10.0.0.1"), (six, "fe80::1%eth0"), (six, "fd00::1")],
+        "eth1": [(four, "10.0.0.2")],
+        "wlan0": [(six, "fe80::2%wlan0")],
+    }
+    told = {
+        name: [SimpleNamespace(family=family, address=address) for family, address in own]
+        for name, own in machine.items()
+    }
+    monkeypatch.setattr(psutil, "net_if_addrs", lambda: told)
+    assert memberships.names([chosen]) == found

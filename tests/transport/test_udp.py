@@ -1,6 +1,7 @@
 """A component that speaks JUDP itself: learned addresses and multicasts."""
 
 import asyncio
+import errno
 import socket
 from collections.abc import Iterator
 
@@ -10,7 +11,7 @@ from jauspy.errors import TransportError
 from jauspy.ids import EVERYONE, JausID
 from jauspy.protocol import judp
 from jauspy.protocol.header import Broadcast, Packet
-from jauspy.transport import UdpTransport
+from jauspy.transport import UdpTransport, memberships
 
 US, PEER, OTHER = (JausID.parse(text) for text in ("42.1.1", "101.1.1", "102.1.1"))
 GROUP = "239.255.0.7"
@@ -77,6 +78,29 @@ async def test_hears_the_group_and_not_itself(free_port: int) -> None:
     assert ours.counters["echoes"] == 1
     await ours.close()
     await theirs.close()
+
+
+async def test_joins_a_network_that_comes_up_later(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(memberships, "WATCH_INTERVAL", 0.01)
+    attempts: list[OSError | None] = []
+
+    def join(self: memberships.Memberships, interface: str) -> OSError | None:
+        attempts.append(None if len(attempts) > 2 else OSError(errno.ENODEV, "no such device"))
+        return attempts[-1]
+
+    monkeypatch.setattr(memberships.Memberships, "_join", join)
+    transport = UdpTransport(US, group=(GROUP, 0))
+    await transport.open()
+    assert transport.counters["multicast.not_joined"] == 1
+    joining = transport._memberships
+    assert joining is not None
+    async with asyncio.timeout(20):
+        while not joining.joined:
+            await asyncio.sleep(0.01)
+    await transport.close()
+    count = len(attempts)
+    await asyncio.sleep(0.05)
+    assert len(attempts) == count
 
 
 async def test_goes_on_when_somebody_has_the_group_s_port(free_port: int) -> None:

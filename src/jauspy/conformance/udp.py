@@ -14,6 +14,7 @@ from jauspy.errors import ProtocolError, TransportError
 from jauspy.ids import JausID
 from jauspy.protocol import judp
 from jauspy.transport import multicast
+from jauspy.transport.memberships import Memberships
 
 Address = tuple[str, int]
 
@@ -93,12 +94,12 @@ class UdpWire:
 
     def _listen(self, interface: str) -> None:
         try:
-            sock, joined = multicast.receiver(self._group, [interface])
+            sock = multicast.receiver(self._group)
         except OSError as error:
             self.notes.append(f"no multicasts are heard: {error.strerror}")
             return
         self._sockets.append(sock)
-        if not joined:
+        if not Memberships(sock, self._group[0], (interface,)).joined:
             self.notes.append(f"the multicast group {self._group[0]} cannot be joined; is there a network?")
 
     def _read(self, sock: socket.socket) -> bytes | None:

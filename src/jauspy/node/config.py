@@ -17,6 +17,7 @@ from jauspy.node.explain import explain
 from jauspy.node.settings import (
     Addresses,
     Group,
+    Group6,
     HostPort,
     IdPattern,
     Interface,
@@ -52,7 +53,9 @@ class NetworkConfig(Settings):
     """Interfaces to join on and send by: addresses, names, or "all"; they may come and go. Empty: the one of `address`,
     or the kernel's choice."""
     address6: IPv6 | None = Field(default=None, examples=["::"])
-    """IPv6 address to speak JUDP on as well, on the same port, without multicast."""
+    """IPv6 address to speak JUDP on as well, on the same port."""
+    multicast_group6: Group6 | None = Field(default=None, examples=["ff15::6a61:7573"])
+    """Group for IPv6 multicasts, beside `multicast_group`; needs `address6`. None is registered for JAUS."""
     key_file: Path | None = Field(default=None, examples=["/etc/jauspy/lan.key"])
     """File with a key of at least 16 bytes that all node managers of this network share. With it every packet is
     authenticated, and packets of others are dropped: only jauspy speaks this. See docs/security.md."""
@@ -61,6 +64,12 @@ class NetworkConfig(Settings):
     def interfaces(self) -> tuple[str, ...]:
         """Where multicasts leave and arrive."""
         return self.multicast_interfaces or (self.address,)
+
+    @model_validator(mode="after")
+    def _check_ipv6(self) -> Self:
+        if self.multicast_group6 is not None and self.address6 is None:
+            raise ValueError('multicast_group6: needs IPv6; set `address6`, as in address6 = "::"')
+        return self
 
 
 class RuleConfig(Settings):

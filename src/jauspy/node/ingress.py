@@ -74,7 +74,7 @@ class Ingress:
             if port is None:
                 if len(ports) > MAX_WAITING:
                     ports.clear()
-                port = ports[sender] = UdpPort(sender[0], sender[1], network)
+                port = ports[sender] = _port(sender, network)
             self._queues[wire.peek_priority(data, skip)].append((data, port))
             self._waiting += 1
         if self._waiting > MAX_WAITING:
@@ -104,3 +104,9 @@ class Ingress:
         if self._waiting:
             self._scheduled = True
             self._loop.call_soon(self._route)
+
+
+def _port(sender: tuple[Any, ...], network: str) -> UdpPort:
+    """A link-local IPv6 address means something only together with its interface."""
+    host, port, *rest = sender
+    return UdpPort(f"{host}%{rest[1]}" if len(rest) == 2 and rest[1] else host, port, network)

@@ -54,8 +54,10 @@ class Mailbox:
             self._loop.add_writer(self._socket, self._drain)
 
     def close(self) -> None:
-        """Forget the component and what waits for it; a second call does nothing."""
+        """Forget the component, and count what waited for it; a second call does nothing."""
         self._disconnect()
+        for _ in range(len(self._waiting)):
+            self._counters.drop("component_gone", self._path)
         self._waiting = Outbox()
 
     def _drain(self) -> None:
@@ -104,6 +106,8 @@ class Mailbox:
     def _lost(self, error: OSError) -> None:
         self._counters.drop("component_gone" if error.errno in _GONE else "local_send", error)
         if error.errno in _GONE:
+            if self._waiting:
+                self._waiting.pop()  # the one that was counted just now
             self.close()
             self._gone(self._path)
 

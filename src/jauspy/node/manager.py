@@ -11,14 +11,16 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Final, Self
 
 from jauspy.ids import JausID
-from jauspy.node import keys, operations, policy
+from jauspy.node import keys, operations, policy, sweep
 from jauspy.node.config import NodeConfig
 from jauspy.node.ingress import Ingress
 from jauspy.node.links import Links
 from jauspy.node.mailbox import Mailbox
 from jauspy.node.network import Network
 from jauspy.node.state import NodeState
+from jauspy.node.sweep import Sweep
 from jauspy.protocol import junior
+from jauspy.protocol.directory import ComponentPort
 from jauspy.protocol.node import NodeCore
 from jauspy.protocol.ports import GroupPort, LocalPort, NetworkPort, Port, SerialPort, TcpPort, UdpPort
 from jauspy.protocol.sources import Sources
@@ -65,6 +67,8 @@ class NodeManager:
         self._links = Links(self._core.counters, self.config.name, self._from_link, self._core.disconnected)
         self._timer: asyncio.TimerHandle | None = None
         self._watch: asyncio.TimerHandle | None = None
+        self._sweep = Sweep(self._core.components, self._is_dead, self._buried)
+        self._sweeping: asyncio.TimerHandle | None = None
         self._extras = AsyncExitStack()
         self._closed = asyncio.Event()
 
@@ -139,16 +143,17 @@ class NodeManager:
             for sock in network.sockets:
                 self._ingress.attach(sock, name, self._udp_error, skip=network.skip)
         self._watch = self._loop.call_later(memberships.WATCH_INTERVAL, self._watch_interfaces)
+        self._sweeping = self._loop.call_later(sweep.INTERVAL, self._sweep_components)
 
     async def close(self) -> None:
         """Give everything back; a second call does nothing."""
         local, self._local = self._local, None
         if local is None:
             return
-        for timer in (self._timer, self._watch):
+        for timer in (self._timer, self._watch, self._sweeping):
             if timer is not None:
                 timer.cancel()
-        self._timer = self._watch = None
+        self._timer = self._watch = self._sweeping = None
         await self._links.close()
         for mailbox in self._mailboxes.values():
             mailbox.close()
@@ -253,6 +258,11 @@ class NodeManager:
         self._core.unreachable(LocalPort(path))
         self._bury(path)
 
+    def _buried(self, port: ComponentPort) -> None:
+        if isinstance(port, LocalPort) and (mailbox := self._mailboxes.pop(port.path, None)) is not None:
+            mailbox.close()
+        self._core.unreachable(port)
+
     def _is_dead(self, path: str) -> bool:
         if not local_socket.is_dead(Path(path)):
             return False
@@ -274,6 +284,10 @@ class NodeManager:
         for network in self._networks.values():
             network.watch_interfaces()
         self._watch = self._loop.call_later(memberships.WATCH_INTERVAL, self._watch_interfaces)
+
+    def _sweep_components(self) -> None:
+        self._sweep.turn()
+        self._sweeping = self._loop.call_later(sweep.INTERVAL, self._sweep_components)
 
     # --- time ----------------------------------------------------------------------------------------------------
 

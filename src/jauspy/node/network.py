@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import errno
 import logging
 import socket
 import struct
@@ -10,9 +9,11 @@ import time
 from collections.abc import Callable
 from typing import Final, NamedTuple
 
-from jauspy.errors import ProtocolError, TransportError
-from jauspy.node import owner, udp_errors
+from jauspy.errors import ProtocolError
+from jauspy.node import udp_errors
+from jauspy.node.binding import bind
 from jauspy.node.config import NetworkConfig
+from jauspy.node.network6 import Network6
 from jauspy.protocol import seal as seal_format
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.ports import UdpPort
@@ -54,9 +55,9 @@ class Network:
         self.config = config
         self.seal = seal
         self._counters = counters
-        self._unicast = _bind(config.address, config.port, receive_buffer)
+        self._unicast = bind(config.address, config.port, receive_buffer)
         self._group: socket.socket | None = None
-        self._unicast6: socket.socket | None = None
+        self._six: Network6 | None = None
         self._memberships: Memberships | None = None
         try:
             multicast.prepare_sender(self._unicast, multicast.ANY, config.multicast_ttl)
@@ -65,7 +66,7 @@ class Network:
             if self._memberships is None or not self._memberships.joined:
                 counters["multicast.not_joined"] += 1
             if config.address6 is not None:
-                self._unicast6 = _bind(config.address6, self.port, receive_buffer)
+                self._six = Network6(config, config.address6, self.port, receive_buffer, counters)
         except BaseException:
             self.close()
             raise
@@ -83,7 +84,8 @@ class Network:
     @property
     def sockets(self) -> list[socket.socket]:
         """The sockets to read from."""
-        return [sock for sock in (self._unicast, self._group, self._unicast6) if sock is not None]
+        six = () if self._six is None else self._six.sockets
+        return [self._unicast, *([self._group] if self._group else ()), *six]
 
     @property
     def buffered(self) -> Buffered:
@@ -111,10 +113,12 @@ class Network:
         """Send now; what cannot be sent is dropped and counted."""
         if self.seal is not None:
             datagram = self.seal.seal(datagram, time.time())
-        sock = self._unicast6 if ":" in host else self._unicast
-        if sock is None:
-            self._counters.drop("no_ipv6", host)
-            return
+        sock = self._unicast
+        if ":" in host:
+            if self._six is None:
+                self._counters.drop("no_ipv6", host)
+                return
+            sock = self._six.unicast
         for attempt in range(2):
             try:
                 sock.sendto(datagram, (host, port))
@@ -138,12 +142,16 @@ class Network:
         """Join the group on interfaces that have come; to be called now and then."""
         if self._memberships is not None:
             self._memberships.refresh()
+        if self._six is not None:
+            self._six.watch_interfaces()
 
     def multicast(self, datagram: bytes) -> None:
         """Send to the group on each interface."""
         for interface in self._memberships.current if self._memberships else self.config.interfaces:
             if self._leave_by(interface):
                 self.send(datagram, self.config.multicast_group, self.port)
+        for group in self._six.groups() if self._six else ():
+            self.send(datagram, group, self.port)
 
     def _leave_by(self, interface: str) -> bool:
         """Let multicasts leave by this interface; false while it is not there."""
@@ -163,32 +171,11 @@ class Network:
     def _join(self) -> Memberships | None:
         config = self.config
         if config.address == multicast.ANY:
-            multicast.join(self._unicast, config.multicast_group, ())  # from now on it hears only what it joins itself
+            multicast.hear_only_joined(self._unicast)
             return Memberships(self._unicast, config.multicast_group, config.interfaces)
         try:
-            self._group, _ = multicast.receiver((config.multicast_group, self.port), ())
+            self._group = multicast.receiver((config.multicast_group, self.port))
         except OSError as error:
             _LOGGER.warning("no multicasts will be received: %s", error.strerror)
             return None
         return Memberships(self._group, config.multicast_group, config.interfaces)
-
-
-def _bind(address: str, port: int, receive_buffer: int) -> socket.socket:
-    family = socket.AF_INET6 if ":" in address else socket.AF_INET
-    sock = socket.socket(family, socket.SOCK_DGRAM)
-    try:
-        sock.setblocking(False)
-        if family == socket.AF_INET6:
-            sock.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_V6ONLY, 1)
-        sock.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, receive_buffer)
-        sock.bind((address, port))
-    except OSError as error:
-        sock.close()
-        if error.errno == errno.EADDRINUSE:
-            raise TransportError(
-                f"UDP port {port} is used by {owner.of_udp_port(port)}; stop it, or choose another port with --port"
-            ) from None
-        if error.errno == errno.EADDRNOTAVAIL:
-            raise TransportError(f"{address} is no address of this machine; choose another with --address") from None
-        raise TransportError(f"cannot bind UDP {address}:{port}: {error.strerror}") from error
-    return sock

@@ -42,6 +42,12 @@ def _ipv6(text: str) -> str:
         raise ValueError("write an IPv6 address, as in fd00::1, or :: for all") from None
 
 
+def _group6(text: str) -> str:
+    if not ipaddress.IPv6Address(_ipv6(text)).is_multicast:
+        raise ValueError("write an IPv6 multicast address, as in ff15::6a61:7573")
+    return _ipv6(text)
+
+
 def _interface(text: str) -> str:
     return text if text and not text[0].isdigit() else _ipv4(text)
 
@@ -100,6 +106,7 @@ IPv6 = Annotated[str, AfterValidator(_ipv6)]
 Interface = Annotated[str, AfterValidator(_interface)]
 Addresses = Annotated[Mapping[str, str | list[str]], AfterValidator(_addresses)]
 Group = Annotated[str, AfterValidator(_group)]
+Group6 = Annotated[str, AfterValidator(_group6)]
 HostPort = Annotated[str, AfterValidator(_host_port)]
 Mirror = Annotated[str, AfterValidator(_mirror)]
 Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9_-]{1,32}$")]

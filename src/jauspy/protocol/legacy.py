@@ -26,7 +26,8 @@ _V1_HEAD: Final = struct.Struct(">B2sH")
 _RA: Final = struct.Struct("<BBHIIHH")
 V1_CODE_AT: Final = _V1_HEAD.size + 2
 """Where the command code is in a version 1 datagram; it stands for the message id of later ones."""
-_RA_VERSION: Final = 2
+RA_VERSION: Final = 2
+RA_SIZE: Final = _RA.size
 _MAX_DATA: Final = 0xFFF
 _FLAGS: Final = {0: DataFlag.SINGLE, 1: DataFlag.FIRST, 2: DataFlag.MIDDLE, 4: DataFlag.MIDDLE, 8: DataFlag.LAST}
 """From data control; 4 is a piece in the middle that is sent again."""
@@ -111,17 +112,17 @@ def priority(data: bytes) -> int:
 
 
 def _parse_ra(body: bytes, dialect: Dialect) -> LegacyPacket:
-    if len(body) < _RA.size:
+    if len(body) < RA_SIZE:
         raise ProtocolError("truncated", f"{len(body)} bytes are too few for a JAUS RA header")
     properties, version, code, destination, source, size, _ = _RA.unpack_from(body)
-    if version != _RA_VERSION:
-        raise ProtocolError("ra_version", f"version {version} of the JAUS RA header is not {_RA_VERSION}")
-    payload = body[_RA.size :]
+    if version != RA_VERSION:
+        raise ProtocolError("ra_version", f"version {version} of the JAUS RA header is not {RA_VERSION}")
+    payload = body[RA_SIZE:]
     if len(payload) & _MAX_DATA != size & _MAX_DATA:
         raise ProtocolError("size", f"a data size of {size & _MAX_DATA} with {len(payload)} bytes")
     control = _priority(properties) | (properties >> 4 & 3) << 4 | _flag(size >> 12) << 6
-    raw = RawPacket(0, len(body), _RA.size, control, destination, source)
-    return LegacyPacket(dialect, code, raw, body[: _RA.size], payload)
+    raw = RawPacket(0, len(body), RA_SIZE, control, destination, source)
+    return LegacyPacket(dialect, code, raw, body[:RA_SIZE], payload)
 
 
 def _flag(control: int) -> DataFlag:

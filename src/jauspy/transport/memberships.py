@@ -7,10 +7,10 @@ import errno
 import logging
 import os
 import socket
-from collections.abc import Sequence
+import sys
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from typing import Final
-
-import psutil
 
 from jauspy.transport import multicast
 
@@ -22,13 +22,21 @@ WATCH_INTERVAL: Final = 5.0
 """Seconds between two looks at the machine's interfaces; a robot may be up before its network is."""
 
 
+@dataclass(frozen=True, slots=True)
+class Family:
+    """How sockets of one address family join groups. `present` gives the interfaces, now, of what was chosen."""
+
+    level: int
+    join: int
+    leave: int
+    present: Callable[[Sequence[str]], tuple[str, ...]]
+    membership: Callable[[str, str], bytes]
+
+
 def addresses(chosen: Sequence[str]) -> tuple[str, ...]:
     """The IPv4 addresses, present now, of what was chosen by address, by name, or as `ALL`."""
+    present = _present(socket.AF_INET)
     found: dict[str, None] = {}
-    present = {
-        name: [each.address for each in entries if each.family == socket.AF_INET]
-        for name, entries in psutil.net_if_addrs().items()
-    }
     for each in chosen:
         if each == ALL:
             own = [address for name in present for address in present[name] if not address.startswith("127.")]
@@ -44,14 +52,63 @@ def addresses(chosen: Sequence[str]) -> tuple[str, ...]:
     return tuple(found)
 
 
-class Memberships:
-    """Keeps a socket in the group on all chosen interfaces. `current` are their addresses, to send by."""
+def names(chosen: Sequence[str]) -> tuple[str, ...]:
+    """The names of the interfaces with IPv6, present now; `ANY` stays, for the kernel's choice."""
+    present = _present(socket.AF_INET6)
+    addressed = _present(socket.AF_INET)
+    found: dict[str, None] = {}
+    for each in chosen:
+        if each == ALL:
+            own = [name for name in present if "::1" not in present[name]]
+        elif each == multicast.ANY:
+            own = [each]
+        else:
+            own = [name for name in present if each in (name, *present[name], *addressed.get(name, ()))]
+        found.update(dict.fromkeys(own))
+    return tuple(found)
 
-    def __init__(self, sock: socket.socket, group: str, chosen: Sequence[str]) -> None:
+
+def index(name: str) -> int:
+    """The kernel's number of an interface, 0 for `ANY`; raises `OSError` when it is gone."""
+    return 0 if name == multicast.ANY else socket.if_nametoindex(name)
+
+
+def _present(family: socket.AddressFamily) -> dict[str, list[str]]:
+    """Names and addresses, for those that have any; a link-local address is without its scope."""
+    import psutil  # noqa: PLC0415 - a component that hears no multicasts does without it
+
+    found = {
+        name: [each.address.partition("%")[0] for each in entries if each.family == family]
+        for name, entries in psutil.net_if_addrs().items()
+    }
+    return {name: own for name, own in found.items() if own}
+
+
+IPV4: Final = Family(
+    socket.IPPROTO_IP,
+    socket.IP_ADD_MEMBERSHIP,
+    socket.IP_DROP_MEMBERSHIP,
+    addresses,
+    lambda group, address: socket.inet_aton(group) + socket.inet_aton(address),
+)
+IPV6: Final = Family(
+    socket.IPPROTO_IPV6,
+    socket.IPV6_JOIN_GROUP,
+    socket.IPV6_LEAVE_GROUP,
+    names,
+    lambda group, name: socket.inet_pton(socket.AF_INET6, group) + index(name).to_bytes(4, sys.byteorder),
+)
+
+
+class Memberships:
+    """Keeps a socket in the group on all chosen interfaces. `current` are they, to send by: IPv4 addresses or names."""
+
+    def __init__(self, sock: socket.socket, group: str, chosen: Sequence[str], family: Family = IPV4) -> None:
         self.current: tuple[str, ...] = ()
         self._socket = sock
         self._group = group
         self._chosen = tuple(chosen)
+        self._family = family
         self._joined: set[str] = set()
         self._told: set[str] = set()
         self.refresh()
@@ -63,8 +120,8 @@ class Memberships:
 
     def refresh(self) -> None:
         """Join everywhere, again: an interface that went and came back is a new one to the kernel."""
-        found = {each: addresses([each]) for each in self._chosen}
-        self.current = tuple(dict.fromkeys(address for own in found.values() for address in own))
+        found = {each: self._family.present([each]) for each in self._chosen}
+        self.current = tuple(dict.fromkeys(interface for own in found.values() for interface in own))
         for gone in self._joined.difference(self.current):
             self._leave(gone)
         for each, own in found.items():
@@ -78,9 +135,9 @@ class Memberships:
                 self._failed(interface, error.strerror)
 
     def _join(self, interface: str) -> OSError | None:
-        membership = socket.inet_aton(self._group) + socket.inet_aton(interface)
+        family = self._family
         try:
-            self._socket.setsockopt(socket.IPPROTO_IP, socket.IP_ADD_MEMBERSHIP, membership)
+            self._socket.setsockopt(family.level, family.join, family.membership(self._group, interface))
         except OSError as error:
             return None if error.errno == errno.EADDRINUSE else error  # in use: joined before
         return None
@@ -105,6 +162,6 @@ class Memberships:
 
     def _leave(self, interface: str) -> None:
         self._joined.discard(interface)
-        membership = socket.inet_aton(self._group) + socket.inet_aton(interface)
+        family = self._family
         with contextlib.suppress(OSError):  # the kernel has left by itself with the interface
-            self._socket.setsockopt(socket.IPPROTO_IP, socket.IP_DROP_MEMBERSHIP, membership)
+            self._socket.setsockopt(family.level, family.leave, family.membership(self._group, interface))

@@ -2,20 +2,16 @@
 
 from __future__ import annotations
 
-import errno
-import logging
 import socket
-from collections.abc import Sequence
 from typing import Final
-
-_LOGGER = logging.getLogger(__name__)
 
 ANY: Final = "0.0.0.0"  # noqa: S104  # the standard's node managers listen on every interface
 
 RECEIVE_BUFFER: Final = 4 * 1024 * 1024
 """Bytes asked of the kernel, so that a burst survives until it is read; the kernel may give less."""
 _IP_MULTICAST_ALL: Final = 49
-"""From linux/in.h; 0: only what this socket joined itself."""
+_IPV6_MULTICAST_ALL: Final = 29
+"""From linux/in.h and in6.h; 0: only what this socket joined itself."""
 
 
 def prepare_sender(sock: socket.socket, interface: str, ttl: int) -> None:
@@ -26,36 +22,35 @@ def prepare_sender(sock: socket.socket, interface: str, ttl: int) -> None:
         sock.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_IF, socket.inet_aton(interface))
 
 
-def join(sock: socket.socket, group: str, interfaces: Sequence[str]) -> int:
-    """Join the group on each interface; returns on how many that worked. A machine without a network is no error."""
+def prepare_ipv6(sock: socket.socket, hops: int) -> None:
+    """Multicasts come back to this host, and only groups that this socket joins arrive."""
+    sock.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_MULTICAST_HOPS, hops)
+    sock.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_MULTICAST_LOOP, 1)
+    sock.setsockopt(socket.IPPROTO_IPV6, _IPV6_MULTICAST_ALL, 0)
+
+
+def hear_only_joined(sock: socket.socket) -> None:
+    """From now on it receives no group that another socket of this machine has joined."""
     sock.setsockopt(socket.IPPROTO_IP, _IP_MULTICAST_ALL, 0)
-    joined = 0
-    for interface in interfaces:
-        membership = socket.inet_aton(group) + socket.inet_aton(interface)
-        try:
-            sock.setsockopt(socket.IPPROTO_IP, socket.IP_ADD_MEMBERSHIP, membership)
-        except OSError as error:
-            if error.errno == errno.EADDRINUSE:  # by another address of the same interface
-                joined += 1
-                continue
-            _LOGGER.info("cannot join %s on %s: %s", group, interface, error.strerror)
-        else:
-            joined += 1
-    return joined
 
 
-def receiver(group: tuple[str, int], interfaces: Sequence[str]) -> tuple[socket.socket, int]:
-    """A socket that receives nothing but the group, beside other such sockets, and on how many interfaces it does.
+def receiver(group: tuple[str, int]) -> socket.socket:
+    """A socket that can receive nothing but the group, as soon as it joins it, beside other such sockets.
 
     Raises `OSError`, as when a node manager on all addresses of this machine has the port for itself.
     """
-    sock = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+    family = socket.AF_INET6 if ":" in group[0] else socket.AF_INET
+    sock = socket.socket(family, socket.SOCK_DGRAM)
     try:
         sock.setblocking(False)
         sock.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, RECEIVE_BUFFER)
         sock.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         sock.bind(group)
-        return sock, join(sock, group[0], interfaces)
+        if family == socket.AF_INET:
+            hear_only_joined(sock)
+        else:
+            sock.setsockopt(socket.IPPROTO_IPV6, _IPV6_MULTICAST_ALL, 0)
     except OSError:
         sock.close()
         raise
+    return sock

@@ -25,7 +25,8 @@ LAST_RETRY: Final = 10.0
 class StreamLink(asyncio.Protocol):
     """An open connection. `took(link, datagram)` gets each packet, `ended(link)` is called once when it is closed.
 
-    A stream that lost its boundaries is closed: nothing else brings them back.
+    A stream that lost its boundaries is closed: nothing else brings them back. A link is bound to one version: who
+    opens it greets with that of AS5669A; who was called (`began`) greets with what it has heard, before it sends.
     """
 
     def __init__(
@@ -41,6 +42,7 @@ class StreamLink(asyncio.Protocol):
         self._ended = ended
         self._began = began
         self._decoder = jtcp.StreamDecoder()
+        self._greeted: int | None = None
         self._transport: asyncio.Transport | None = None
         self._paused = False
         self._waiting = Outbox()
@@ -49,10 +51,10 @@ class StreamLink(asyncio.Protocol):
         """Send a checked datagram, or have it wait for room; false when it cannot go this way."""
         if self._transport is None or self._transport.is_closing():
             self._counters.drop("tcp_closed", self.peer)
-        elif datagram[0] != header.VERSION:
-            self._counters.drop("tcp_version", f"version {datagram[0]} is not sent by TCP")
+        elif datagram[0] != self._greet(self._transport):
+            self._counters.drop("tcp_version", f"version {datagram[0]} to {self.peer}, which speaks {self._greeted}")
         elif not self._paused:
-            self._transport.write(jtcp.frame(datagram))
+            self._transport.write(self._decoder.frame(datagram))
             return True
         else:
             for _ in range(self._waiting.push(datagram)):
@@ -66,13 +68,14 @@ class StreamLink(asyncio.Protocol):
             self._transport.abort()
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
-        """Greet."""
+        """Greet, or tell the owner that somebody has called."""
         self._transport = cast("asyncio.Transport", transport)
         self.peer = transport.get_extra_info("peername")[:2]
         self._transport.set_write_buffer_limits(high=HIGH_WATER)
-        self._transport.write(jtcp.GREETING)
         if self._began is not None:
             self._began(self)
+        else:
+            self._greet(self._transport)
 
     def data_received(self, data: bytes) -> None:
         """Hand up whole packets."""
@@ -87,6 +90,13 @@ class StreamLink(asyncio.Protocol):
         for datagram in datagrams:
             self._took(self, datagram)
 
+    def _greet(self, transport: asyncio.Transport) -> int:
+        """Say once which version is spoken here; returns it."""
+        if self._greeted is None:
+            self._greeted = self._decoder.version or header.VERSION
+            transport.write(bytes([self._greeted]))
+        return self._greeted
+
     def pause_writing(self) -> None:
         """The peer does not read: packets wait."""
         self._paused = True
@@ -97,7 +107,7 @@ class StreamLink(asyncio.Protocol):
         while self._waiting and not self._paused and self._transport is not None:
             datagram = self._waiting.peek()
             self._waiting.pop()
-            self._transport.write(jtcp.frame(datagram))
+            self._transport.write(self._decoder.frame(datagram))
 
     def connection_lost(self, _error: Exception | None) -> None:
         """Tell the owner, and count what waited."""

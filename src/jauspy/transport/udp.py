@@ -13,8 +13,9 @@ from jauspy.protocol import addressing, judp
 from jauspy.protocol.address_book import Address, AddressBook
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.ports import UdpPort
-from jauspy.transport import draining, multicast
+from jauspy.transport import draining, memberships, multicast
 from jauspy.transport.base import Receiver, ignore
+from jauspy.transport.memberships import Memberships
 
 _LOGGER = logging.getLogger(__name__)
 
@@ -45,6 +46,8 @@ class UdpTransport:
         self._counters = Counters(_LOGGER)
         self._socket: socket.socket | None = None
         self._group_socket: socket.socket | None = None
+        self._memberships: Memberships | None = None
+        self._watch: asyncio.TimerHandle | None = None
 
     @property
     def connected(self) -> bool:
@@ -76,8 +79,10 @@ class UdpTransport:
 
     async def close(self) -> None:
         """Close the sockets."""
+        if self._watch is not None:
+            self._watch.cancel()
         sockets = (self._socket, self._group_socket)
-        self._socket = self._group_socket = None
+        self._socket = self._group_socket = self._memberships = self._watch = None
         for sock in sockets:
             if sock is not None:
                 draining.detach(asyncio.get_running_loop(), sock)
@@ -103,14 +108,24 @@ class UdpTransport:
     def _listen_to(self, group: Address) -> None:
         """Without it answers still arrive; a node manager that has the port for itself would be asked instead."""
         try:
-            sock, joined = multicast.receiver(group, [self._interface])
+            sock = multicast.receiver(group)
         except OSError as error:
             self._counters["multicast.not_joined"] += 1
             _LOGGER.info("no multicasts will be received: %s", error.strerror)
             return
-        self._counters["multicast.not_joined"] += not joined
+        self._memberships = Memberships(sock, group[0], (self._interface,))
+        self._counters["multicast.not_joined"] += not self._memberships.joined
         self._group_socket = sock
-        draining.attach(asyncio.get_running_loop(), sock, self._take, self._failed)
+        loop = asyncio.get_running_loop()
+        draining.attach(loop, sock, self._take, self._failed)
+        self._watch = loop.call_later(memberships.WATCH_INTERVAL, self._watch_interfaces)
+
+    def _watch_interfaces(self) -> None:
+        """Join on a network that has come up since, or is back."""
+        if self._memberships is not None:
+            self._memberships.refresh()
+            loop = asyncio.get_running_loop()
+            self._watch = loop.call_later(memberships.WATCH_INTERVAL, self._watch_interfaces)
 
     def _send_to(self, sock: socket.socket, datagram: bytes, address: Address) -> None:
         try:
