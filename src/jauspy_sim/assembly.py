@@ -19,6 +19,10 @@ TIMESTEP: Final = 0.002
 ROTOR_INERTIA: Final = 0.02
 """Armature of a joint as a part of its greatest effort: what geared rotors add to what a joint moves."""
 
+SEEN: Final = 1
+COLLIDING: Final = 3
+"""Groups of a robot's geometries: MuJoCo draws the first and hides the second. A world's own are in group 0."""
+
 
 def known_worlds() -> list[str]:
     """Names of the worlds that come along, sorted."""
@@ -49,10 +53,12 @@ def robot_spec(robot: RobotModel) -> mujoco.MjSpec:
     base.add_freejoint(name="base")
     for joint in robot.description.joints.values():
         _dynamics(spec, joint)
-    for track in (robot.tracks.left, robot.tracks.right):
-        _belt(spec, robot.description.joint(track), robot.tracks)
+    for belt in robot.tracks.left + robot.tracks.right:
+        _belt(spec, robot.description.joint(belt), robot.tracks)
     for link, coefficient in robot.description.friction.items():
         _grip(spec, link, coefficient)
+    for geom in spec.geoms:
+        geom.group = SEEN if not (geom.contype or geom.conaffinity) else COLLIDING
     return spec
 
 

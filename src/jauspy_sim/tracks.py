@@ -25,7 +25,7 @@ def roll_pitch_yaw(w: float, x: float, y: float, z: float) -> tuple[float, float
 
 
 class TrackedDrive:
-    """A `DriveBase`: free joint `base`, joints and motors of two belts, their names after `prefix`."""
+    """A `DriveBase`: free joint `base`, joints and motors of the belts, their names after `prefix`."""
 
     def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, prefix: str, tracks: TrackSetup) -> None:
         self._model = model
@@ -33,7 +33,8 @@ class TrackedDrive:
         base = model.joint(f"{prefix}base")
         self._base_position = slice(base.qposadr[0], base.qposadr[0] + 7)
         self._base_velocity = slice(base.dofadr[0], base.dofadr[0] + 6)
-        names = [f"{prefix}{name}" for name in (tracks.left, tracks.right)]
+        names = [f"{prefix}{name}" for name in tracks.left + tracks.right]
+        self._lefts, self._rights = len(tracks.left), len(tracks.right)
         belts = [model.joint(name) for name in names]
         self._belt_positions = [int(belt.qposadr[0]) for belt in belts]
         self._belt_dofs = [int(belt.dofadr[0]) for belt in belts]
@@ -44,8 +45,9 @@ class TrackedDrive:
 
     def set_effort(self, linear_x: float, rotational_z: float) -> None:
         """Drive with fractions of the motors' full force, -1..1; positive z turns left. Zero brakes."""
-        efforts = mix(linear_x, rotational_z)
-        braking = not any(efforts)
+        left, right = mix(linear_x, rotational_z)
+        braking = not (left or right)
+        efforts = (left,) * self._lefts + (right,) * self._rights
         rows = zip(self._motors, self._forces, self._belt_dofs, self._gear_friction, efforts, strict=True)
         for motor, force, dof, friction, effort in rows:
             self._data.ctrl[motor] = -force * effort  # on the ground a belt runs backward when the robot drives forward

@@ -9,7 +9,10 @@ from jauspy.messages import registry
 def test_an_id_of_two_messages_is_not_guessed() -> None:
     content = read_message(bytes.fromhex("2af900"), registry)
     assert content.message is None
-    assert content.problem == "message F92Ah is CBRNScanWindowConfigurationCommand or QueryMeasurement"
+    assert content.problem == (
+        "message F92Ah is CBRNScanWindowConfigurationCommand of iop:CBRNSensor 1.1 or "
+        "QueryMeasurement of iop:MeasurementSensor 1.1; say which service is meant"
+    )
 
 
 def test_an_unknown_id() -> None:

@@ -62,9 +62,9 @@ async def test_it_is_given_its_id_by_what_an_action_decides(root: Path, manager:
         assert me.id == jauspy.JausID(0, 0, 101)
         master.send("101.255.255", QueryHeartbeatPulse())
         await until(lambda: str(me.id) == HOME and me.is_connected)
-        async with asyncio.timeout(20):
-            while {str(each.id) for each in (robot := await ocu.discover(101)).components} != {"101.1.1", HOME}:
-                pass
+        robot = await ocu.discover(101)
+        while {str(each.id) for each in robot.components} != {"101.1.1", HOME}:
+            robot = await ocu.discover(101)
         assert robot.component(HOME).info.name == "the mover"
         await ocu.query(HOME, QueryTime(0xFF))
         with pytest.raises(ResponseTimeout):

@@ -12,8 +12,8 @@ subsystem = 7
 node = 2
 
 [tracks]
-left = "left"
-right = "right"
+left = ["left"]
+right = ["right"]
 
 [[modules]]
 type = "CM-MOB"

@@ -17,12 +17,14 @@ from itertools import count
 import pytest
 
 from jauspy.codec.base import Message
+from jauspy.codec.registry import Registry
 from jauspy.component import Shell
 from jauspy.ids import JausID
 from jauspy.ocu import OCU
 from jauspy.platform.contract import Pose, Twist
 from jauspy.protocol.header import Packet
 from jauspy.protocol.judp import unpack_all
+from jauspy.schema import Schema
 from jauspy.services.core import AccessControl, Discovery, Events, Identity, Liveness
 from jauspy.services.host import Host
 from jauspy.services.mobility import LocalPoseSensor, PrimitiveDriver, VelocityStateSensor
@@ -109,8 +111,12 @@ class World:
     def transport(self, id: JausID) -> LoopbackTransport:
         return LoopbackTransport(id, self.network)
 
-    async def component(self, id: JausID, services: Iterable[Service]) -> Shell:
-        host = Host(id, services, utc_now=lambda: datetime.now(UTC), now=time.monotonic())
+    async def component(
+        self, id: JausID, services: Iterable[Service], schema: Schema | None = None, registry: Registry | None = None
+    ) -> Shell:
+        host = Host(
+            id, services, utc_now=lambda: datetime.now(UTC), now=time.monotonic(), schema=schema, registry=registry
+        )
         return await self._stack.enter_async_context(Shell(host, self.transport(id)))
 
     async def robot(self, id: JausID = ROBOT, *, drive: FakeDrive | None = None, timeout: int = 5) -> Shell:
@@ -131,8 +137,11 @@ class World:
             ],
         )
 
-    async def ocu(self, id: str = "42.1.1", *, timeout: float = 0.1, retries: int = 3) -> OCU:
-        ocu = OCU(id, transport=self.transport(JausID.parse(id)), timeout=timeout, retries=retries)
+    async def ocu(
+        self, id: str = "42.1.1", *, timeout: float = 0.1, retries: int = 3, registry: Registry | None = None
+    ) -> OCU:
+        transport = self.transport(JausID.parse(id))
+        ocu = OCU(id, transport=transport, timeout=timeout, retries=retries, registry=registry)
         return await self._stack.enter_async_context(ocu)
 
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 from jauspy.codec.base import Message, too_short
+from jauspy.codec.entries import NO_HINTS, Collision, Entry, Hints
 from jauspy.codec.registry import Registry
 from jauspy.errors import DecodeError, EncodeError, ProtocolError
 from jauspy.protocol import judp, junior
@@ -15,6 +16,7 @@ V1_MARK: Final = 0x01
 OPC_MARK: Final = b"JAUS01.0"  # OpenJAUS 2.75 and others of its time wrote this before an AS5669 v1 header
 # A JAUS Toolset component that sends with priority 0 sets all bits of the control byte.
 PRIORITY_ZERO: Final = "control byte FF, as a faulty sender of priority 0 sets it; taken for a single packet"
+STANDARD: Final = "urn:jaus:jss:"
 OLD_HEADER: Final = "AS5669 v1/OPC header, not decoded"
 
 
@@ -23,7 +25,7 @@ class Content:
     """The message of a packet or of bare bytes, as far as it can be read.
 
     `message` is None when there is none (an acknowledgement, a later fragment), when its code is unknown, or when its
-    bytes are wrong; `problem` then says which.
+    bytes are wrong; `problem` then says which. `others` is what the id means besides, unless it was said what is meant.
     """
 
     payload: bytes
@@ -31,6 +33,7 @@ class Content:
     deviations: tuple[str, ...] = ()
     problem: str = ""
     broken: bool = False
+    others: tuple[Entry, ...] = ()
 
     @property
     def code(self) -> int | None:
@@ -86,12 +89,12 @@ class Dissection:
         return all(part.content.reencodes for part in self.parts) and self.data[:1] + again == self.data
 
 
-def dissect(data: bytes, registry: Registry) -> Dissection:
-    """Take a UDP payload apart. Never raises: what is wrong is in `errors`."""
+def dissect(data: bytes, registry: Registry, wanted: Hints = NO_HINTS) -> Dissection:
+    """Take a UDP payload apart; `wanted` as in `read_message`. Never raises: what is wrong is in `errors`."""
     if is_old_header(data):
         return Dissection(data, note=OLD_HEADER)
     packets, problems = judp.unpack_all(data)
-    parts = tuple(Part(packet, _content_of(packet, registry)) for packet in packets)
+    parts = tuple(Part(packet, _content_of(packet, registry, wanted)) for packet in packets)
     errors = [_sentence(problem) for problem in problems]
     errors += [part.content.problem for part in parts if part.content.broken]
     return Dissection(data, parts, tuple(errors))
@@ -107,18 +110,30 @@ def local_control(data: bytes) -> Dissection | None:
     return Dissection(data, note=f"{kind} {to_or_from} {control.id}, of the Junior local protocol")
 
 
-def read_message(payload: bytes, registry: Registry) -> Content:
-    """Decode a bare message (message id first)."""
+def read_message(payload: bytes, registry: Registry, wanted: Hints = NO_HINTS) -> Content:
+    """Decode a bare message (message id first).
+
+    Where an id means several things, that of the service, version or name in `wanted` is taken, as far as there is one.
+    """
     if len(payload) < 2:
         return Content(payload, problem=too_short(payload).reason, broken=True)
+    code = int.from_bytes(payload[:2], "little")
+    hints = registry.narrowed(code, wanted) if wanted != NO_HINTS else NO_HINTS
     try:
-        message, deviations = registry.decode(payload, strict=False)
+        message, deviations = registry.decode(
+            payload, service=hints.service, version=hints.version, message=hints.message, strict=False
+        )
     except DecodeError:
-        code = int.from_bytes(payload[:2], "little")
-        names = [entry.name for entry in collision.entries] if (collision := registry.collision(code)) else []
-        what = f"message {code:04X}h is {' or '.join(names)}" if names else f"unknown message {code:04X}h"
-        return Content(payload, problem=what)
-    return Content(payload, message, tuple(str(deviation) for deviation in deviations))
+        return Content(payload, problem=_undecided(code, registry.collision(code, hints)))
+    others = registry.others(type(message)) if hints == NO_HINTS else ()
+    return Content(payload, message, tuple(map(str, deviations)), others=others)
+
+
+def _undecided(code: int, collision: Collision | None) -> str:
+    if collision is None:
+        return f"unknown message {code:04X}h"
+    names = [f"{each.name} of {each.service.removeprefix(STANDARD)} {each.version}" for each in collision.entries]
+    return f"message {code:04X}h is {' or '.join(names)}; say which {collision.remedy} is meant"
 
 
 def is_old_header(data: bytes) -> bool:
@@ -126,18 +141,18 @@ def is_old_header(data: bytes) -> bool:
     return data.startswith(OPC_MARK) or (data[:1] == bytes([V1_MARK]) and len(data) >= 21)
 
 
-def _content_of(packet: Packet, registry: Registry) -> Content:
+def _content_of(packet: Packet, registry: Registry, wanted: Hints) -> Content:
     payload = bytes(packet.payload)
     if not payload:
         return Content(payload)
     if packet.broadcast == Broadcast.RESERVED and packet.ack == Ack.ACK and packet.data_flag == DataFlag.LAST:
-        content = read_message(payload, registry)
+        content = read_message(payload, registry, wanted)
         return replace(content, deviations=(PRIORITY_ZERO, *content.deviations))
     if packet.ack == Ack.ACK:
         return Content(payload, problem="an acknowledgement with a payload, not decoded")
     if packet.data_flag != DataFlag.SINGLE:
         return Content(payload, problem=f"{packet.data_flag.name.lower()} fragment, {len(payload)} bytes")
-    return read_message(payload, registry)
+    return read_message(payload, registry, wanted)
 
 
 def _sentence(problem: ProtocolError) -> str:

@@ -7,6 +7,8 @@ from typing import Annotated
 
 import typer
 
+from jauspy.cli.definitions import Beside, ServiceName, ServiceVersion
+
 
 class What(StrEnum):
     """What pasted bytes are."""
@@ -32,22 +34,36 @@ def decode(
         What | None,
         typer.Option("--as", help="What the hex text is. Default: a datagram (01 or 02 first), else a bare message."),
     ] = None,
+    sources: Beside = None,
+    service: ServiceName = None,
+    version: ServiceVersion = None,
+    message: Annotated[
+        str | None, typer.Option("--message", metavar="NAME", help="The message meant where one service has several.")
+    ] = None,
 ) -> None:
     """Print the JAUS messages in a capture file or in hex text.
 
     Values are in SI units and radians. Yellow lines say how bytes deviate from the definition. The exit status is 1
     when something could not be read.
 
+    A message id is read as in the newest version of its service; where other versions differ, it is said. --service,
+    --version and --message tell what is meant; ids that they do not speak of are read as without them.
+
     Examples:
       jauspy decode run.pcap --json
       jauspy decode --explain 02001000010a017e0014017e0002200200
       tcpdump -w - udp | jauspy decode -
+      jauspy decode arm.pcap --from vendor/ --version 1.0
     """
-    from jauspy.cli.sources import items
+    from jauspy.cli.definitions import definitions
+    from jauspy.cli.sources import Reading, items
     from jauspy.cli.traffic import HumanPrinter, JsonPrinter
 
-    printer = JsonPrinter() if as_json else HumanPrinter(explain=explain)
-    for item in items(source, port=_port(port), what=None if what is None else what.value):
+    known = definitions(sources)
+    wanted = known.hints(service, version, message)
+    reading = Reading(known.registry, wanted, _port(port), None if what is None else what.value)
+    printer = JsonPrinter() if as_json else HumanPrinter(known if explain else None)
+    for item in items(source, reading):
         printer.show(item)
     if printer.failed:
         raise typer.Exit(1)

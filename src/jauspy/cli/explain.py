@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from functools import cache
+from collections.abc import Callable, Iterator
 from typing import Any, Final
 
 from rich.text import Text
@@ -12,17 +11,17 @@ from jauspy.capture.dissect import Content
 from jauspy.codec import reference
 from jauspy.codec.base import Message
 from jauspy.errors import DecodeError
-from jauspy.schema import Schema, load_builtin, model
+from jauspy.schema import model
 
 _BYTES_SHOWN: Final = 8
 
 
-def explanation(content: Content) -> Iterator[Text]:
+def explanation(content: Content, model_of: Callable[[type[Message]], model.Message]) -> Iterator[Text]:
     """A table of the fields of a message, without rules so that it can be searched; nothing where nothing is known."""
     if content.message is None:
         return
     try:
-        rows = reference.explain(definition_of(type(content.message)), content.payload)
+        rows = reference.explain(model_of(type(content.message)), content.payload)
     except DecodeError as error:
         yield Text(f"not explained: {error}", style="yellow")
         return
@@ -47,17 +46,6 @@ def explanation(content: Content) -> Iterator[Text]:
             value,
             style="" if number else "dim",
         )
-
-
-def definition_of(kind: type[Message]) -> model.Message:
-    """The JSIDL definition of one of the built-in messages."""
-    service = _schema().service(kind.SERVICE, kind.VERSION)
-    return next(message for message in service.messages if message.code == kind.CODE)
-
-
-@cache
-def _schema() -> Schema:
-    return load_builtin()
 
 
 def _hex(data: bytes) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from difflib import get_close_matches
 from typing import Any, Final
 
@@ -10,6 +11,7 @@ import yaml
 
 from jauspy.cli.render import unit_symbol
 from jauspy.codec.base import Message
+from jauspy.codec.entries import NO_HINTS, Hints
 from jauspy.codec.items import Bits, Blob, Choice, Formatted, Item, Number, Real, Text
 from jauspy.codec.layout import Composite, Grid, Repeat, Slot, Union
 from jauspy.codec.registry import Registry
@@ -19,13 +21,13 @@ from jauspy.errors import ConfigError, EncodeError
 _PRESENCE: Final = "presence_vector"
 
 
-def message_from(registry: Registry, name: str, assignments: Sequence[str]) -> Message:
-    """The message with this JAUS name and these fields.
+def message_from(registry: Registry, name: str, assignments: Sequence[str], hints: Hints = NO_HINTS) -> Message:
+    """The message with this JAUS name and these fields, of the service and version in `hints`.
 
     A query's presence vector may be left out: it then asks for all there is. Raises `ConfigError` that lists the
     fields with types, ranges and units.
     """
-    cls = registry.by_name(name)
+    cls = registry.by_name(name, service=hints.service, version=hints.version)
     layout = cls.layout()
     assert isinstance(layout, Composite)
     data: dict[str, Any] = {}
@@ -54,13 +56,21 @@ def everything(registry: Registry, query: type[Message]) -> int:
     assert isinstance(layout, Composite)
     item = next(slot.item for slot in layout.slots if slot.name == _PRESENCE)
     every = limits(item.code)[1] if isinstance(item, Number) else 0xFF
-    try:
-        report = registry.by_name(query.NAME.replace("Query", "Report", 1)).layout()
-    except ConfigError:
+    report = _report_of(registry, query)
+    if report is None:
         return every
     assert isinstance(report, Composite)
     optional = sum(slot.optional for slot in report.slots)
     return (1 << optional) - 1 if optional else every
+
+
+def _report_of(registry: Registry, query: type[Message]) -> Item | None:
+    """The layout of the report to a query: that of the same service and version, else the newest."""
+    name = query.NAME.replace("Query", "Report", 1)
+    for place in ({"service": query.SERVICE, "version": query.VERSION}, {}):
+        with suppress(ConfigError):
+            return registry.by_name(name, **place).layout()
+    return None
 
 
 def describe(cls: type[Message]) -> str:

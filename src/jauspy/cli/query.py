@@ -6,11 +6,13 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from jauspy.cli.definitions import Beside, ServiceName, ServiceVersion
 from jauspy.cli.options import Connect, OwnId, Timeout
 
 if TYPE_CHECKING:
     from jauspy.codec.base import Message
     from jauspy.ids import JausID
+    from jauspy.ocu import OCU
 
 Destination = Annotated[
     str, typer.Argument(metavar="ID", help="The component, as in 101.1.102; 65535, 255 and 255 stand for all.")
@@ -31,6 +33,9 @@ def query(
     destination: Destination,
     message: MessageName,
     fields: Fields = None,
+    sources: Beside = None,
+    service: ServiceName = None,
+    version: ServiceVersion = None,
     connect: Connect = None,
     own_id: OwnId = None,
     timeout: Timeout = 2.0,
@@ -47,36 +52,35 @@ def query(
       jauspy query 65535.255.255 QueryIdentification query_type=2
     """
     from jauspy.cli import addresses
+    from jauspy.cli.definitions import definitions
     from jauspy.cli.fields import message_from
     from jauspy.cli.run import run
     from jauspy.errors import ConfigError
-    from jauspy.messages import registry
-    from jauspy.ocu.link import is_query
-
-    to = addresses.destination(destination)
-    question = message_from(registry, message, fields or [])
-    if not is_query(type(question)):
-        raise ConfigError(f"{question.NAME} is no query, nothing would answer it; use `jauspy send`")
-    ask = _ask_all if to.is_wildcard else _ask
-    run(ask(addresses.own_id(own_id, connect), connect, to, question, timeout))
-
-
-async def _ask(own_id: str, connect: str | None, to: JausID, question: Message, patience: float) -> None:
-    """One answer; the patience is cut into three attempts, for datagrams get lost."""
     from jauspy.ocu import OCU
 
-    async with OCU(own_id, connect, timeout=patience / 3, retries=2) as ocu:
+    to = addresses.destination(destination)
+    known = definitions(sources)
+    question = message_from(known.registry, message, fields or [], known.hints(service, version))
+    if not question.IS_QUERY:
+        raise ConfigError(f"{question.NAME} is no query, nothing would answer it; use `jauspy send`")
+    # The patience for one answer is cut into three attempts, for datagrams get lost.
+    ocu = OCU(addresses.own_id(own_id, connect), connect, timeout=timeout / 3, retries=2, registry=known.registry)
+    run(_ask_all(ocu, to, question, timeout) if to.is_wildcard else _ask(ocu, to, question))
+
+
+async def _ask(ocu: OCU, to: JausID, question: Message) -> None:
+    """One answer."""
+    async with ocu:
         answer = await ocu.query(to, question)
     _show(answer, to)
 
 
-async def _ask_all(own_id: str, connect: str | None, to: JausID, question: Message, patience: float) -> None:
+async def _ask_all(ocu: OCU, to: JausID, question: Message, patience: float) -> None:
     """All answers, as they come."""
     from jauspy.errors import ResponseTimeout
-    from jauspy.ocu import OCU
 
     count = 0
-    async with OCU(own_id, connect) as ocu:
+    async with ocu:
         async for source, answer in ocu.query_each(to, question, within=patience):
             _show(answer, source, first=not count)
             count += 1

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
 
+from jauspy.cli.definitions import Beside, ServiceName, ServiceVersion
 from jauspy.cli.options import Connect, OwnId, Timeout
 from jauspy.cli.query import Destination, Fields, MessageName
 
@@ -36,6 +37,9 @@ def send(
     hold: Annotated[
         float, typer.Option("--hold", min=0, metavar="SECONDS", help="Keep control that long after sending.")
     ] = 0.0,
+    sources: Beside = None,
+    service: ServiceName = None,
+    version: ServiceVersion = None,
     connect: Connect = None,
     own_id: OwnId = None,
     timeout: Timeout = 2.0,
@@ -51,22 +55,22 @@ def send(
       jauspy send 101.1.102 SetEmergency emergency_code=STOP
     """
     from jauspy.cli import addresses, console
+    from jauspy.cli.definitions import definitions
     from jauspy.cli.fields import message_from
     from jauspy.cli.run import run
     from jauspy.errors import ConfigError
-    from jauspy.messages import registry
     from jauspy.ocu import OCU
-    from jauspy.ocu.link import is_query
 
     if control is None and hold:
         raise typer.BadParameter("control can only be held with --control", param_hint="--hold")
     to = addresses.destination(destination)
-    command = message_from(registry, message, fields or [])
-    if is_query(type(command)):
+    known = definitions(sources)
+    command = message_from(known.registry, message, fields or [], known.hints(service, version))
+    if command.IS_QUERY:
         raise ConfigError(f"{command.NAME} is a query, and its answer would not be shown; use `jauspy query`")
     if control is not None and to.is_wildcard:
         raise ConfigError(f"control is taken of one component at a time, and {to} may be several")
-    ocu = OCU(addresses.own_id(own_id, connect), connect, timeout=timeout / 3, retries=2)
+    ocu = OCU(addresses.own_id(own_id, connect), connect, timeout=timeout / 3, retries=2, registry=known.registry)
     if control is None:
         remark = run(_send(ocu, to, command))
         if remark:

@@ -9,11 +9,14 @@ from typing import Any, Protocol
 
 from rich.text import Text
 
-from jauspy.capture.dissect import Content, Dissection, Part
+from jauspy.capture.dissect import STANDARD, Content, Dissection, Part
 from jauspy.capture.reader import Datagram
 from jauspy.cli import console
+from jauspy.cli.definitions import Definitions
 from jauspy.cli.explain import explanation
 from jauspy.cli.render import field_lines
+from jauspy.codec.base import Message
+from jauspy.codec.entries import Entry
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet, Priority
 
 
@@ -98,6 +101,9 @@ def _content_json(content: Content) -> dict[str, Any]:
     return {
         "code": None if content.code is None else f"{content.code:04X}",
         "message": message.NAME if message else None,
+        "service": message.SERVICE if message else None,
+        "version": message.VERSION if message else None,
+        "also": [{"message": each.name, "service": each.service, "version": each.version} for each in content.others],
         "fields": message.to_dict() if message else None,
         "deviations": list(content.deviations),
         "problem": content.problem or None,
@@ -113,12 +119,13 @@ def _address(address: tuple[str, int]) -> str:
 
 
 class HumanPrinter:
-    """A line for each datagram and message, and its fields below it."""
+    """A line for each datagram and message, and its fields below it; every byte with the definitions in `explain`."""
 
-    def __init__(self, *, explain: bool) -> None:
+    def __init__(self, explain: Definitions | None = None) -> None:
         self.failed = False
         self._explain = explain
         self._start: float | None = None
+        self._noted: set[int] = set()
 
     def show(self, item: Item) -> None:
         """Print one item."""
@@ -163,10 +170,11 @@ class HumanPrinter:
         out = console.stdout()
         if content.problem and not content.broken:
             out.print(Text(f"     {content.problem}", style="yellow"))
+        self._note_others(content)
         if content.message is None and content.payload:
             out.print(Text(f"     {_hex(content.payload)}", style="dim"))
         if self._explain:
-            for row in explanation(content):
+            for row in explanation(content, self._explain.model_of):
                 out.print(Text("     ").append_text(row))
         elif content.message is not None:
             for line in field_lines(content.message):
@@ -177,6 +185,31 @@ class HumanPrinter:
             again = content.reencoded()
             text = f"encodes to {_hex(again)}" if again is not None else "does not encode again"
             out.print(Text(f"     {text}", style="yellow"))
+
+    def _note_others(self, content: Content) -> None:
+        """What else an id means, the first time it is shown."""
+        message = content.message
+        if message is None or message.CODE in self._noted or not content.others:
+            return
+        self._noted.add(message.CODE)
+        others = ", ".join(f"{each.name} in {_place(each)} ({_option(each, message)})" for each in content.others)
+        here = f"{_service(message.SERVICE)} {message.VERSION}"
+        console.stdout().print(Text(f"     as in {here}; it is {others}", style="dim"))
+
+
+def _option(entry: Entry, shown: Message) -> str:
+    """What makes a message be read by another definition."""
+    if entry.version != shown.VERSION:
+        return f"--version {entry.version}"
+    return f"--service {_service(entry.service)}"
+
+
+def _place(entry: Entry) -> str:
+    return f"{_service(entry.service)} {entry.version}"
+
+
+def _service(urn: str) -> str:
+    return urn.removeprefix(STANDARD)
 
 
 def _title(content: Content) -> Text:

@@ -121,6 +121,8 @@ class Message(Struct):
     SERVICE: ClassVar[str]
     VERSION: ClassVar[str]
     IS_COMMAND: ClassVar[bool]
+    IS_QUERY: ClassVar[bool]
+    """True for what asks: by its id, or, where the standard leaves ids to users, an input that is no command."""
 
     @classmethod
     def _unpack(cls, data: bytes, nesting: Nesting | None) -> Self:

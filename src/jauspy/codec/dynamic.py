@@ -43,7 +43,7 @@ def load_schema(schema: Schema) -> Registry:
     registry.files.update({service.key: service.where.file for service in schema.services if service.where})
     for code in sorted({message.code for service in schema.services for message in service.messages}):
         if collision := registry.collision(code):
-            _log.warning("%s; decode it with %s", collision, collision.remedy)
+            _log.warning("%s; decoding needs to know the %s", collision, collision.remedy)
     return registry
 
 

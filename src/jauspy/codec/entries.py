@@ -68,7 +68,7 @@ NO_HINTS = Hints()
 
 @dataclass(frozen=True, slots=True)
 class Collision:
-    """A message id that means different things; `remedy` tells how to say which is meant."""
+    """A message id that means different things; `remedy` is what tells them apart."""
 
     code: int
     entries: tuple[Entry, ...]
@@ -87,7 +87,7 @@ class Collision:
     def remedy(self) -> str:
         """What `decode` has to be told: the service, or the message where one service gives one id to several."""
         services = {(entry.service, entry.version) for entry in self.entries}
-        return "service=" if len(services) == len(self.entries) else "message="
+        return "service" if len(services) == len(self.entries) else "message"
 
 
 def meanings(entries: Iterable[Entry]) -> tuple[Entry, ...]:

@@ -45,6 +45,7 @@ def _constants(plan: ClassPlan, module: ModulePlan) -> list[str]:
         f"NAME = {quote(plan.message.name)}",
         *_place(module),
         f"IS_COMMAND = {plan.message.is_command}",
+        f"IS_QUERY = {plan.is_query}",
     ]
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, fields
 from difflib import get_close_matches
 from typing import Any
 
-from jauspy.codec.base import Struct
+from jauspy.codec.base import Struct, counted
 from jauspy.codec.item import Item, check_class, cut, integer_of, join, shown
 from jauspy.codec.items_bytes import Count
 from jauspy.codec.nesting import Nesting
@@ -150,7 +150,7 @@ class Repeat(Item):
             if reader.stopped:
                 break
             if not reader.left:
-                reader.stop(f"{number} items were there, the count says more", path)
+                reader.stop(f"the count says more than {counted(number, 'item')}", path)
                 break
             values.append(self.item.read(reader, f"{path}[{number}]"))
         return values

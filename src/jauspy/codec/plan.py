@@ -142,6 +142,7 @@ class ClassPlan:
     message_formats: tuple[int, ...] = ()
     nested: list[EnumPlan | ClassPlan] = field(default_factory=list)
     message: Message | None = None
+    is_query: bool = False
     aliases: dict[str, str] = field(default_factory=dict)
     called: bool = False
     same_as: str | None = None

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import Final
 
 from jauspy.codec.names import (
     attribute,
@@ -61,7 +62,12 @@ from jauspy.schema.model import (
 )
 
 JAUS_MESSAGE = "jaus message"
-_OWN_NAMES = frozenset({"CODE", "NAME", "SERVICE", "VERSION", "IS_COMMAND"})
+_OWN_NAMES = frozenset({"CODE", "NAME", "SERVICE", "VERSION", "IS_COMMAND", "IS_QUERY"})
+
+
+QUERIES: Final = range(0x2000, 0x4000)
+REPORTS: Final = range(0x4000, 0x6000)
+ANSWERS: Final = ("Report", "Confirm", "Reject")
 
 
 def plan(schema: Schema) -> list[ModulePlan]:
@@ -92,8 +98,23 @@ def _service_module(service: Service, name: str, shared: SharedTypes) -> ModuleP
         if message.name not in taken:
             taken.add(message.name)
             owner = Owner(class_name(message.name), shared)
-            module.classes.append(owner.message(message))
+            made = owner.message(message)
+            made.is_query = asks(message, service)
+            module.classes.append(made)
     return module
+
+
+def asks(message: Message, service: Service) -> bool:
+    """True for a query: by its id below 6000h (AS5710), else an input that is no command.
+
+    Clients of a service have its outputs as inputs, so names that say what they are go first.
+    """
+    if message.code < REPORTS.stop:
+        return message.code in QUERIES
+    if message.is_command or message.name.startswith(ANSWERS):
+        return False
+    is_input = message in service.inputs and message not in service.outputs
+    return is_input or message.name.startswith("Query")
 
 
 class SharedTypes:

@@ -48,7 +48,7 @@ def share_messages(modules: Iterable[ModulePlan], services: set[str]) -> None:
         for made in module.classes:
             if made.message is None:
                 continue
-            key = _key(made.message, services)
+            key = (_key(made.message, services), made.is_query)
             if key not in first:
                 first[key] = (module, made)
                 continue

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
 from difflib import get_close_matches
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Literal, overload
+from typing import TYPE_CHECKING, Any, Literal, TypeVar, overload
 
 from jauspy.codec import careful
 from jauspy.codec.base import FAST_ERRORS, Deviation, Message, as_bytes, too_short
@@ -16,6 +17,8 @@ from jauspy.errors import ConfigError, DecodeError, EncodeError
 
 if TYPE_CHECKING:
     from jauspy.schema.model import Schema
+
+M = TypeVar("M", bound=Message)
 
 
 class Registry:
@@ -46,6 +49,7 @@ class Registry:
         """What messages that this registry decodes know about messages inside them: that they are of this one."""
         self._plain: dict[int, type[Message] | None] = {}
         self._found: dict[tuple[int, Hints], Collision | None] = {}
+        self._others: dict[type[Message], tuple[Entry, ...]] = {}
         self._hinted: dict[Hints, dict[int, type[Message] | None]] = {}
 
     def __len__(self) -> int:
@@ -101,6 +105,25 @@ class Registry:
             if firsts.setdefault(entry.service.rpartition(":")[0], rank) == rank:
                 found.append(entry)
         return found
+
+    def narrowed(self, code: int, wanted: Hints) -> Hints:
+        """As much of what is wanted as some message of this id has, the message's name first, then its service."""
+        entries = self.entries_of(code)
+        kept = NO_HINTS
+        for key in ("message", "service", "version"):
+            hints = replace(kept, **{key: getattr(wanted, key)})
+            kept = hints if any(map(hints.fit, entries)) else kept
+        return kept
+
+    def others(self, kind: type[Message]) -> tuple[Entry, ...]:
+        """What else the id of a message means: in other versions of its set, and where `collisions` has it."""
+        code = kind.CODE
+        if kind not in self._others:
+            here = (kind.NAME, kind.SERVICE, kind.VERSION)
+            entries = self.entries_of(code)
+            first = [entry for entry in entries if (entry.name, entry.service, entry.version) == here]
+            self._others[kind] = meanings([*first, *entries])[1:] if len(entries) > 1 else ()
+        return self._others[kind]
 
     def file_of(self, entry: Entry) -> str:
         """The file that defines a message; its Python module where that is not known."""
@@ -174,6 +197,22 @@ class Registry:
         cls = self.class_of(data, hints)
         if cls is None:
             raise self._refusal(data, hints)
+        return self.decode_as(cls, data) if strict else self.decode_as(cls, data, strict=False)
+
+    @overload
+    def decode_as(self, cls: type[M], data: bytes | bytearray | memoryview, *, strict: Literal[True] = True) -> M: ...
+
+    @overload
+    def decode_as(
+        self, cls: type[M], data: bytes | bytearray | memoryview, *, strict: Literal[False]
+    ) -> tuple[M, list[Deviation]]: ...
+
+    def decode_as(
+        self, cls: type[M], data: bytes | bytearray | memoryview, *, strict: bool = True
+    ) -> M | tuple[M, list[Deviation]]:
+        """As `cls.decode`, but messages inside the message are of this registry."""
+        if type(data) is not bytes:
+            data = as_bytes(data)
         try:
             found = cls._unpack(data, self.nesting)
         except FAST_ERRORS:
@@ -197,7 +236,7 @@ class Registry:
             return too_short(data)
         code = data[0] | data[1] << 8
         if collision := self.collision(code, hints):
-            return DecodeError(f"{collision}; say which is meant with {collision.remedy}")
+            return DecodeError(f"{collision}; say which {collision.remedy} is meant")
         return DecodeError(f"unknown message id 0x{code:04X} {hints}".rstrip())
 
     def from_dict(self, data: Mapping[str, Any]) -> Message:

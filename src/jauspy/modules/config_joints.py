@@ -19,10 +19,10 @@ class _Strict(BaseModel):
 
 
 class TracksConfig(_Strict):
-    """The chassis: two tracks, each a prismatic joint of the URDF along its belt."""
+    """The chassis: the belts of each side, prismatic joints of the URDF; those of flippers run with the tracks."""
 
-    left: JointName
-    right: JointName
+    left: Annotated[tuple[JointName, ...], Field(min_length=1, max_length=4)]
+    right: Annotated[tuple[JointName, ...], Field(min_length=1, max_length=4)]
     inertia: Annotated[float, Field(gt=0.0, le=1000.0)] = 40.0
     """What rotors and sprockets weigh at the belt, in kilograms."""
 

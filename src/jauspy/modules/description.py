@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import xacro
 
 from jauspy.errors import ConfigError
@@ -21,16 +23,17 @@ def robot_model(config: RobotConfig) -> RobotModel:
 
 
 def _expanded(path: str) -> str:
+    if not Path(path).is_file():
+        raise ConfigError(f"urdf: {path}: there is no such file")
     try:
         return str(xacro.process_file(path).toxml())
-    except OSError as error:
-        raise ConfigError(f"urdf: {path}: cannot be read: {error.strerror}") from error
     except Exception as error:  # xacro evaluates expressions: anything may come out of them
         raise ConfigError(f"urdf: {path}: xacro cannot expand it: {error}") from error
 
 
 def _check_tracks(config: RobotConfig, description: Description) -> None:
-    for key, name in (("left", config.tracks.left), ("right", config.tracks.right)):
+    sides = (("left", config.tracks.left), ("right", config.tracks.right))
+    for key, name in ((key, name) for key, names in sides for name in names):
         joint = description.joints.get(name)
         if joint is None or joint.kind is not JointKind.PRISMATIC:
             known = [each.name for each in description.joints.values() if each.kind is JointKind.PRISMATIC]

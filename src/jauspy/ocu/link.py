@@ -26,9 +26,8 @@ ASK_AGAIN: Final = 0.5
 MAX_ANSWERS: Final = 4096
 """Different components that one question may be answered by."""
 REPORT_OFFSET: Final = 0x2000
-"""From the code of a query (2000h to 3FFFh) to that of its report (4000h to 5FFFh; AS5710)."""
-OWN: Final = 0xD000
-"""From here on ids are free for messages of one's own, of any kind."""
+"""From the code of a query (2000h to 3FFFh) to that of its report (AS5710)."""
+REPORTS: Final = range(0x4000, 0x6000)
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,7 +68,7 @@ class Link:
         self.registry = registry
         self.patience = patience
         self.recorder = Recorder()
-        self.replies = Replies(self.malformed)
+        self.replies = Replies(registry, self.malformed)
         self.requests: Counter[JausID] = Counter()
         self._component: Shell | None = None
         self._lanes = Lanes()
@@ -88,16 +87,15 @@ class Link:
         return self._open().id
 
     def receive(self, packet: Packet) -> bool:
-        """Take a received packet; false for commands and queries, which the OCU's own services answer."""
+        """Take a received packet; false for commands and queries nobody here waits for: the OCU's services answer."""
         self.recorder.received += 1
         if len(packet.payload) < 2:
             self.malformed(f"{packet.payload.hex()!r} from {packet.source} is too short for a message")
             return True
+        if self.replies.deliver(packet.payload, packet.source):
+            return True
         known = self.registry.by_code(int.from_bytes(packet.payload[:2], "little"))
-        if any(each.IS_COMMAND or is_query(each) for each in known):
-            return False
-        self.replies.deliver(packet.payload, packet.source)
-        return True
+        return not any(each.IS_COMMAND or each.IS_QUERY for each in known)
 
     def send(
         self,
@@ -208,18 +206,24 @@ class Link:
 
     def report_of(self, query: Message) -> type[Message]:
         """The class of the report that answers a query, of the same service and version."""
-        if not is_query(type(query)):
+        if not query.IS_QUERY:
             raise ConfigError(f"{query.NAME} is no query; say with `expects` which message answers it, or send it")
-        if query.CODE >= OWN:
-            name = f"Report{query.NAME.removeprefix('Query')}"
-            return self.registry.by_name(name, service=query.SERVICE, version=query.VERSION)
-        found = self.registry.by_code(query.CODE + REPORT_OFFSET)
+        code = query.CODE + REPORT_OFFSET
+        found = self.registry.by_code(code) if code in REPORTS else self._named_report(query)
         for each in found:
             if (each.SERVICE, each.VERSION) == (query.SERVICE, query.VERSION):
                 return each
         if not found:
-            raise ConfigError(f"no message with id {query.CODE + REPORT_OFFSET:04X} is known to answer {query.NAME}")
+            what = f"with id {code:04X}" if code in REPORTS else f"called {report_name(query)} of {query.SERVICE}"
+            raise ConfigError(f"no message {what} is known to answer {query.NAME}; say with `expects` which one does")
         return found[0]
+
+    def _named_report(self, query: Message) -> tuple[type[Message], ...]:
+        """What answers a query whose id says nothing, as those of users do."""
+        try:
+            return (self.registry.by_name(report_name(query), service=query.SERVICE, version=query.VERSION),)
+        except ConfigError:
+            return ()
 
     def take_control(self, id: JausID, control: Held) -> None:
         """Remember who controls a component; `ControlRejected` when something else here does."""
@@ -273,11 +277,9 @@ class Link:
         return self._component
 
 
-def is_query(kind: type[Message]) -> bool:
-    """True for messages that ask (2000h to 3FFFh); where ids are free, the name says it."""
-    if kind.CODE >= OWN:
-        return not kind.IS_COMMAND and kind.NAME.startswith("Query")
-    return 0x2000 <= kind.CODE < 0x4000
+def report_name(query: Message) -> str:
+    """`ReportLamp` of `QueryLamp`."""
+    return f"Report{query.NAME.removeprefix('Query')}"
 
 
 def _no_answer(destination: JausID, message: Message, patience: Patience, problem: str) -> str:

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from typing import TypeAlias
 
 from jauspy.codec.base import Message
+from jauspy.codec.registry import Registry
 from jauspy.errors import CodecError, DecodeError
 from jauspy.ids import JausID
 
@@ -26,13 +27,13 @@ class Waiter:
     arrival: asyncio.Future[Arrival]
     problem: str = ""
 
-    def take(self, payload: bytes, source: JausID) -> bool:
+    def take(self, payload: bytes, source: JausID, registry: Registry) -> bool:
         """Use it up when it is what is waited for; raises `DecodeError` for a malformed one."""
         code = int.from_bytes(payload[:2], "little")
         kind = next((each for each in self.kinds if code == each.CODE), None)
         if kind is None or self.arrival.done() or not self.source.matches(source):
             return False
-        message = kind.decode(payload)
+        message = registry.decode_as(kind, payload)
         if not self.accept(message):
             return False
         self.arrival.set_result((message, source))
@@ -50,22 +51,24 @@ class _Tapped:
 class Replies:
     """Taps see every message of their kinds; of the waiters, the one that has waited longest takes it."""
 
+    registry: Registry
     malformed: Callable[[str], None]
     _waiters: list[Waiter] = field(default_factory=list)
     _taps: list[_Tapped] = field(default_factory=list)
 
-    def deliver(self, payload: bytes, source: JausID) -> None:
-        """Hand out one message. Malformed ones are reported, and remembered by who waits for them."""
+    def deliver(self, payload: bytes, source: JausID) -> bool:
+        """Hand out one message, or say that nobody waits. Malformed ones are reported, and who waits remembers."""
         used = [each for each in tuple(self._taps) if self._try_tap(each, payload, source)]
         for waiter in self._waiters:
             try:
-                if waiter.take(payload, source):
-                    return
+                if waiter.take(payload, source, self.registry):
+                    return True
             except DecodeError as error:
                 waiter.problem = f"{waiter.kinds[0].NAME}: {error}"
                 if not used:
                     self.malformed(waiter.problem)
-                return
+                return True
+        return bool(used)
 
     @contextmanager
     def waiting(
@@ -106,7 +109,7 @@ class Replies:
         if kind is None or not entry.source.matches(source):
             return False
         try:
-            message = kind.decode(payload)
+            message = self.registry.decode_as(kind, payload)
         except CodecError as error:
             self.malformed(f"{kind.NAME} from {source}: {error}")
             return True

@@ -115,10 +115,10 @@ class GroupSetup:
 
 @dataclass(frozen=True, slots=True)
 class TrackSetup:
-    """A pair of tracks: the joints of their belts, and the inertia of rotors and sprockets as seen by a belt, in kg."""
+    """Two tracks: the joints of the belts of each side, and the inertia of rotors and sprockets at a belt, in kg."""
 
-    left: str
-    right: str
+    left: tuple[str, ...]
+    right: tuple[str, ...]
     inertia: float
 
 

@@ -49,7 +49,7 @@ def track_speed(speed: float, effort: float, dt: float, parameters: SkidSteerPar
 
 def parameters_of(robot: RobotModel) -> SkidSteerParameters:
     """The chassis of that robot: full speed and distance of the tracks are those of its description."""
-    left, right = (robot.description.joint(name) for name in (robot.tracks.left, robot.tracks.right))
+    left, right = (robot.description.joint(name) for name in (robot.tracks.left[0], robot.tracks.right[0]))
     gauge = abs(left.origin.y - right.origin.y)
     return SkidSteerParameters(free_speed=left.velocity, slip_width=SLIP * gauge)
 

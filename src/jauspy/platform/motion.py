@@ -47,9 +47,11 @@ class Motion:
         if not left and not self.velocity:
             return
         fastest = min(self.joint.velocity, self.target.speed or math.inf)
-        braking = math.sqrt(2.0 * self._acceleration * abs(left))
+        change = self._acceleration * dt
+        # steps of dt are no smooth ramp: half a step is lost
+        braking = math.sqrt(change * change / 4.0 + 2.0 * self._acceleration * abs(left)) - change / 2.0
         self._change_speed(math.copysign(min(fastest, braking), left), dt)
-        if abs(left) <= abs(self.velocity) * dt or abs(left) <= self._acceleration * dt * dt:
+        if abs(left) <= change * dt and abs(self.velocity) <= 2.0 * change:
             self.start(goal, 0.0)
         else:
             self.position += self.velocity * dt

@@ -8,6 +8,7 @@ from collections.abc import Callable, Hashable, Iterable, Mapping
 from datetime import datetime
 from typing import TYPE_CHECKING, Any, Final, TypeVar
 
+from jauspy import messages
 from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
 from jauspy.errors import DecodeError, EncodeError
@@ -67,7 +68,8 @@ class Host:
         self._events: deque[Trigger] = deque()
         self._busy = True
         self._logged: set[str] = set()
-        self._built: Built = build(services, schema, registry, self._reply, self._contain)
+        self._registry = registry or messages.registry
+        self._built: Built = build(services, schema, self._registry, self._reply, self._contain)
         for service in self.services:
             service.host = self
         for service in self.services:
@@ -246,7 +248,7 @@ class Host:
             content = content.encode(strict=False)
         kind = self._built.inputs.get(int.from_bytes(content[:2], "little"))
         try:
-            return kind.decode(content) if kind and len(content) >= 2 else None
+            return self._registry.decode_as(kind, content) if kind and len(content) >= 2 else None
         except DecodeError:
             return None
 
@@ -272,14 +274,14 @@ class Host:
             self.count("unknown_message", payload[:2].hex())
         else:
             try:
-                return kind.decode(payload)
+                return self._registry.decode_as(kind, payload)
             except DecodeError as error:
                 return self._forgiven(kind, payload, f"from {source}: {error}")
         return None
 
     def _forgiven(self, kind: type[Message], payload: bytes, detail: str) -> Message | None:
         """Understand values that are merely outside of their sets: an emergency is one, whatever its code."""
-        message, deviations = kind.decode(payload, strict=False)
+        message, deviations = self._registry.decode_as(kind, payload, strict=False)
         if any(deviation.lost for deviation in deviations):
             self.count(f"malformed_{kind.NAME}", detail)
             return None

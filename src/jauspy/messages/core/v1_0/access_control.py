@@ -21,6 +21,7 @@ class RequestControl(rt.Message):
     SERVICE = "urn:jaus:jss:core:AccessControl"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     authority_code: int
 
@@ -51,6 +52,7 @@ class ReleaseControl(rt.Message):
     SERVICE = "urn:jaus:jss:core:AccessControl"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -74,6 +76,7 @@ class QueryControl(rt.Message):
     SERVICE = "urn:jaus:jss:core:AccessControl"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -97,6 +100,7 @@ class QueryAuthority(rt.Message):
     SERVICE = "urn:jaus:jss:core:AccessControl"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -123,6 +127,7 @@ class SetAuthority(rt.Message):
     SERVICE = "urn:jaus:jss:core:AccessControl"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     authority_code: int
 
@@ -153,6 +158,7 @@ class QueryTimeout(rt.Message):
     SERVICE = "urn:jaus:jss:core:AccessControl"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -182,6 +188,7 @@ class ReportControl(rt.Message):
     SERVICE = "urn:jaus:jss:core:AccessControl"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     subsystem_id: int
     node_id: int
@@ -222,6 +229,7 @@ class RejectControl(rt.Message):
     SERVICE = "urn:jaus:jss:core:AccessControl"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class ResponseCode(IntEnum):
         """Values of ResponseCode."""
@@ -264,6 +272,7 @@ class ConfirmControl(rt.Message):
     SERVICE = "urn:jaus:jss:core:AccessControl"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class ResponseCode(IntEnum):
         """Values of ResponseCode."""
@@ -307,6 +316,7 @@ class ReportAuthority(rt.Message):
     SERVICE = "urn:jaus:jss:core:AccessControl"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     authority_code: int
 
@@ -340,6 +350,7 @@ class ReportTimeout(rt.Message):
     SERVICE = "urn:jaus:jss:core:AccessControl"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class Timeout(IntEnum):
         """Values of Timeout."""

@@ -22,6 +22,7 @@ class QueryIdentification(rt.Message):
     SERVICE = "urn:jaus:jss:core:Discovery"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     class QueryType(IntEnum):
         """Values of QueryType."""
@@ -65,6 +66,7 @@ class QueryConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:core:Discovery"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     class QueryType(IntEnum):
         """Values of QueryType."""
@@ -104,6 +106,7 @@ class QuerySubsystemList(rt.Message):
     SERVICE = "urn:jaus:jss:core:Discovery"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -130,6 +133,7 @@ class QueryServices(rt.Message):
     SERVICE = "urn:jaus:jss:core:Discovery"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     QueriedNodeRec = core_v1_0_types.QueriedNodeRec
     QueriedComponentRec = core_v1_0_types.QueriedComponentRec
@@ -221,6 +225,7 @@ class RegisterServices(rt.Message):
     SERVICE = "urn:jaus:jss:core:Discovery"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     ServiceRec = core_v1_0_types.ServiceRec
 
@@ -283,6 +288,7 @@ class ReportIdentification(rt.Message):
     SERVICE = "urn:jaus:jss:core:Discovery"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class QueryType(IntEnum):
         """Values of QueryType."""
@@ -354,6 +360,7 @@ class ReportConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:core:Discovery"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     ComponentRec = core_v1_0_types.ComponentRec
 
@@ -456,6 +463,7 @@ class ReportSubsystemList(rt.Message):
     SERVICE = "urn:jaus:jss:core:Discovery"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     SubsystemRec = core_v1_0_types.SubsystemRec
 
@@ -502,6 +510,7 @@ class ReportServices(rt.Message):
     SERVICE = "urn:jaus:jss:core:Discovery"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     ComponentRec = core_v1_0_types.ComponentRec
     ServiceRec = core_v1_0_types.ServiceRec

@@ -26,6 +26,7 @@ class CreateEvent(rt.Message):
     SERVICE = "urn:jaus:jss:core:Events"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     class EventType(IntEnum):
         """Values of EventType."""
@@ -94,6 +95,7 @@ class UpdateEvent(rt.Message):
     SERVICE = "urn:jaus:jss:core:Events"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     class EventType(IntEnum):
         """Values of EventType."""
@@ -161,6 +163,7 @@ class CancelEvent(rt.Message):
     SERVICE = "urn:jaus:jss:core:Events"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     request_id: int
     event_id: int
@@ -196,6 +199,7 @@ class QueryEvents(rt.Message):
     SERVICE = "urn:jaus:jss:core:Events"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     EventTypeRec = core_v1_0_types.EventTypeRec
     AllEventsRec = core_v1_0_types.AllEventsRec
@@ -292,6 +296,7 @@ class ConfirmEventRequest(rt.Message):
     SERVICE = "urn:jaus:jss:core:Events"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     request_id: int
     event_id: int
@@ -337,6 +342,7 @@ class RejectEventRequest(rt.Message):
     SERVICE = "urn:jaus:jss:core:Events"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class ResponseCode(IntEnum):
         """Values of ResponseCode."""
@@ -411,6 +417,7 @@ class ReportEvents(rt.Message):
     SERVICE = "urn:jaus:jss:core:Events"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class EventType(IntEnum):
         """Values of EventType."""
@@ -503,6 +510,7 @@ class Event(rt.Message):
     SERVICE = "urn:jaus:jss:core:Events"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     event_id: int
     sequence_number: int

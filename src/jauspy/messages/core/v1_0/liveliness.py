@@ -17,6 +17,7 @@ class QueryHeartbeatPulse(rt.Message):
     SERVICE = "urn:jaus:jss:core:Liveliness"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -40,6 +41,7 @@ class ReportHeartbeatPulse(rt.Message):
     SERVICE = "urn:jaus:jss:core:Liveliness"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     @classmethod
     def _layout(cls) -> rt.Item:

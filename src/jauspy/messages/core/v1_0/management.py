@@ -18,6 +18,7 @@ class Shutdown(rt.Message):
     SERVICE = "urn:jaus:jss:core:Management"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -41,6 +42,7 @@ class Standby(rt.Message):
     SERVICE = "urn:jaus:jss:core:Management"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -64,6 +66,7 @@ class Resume(rt.Message):
     SERVICE = "urn:jaus:jss:core:Management"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -87,6 +90,7 @@ class Reset(rt.Message):
     SERVICE = "urn:jaus:jss:core:Management"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -113,6 +117,7 @@ class SetEmergency(rt.Message):
     SERVICE = "urn:jaus:jss:core:Management"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     class EmergencyCode(IntEnum):
         """Values of EmergencyCode."""
@@ -154,6 +159,7 @@ class ClearEmergency(rt.Message):
     SERVICE = "urn:jaus:jss:core:Management"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     class EmergencyCode(IntEnum):
         """Values of EmergencyCode."""
@@ -192,6 +198,7 @@ class QueryStatus(rt.Message):
     SERVICE = "urn:jaus:jss:core:Management"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -219,6 +226,7 @@ class ReportStatus(rt.Message):
     SERVICE = "urn:jaus:jss:core:Management"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class Status(IntEnum):
         """Values of Status."""

@@ -22,6 +22,7 @@ class SetTime(rt.Message):
     SERVICE = "urn:jaus:jss:core:Time"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     TimeStamp = core_v1_0_types.TimeStamp
     DateStamp = core_v1_0_types.DateStamp
@@ -114,6 +115,7 @@ class QueryTime(rt.Message):
     SERVICE = "urn:jaus:jss:core:Time"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     presence_vector: int
 
@@ -148,6 +150,7 @@ class ReportTime(rt.Message):
     SERVICE = "urn:jaus:jss:core:Time"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     TimeStamp = core_v1_0_types.TimeStamp
     DateStamp = core_v1_0_types.DateStamp

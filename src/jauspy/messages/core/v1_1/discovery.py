@@ -56,6 +56,7 @@ class QueryServiceList(rt.Message):
     SERVICE = "urn:jaus:jss:core:Discovery"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     QueriedNodeRec = core_v1_0_types.QueriedNodeRec
 
@@ -304,6 +305,7 @@ class ReportServiceList(rt.Message):
     SERVICE = "urn:jaus:jss:core:Discovery"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     ComponentRec = core_v1_0_types.ComponentRec
     ServiceRec = core_v1_0_types.ServiceRec

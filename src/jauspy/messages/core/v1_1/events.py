@@ -27,6 +27,7 @@ class CreateEvent(rt.Message):
     SERVICE = "urn:jaus:jss:core:Events"
     VERSION = "1.1"
     IS_COMMAND = True
+    IS_QUERY = False
 
     class EventType(IntEnum):
         """Values of EventType."""
@@ -95,6 +96,7 @@ class CreateCommandEvent(rt.Message):
     SERVICE = "urn:jaus:jss:core:Events"
     VERSION = "1.1"
     IS_COMMAND = True
+    IS_QUERY = False
 
     request_id: int
     maximum_allowed_duration: int
@@ -148,6 +150,7 @@ class UpdateEvent(rt.Message):
     SERVICE = "urn:jaus:jss:core:Events"
     VERSION = "1.1"
     IS_COMMAND = True
+    IS_QUERY = False
 
     class EventType(IntEnum):
         """Values of EventType."""
@@ -229,6 +232,7 @@ class QueryEventTimeout(rt.Message):
     SERVICE = "urn:jaus:jss:core:Events"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -271,6 +275,7 @@ class ReportEvents(rt.Message):
     SERVICE = "urn:jaus:jss:core:Events"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     ReportEventRec = core_v1_0_types.ReportEventRec
 
@@ -339,6 +344,7 @@ class Event(rt.Message):
     SERVICE = "urn:jaus:jss:core:Events"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     event_id: int
     sequence_number: int
@@ -391,6 +397,7 @@ class CommandEvent(rt.Message):
     SERVICE = "urn:jaus:jss:core:Events"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class CommandResult(IntEnum):
         """Values of CommandResult."""
@@ -435,6 +442,7 @@ class ReportEventTimeout(rt.Message):
     SERVICE = "urn:jaus:jss:core:Events"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class Timeout(IntEnum):
         """Values of Timeout."""

@@ -24,6 +24,7 @@ class SetElement(rt.Message):
     SERVICE = "urn:jaus:jss:core:ListManager"
     VERSION = "1.1"
     IS_COMMAND = True
+    IS_QUERY = False
 
     ElementRec = core_v1_0_types.ElementRec
 
@@ -105,6 +106,7 @@ class DeleteElement(rt.Message):
     SERVICE = "urn:jaus:jss:core:ListManager"
     VERSION = "1.1"
     IS_COMMAND = True
+    IS_QUERY = False
 
     @dataclass(slots=True, repr=False)
     class RequestIDRec(rt.Struct):
@@ -190,6 +192,7 @@ class QueryElement(rt.Message):
     SERVICE = "urn:jaus:jss:core:ListManager"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     element_uid: int
 
@@ -220,6 +223,7 @@ class QueryElementList(rt.Message):
     SERVICE = "urn:jaus:jss:core:ListManager"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -243,6 +247,7 @@ class QueryElementCount(rt.Message):
     SERVICE = "urn:jaus:jss:core:ListManager"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -269,6 +274,7 @@ class ConfirmElementRequest(rt.Message):
     SERVICE = "urn:jaus:jss:core:ListManager"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     request_id: int
 
@@ -303,6 +309,7 @@ class RejectElementRequest(rt.Message):
     SERVICE = "urn:jaus:jss:core:ListManager"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class ResponseCode(IntEnum):
         """Values of ResponseCode."""
@@ -355,6 +362,7 @@ class ReportElement(rt.Message):
     SERVICE = "urn:jaus:jss:core:ListManager"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class ElementDataFormat(IntEnum):
         """Values of ElementDataFormat."""
@@ -438,6 +446,7 @@ class ReportElementList(rt.Message):
     SERVICE = "urn:jaus:jss:core:ListManager"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     @dataclass(slots=True, repr=False)
     class ElementListRec(rt.Struct):
@@ -500,6 +509,7 @@ class ReportElementCount(rt.Message):
     SERVICE = "urn:jaus:jss:core:ListManager"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     element_count: int
 

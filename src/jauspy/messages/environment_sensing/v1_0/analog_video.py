@@ -22,6 +22,7 @@ class SetAnalogVideoSensorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:AnalogVideo"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     @dataclass(slots=True, repr=False)
     class RequestIdRec(rt.Struct):
@@ -120,6 +121,7 @@ class QueryAnalogVideoSensorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:AnalogVideo"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @dataclass(slots=True, repr=False)
     class SensorIdRec(rt.Struct):
@@ -182,6 +184,7 @@ class QueryAnalogVideoSensorCapabilities(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:AnalogVideo"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @dataclass(slots=True, repr=False)
     class SensorIdRec(rt.Struct):
@@ -244,6 +247,7 @@ class ReportAnalogVideoSensorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:AnalogVideo"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class AnalogFormat(IntEnum):
         """Values of AnalogFormat."""
@@ -319,6 +323,7 @@ class ReportAnalogVideoSensorCapabilities(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:AnalogVideo"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     SupportedAnalogFormats = environment_sensing_v1_0_types.SupportedAnalogFormats
 

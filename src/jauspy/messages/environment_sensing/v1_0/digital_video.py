@@ -23,6 +23,7 @@ class ControlDigitalVideoSensorStream(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:DigitalVideo"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     class StreamState(IntEnum):
         """Values of StreamState."""
@@ -68,6 +69,7 @@ class SetDigitalVideoSensorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:DigitalVideo"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     @dataclass(slots=True, repr=False)
     class RequestIdRec(rt.Struct):
@@ -270,6 +272,7 @@ class QueryDigitalVideoSensorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:DigitalVideo"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @dataclass(slots=True, repr=False)
     class QueryDigitalVideoConfigurationRec(rt.Struct):
@@ -333,6 +336,7 @@ class QueryDigitalVideoSensorCapabilities(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:DigitalVideo"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @dataclass(slots=True, repr=False)
     class QueryDigitalVideoSensorCapabilitiesRec(rt.Struct):
@@ -396,6 +400,7 @@ class ReportDigitalVideoSensorCapabilities(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:DigitalVideo"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     SupportedFrameSizes = environment_sensing_v1_0_types.SupportedFrameSizes
     SupportedDigitalFormats = environment_sensing_v1_0_types.SupportedDigitalFormats
@@ -618,6 +623,7 @@ class ReportDigitalVideoSensorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:DigitalVideo"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class FrameSize(IntEnum):
         """Values of FrameSize."""

@@ -23,6 +23,7 @@ class SetRangeSensorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:RangeSensor"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     @dataclass(slots=True, repr=False)
     class RequestIdRec(rt.Struct):
@@ -236,6 +237,7 @@ class QuerySensorGeometricProperties(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:RangeSensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @dataclass(slots=True, repr=False)
     class SensorIdRec(rt.Struct):
@@ -298,6 +300,7 @@ class QueryRangeSensorCompressedData(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:RangeSensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     class ReportCoordinateSystem(IntEnum):
         """Values of ReportCoordinateSystem."""
@@ -385,6 +388,7 @@ class QueryRangeSensorData(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:RangeSensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     class ReportCoordinateSystem(IntEnum):
         """Values of ReportCoordinateSystem."""
@@ -459,6 +463,7 @@ class QueryRangeSensorCapabilities(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:RangeSensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @dataclass(slots=True, repr=False)
     class QueryRangeSensorCapabilitiesRec(rt.Struct):
@@ -524,6 +529,7 @@ class QueryRangeSensorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:RangeSensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @dataclass(slots=True, repr=False)
     class QueryRangeSensorConfigurationRec(rt.Struct):
@@ -590,6 +596,7 @@ class ConfirmSensorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:RangeSensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     RangeSensorErrorRecV1 = environment_sensing_v1_0_types.RangeSensorErrorRecV1
     VisualSensorErrorRecV1 = environment_sensing_v1_0_types.VisualSensorErrorRecV1
@@ -695,6 +702,7 @@ class ReportRangeSensorCapabilities(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:RangeSensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     SupportedStates = environment_sensing_v1_0_types.SupportedStates
     SupportedCompression = environment_sensing_v1_0_types.SupportedCompression
@@ -949,6 +957,7 @@ class ReportRangeSensorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:RangeSensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class SensorState(IntEnum):
         """Values of SensorState."""
@@ -1139,6 +1148,7 @@ class ReportRangeSensorData(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:RangeSensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     TimeStamp = core_v1_0_types.TimeStamp
 
@@ -1499,6 +1509,7 @@ class ReportRangeSensorCompressedData(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:RangeSensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     TimeStamp = core_v1_0_types.TimeStamp
 
@@ -1684,6 +1695,7 @@ class ReportSensorGeometricProperties(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:RangeSensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     StaticGeometricPropertiesRec = environment_sensing_v1_0_types.StaticGeometricPropertiesRec
     ManipulatorGeometricPropertiesRec = environment_sensing_v1_0_types.ManipulatorGeometricPropertiesRec

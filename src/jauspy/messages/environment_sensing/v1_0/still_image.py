@@ -23,6 +23,7 @@ class SetStillImageSensorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:StillImage"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     @dataclass(slots=True, repr=False)
     class RequestIdRec(rt.Struct):
@@ -205,6 +206,7 @@ class QueryStillImageData(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:StillImage"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     class ReportCoordinateSystem(IntEnum):
         """Values of ReportCoordinateSystem."""
@@ -279,6 +281,7 @@ class QueryStillImageSensorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:StillImage"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @dataclass(slots=True, repr=False)
     class QueryStillImageSensorConfigurationRec(rt.Struct):
@@ -342,6 +345,7 @@ class QueryStillImageSensorCapabilities(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:StillImage"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @dataclass(slots=True, repr=False)
     class QueryStillImageSensorCapabilitiesRec(rt.Struct):
@@ -405,6 +409,7 @@ class ReportStillImageData(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:StillImage"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     TimeStamp = core_v1_0_types.TimeStamp
 
@@ -591,6 +596,7 @@ class ReportStillImageSensorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:StillImage"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class FrameSize(IntEnum):
         """Values of FrameSize."""
@@ -750,6 +756,7 @@ class ReportStillImageSensorCapabilities(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:StillImage"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     SupportedFrameSizes = environment_sensing_v1_0_types.SupportedFrameSizes
     SupportedImageFormats = environment_sensing_v1_0_types.SupportedImageFormats

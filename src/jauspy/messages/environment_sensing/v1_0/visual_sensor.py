@@ -31,6 +31,7 @@ class QueryVisualSensorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:VisualSensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @dataclass(slots=True, repr=False)
     class QueryVisualSensorConfigurationRec(rt.Struct):
@@ -96,6 +97,7 @@ class QueryVisualSensorCapabilities(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:VisualSensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @dataclass(slots=True, repr=False)
     class QueryVisualSensorCapabilitiesRec(rt.Struct):
@@ -161,6 +163,7 @@ class SetVisualSensorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:VisualSensor"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     @dataclass(slots=True, repr=False)
     class RequestIdRec(rt.Struct):
@@ -550,6 +553,7 @@ class ReportVisualSensorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:VisualSensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class SensorState(IntEnum):
         """Values of SensorState."""
@@ -898,6 +902,7 @@ class ReportVisualSensorCapabilities(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:VisualSensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     SupportedStates = environment_sensing_v1_0_types.SupportedStates
     ZoomModes = environment_sensing_v1_0_types.ZoomModes

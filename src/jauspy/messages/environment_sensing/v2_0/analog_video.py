@@ -22,6 +22,7 @@ class SetAnalogVideoSensorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:AnalogVideo"
     VERSION = "2.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     @dataclass(slots=True, repr=False)
     class RequestIdRec(rt.Struct):
@@ -126,6 +127,7 @@ class QueryAnalogVideoSensorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:AnalogVideo"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     SensorIDQueryRec = environment_sensing_v1_0_types.SensorIDQueryRec
 
@@ -174,6 +176,7 @@ class QueryAnalogVideoSensorCapabilities(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:AnalogVideo"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     SensorIDQueryRec = environment_sensing_v1_0_types.SensorIDQueryRec
 
@@ -222,6 +225,7 @@ class ReportAnalogVideoSensorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:AnalogVideo"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class AnalogFormat(IntEnum):
         """Values of AnalogFormat."""
@@ -303,6 +307,7 @@ class ReportAnalogVideoSensorCapabilities(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:AnalogVideo"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     SupportedAnalogFormats = environment_sensing_v1_0_types.SupportedAnalogFormats
 

@@ -22,6 +22,7 @@ class SetDigitalAudioOutputSource(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:DigitalAudioOutput"
     VERSION = "2.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     @dataclass(slots=True, repr=False)
     class RequestIdRec(rt.Struct):
@@ -147,6 +148,7 @@ class QueryDigitalAudioOutputSource(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:DigitalAudioOutput"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     class SensorID(IntEnum):
         """Values of SensorID."""
@@ -186,6 +188,7 @@ class QueryDigitalAudioOutputCapabilities(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:DigitalAudioOutput"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     class SensorID(IntEnum):
         """Values of SensorID."""
@@ -226,6 +229,7 @@ class ConfirmSensorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:DigitalAudioOutput"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     SensorIdRec = environment_sensing_v1_0_types.SensorIdRec
     RangeSensorErrorRec = environment_sensing_v1_0_types.RangeSensorErrorRec
@@ -311,6 +315,7 @@ class ReportDigitalAudioOutputSource(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:DigitalAudioOutput"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class Repeat(IntEnum):
         """Values of Repeat."""
@@ -413,6 +418,7 @@ class ReportDigitalAudioOutputCapabilities(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:DigitalAudioOutput"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     SupportedAudioFormats = environment_sensing_v1_0_types.SupportedAudioFormats
     SupportedBitDepths = environment_sensing_v1_0_types.SupportedBitDepths

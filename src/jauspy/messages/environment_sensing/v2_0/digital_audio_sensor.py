@@ -23,6 +23,7 @@ class SetDigitalAudioSensorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:DigitalAudioSensor"
     VERSION = "2.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     @dataclass(slots=True, repr=False)
     class RequestIdRec(rt.Struct):
@@ -253,6 +254,7 @@ class QueryDigitalAudioSensorCapabilities(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:DigitalAudioSensor"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     class SensorID(IntEnum):
         """Values of SensorID."""
@@ -292,6 +294,7 @@ class QueryDigitalAudioSensorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:DigitalAudioSensor"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     class SensorID(IntEnum):
         """Values of SensorID."""
@@ -341,6 +344,7 @@ class ReportDigitalAudioSensorCapabilities(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:DigitalAudioSensor"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     SupportedAudioFormats = environment_sensing_v1_0_types.SupportedAudioFormats
     SupportedBitDepths = environment_sensing_v1_0_types.SupportedBitDepths
@@ -653,6 +657,7 @@ class ReportDigitalAudioSensorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:DigitalAudioSensor"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class DigitalFormat(IntEnum):
         """Values of DigitalFormat."""

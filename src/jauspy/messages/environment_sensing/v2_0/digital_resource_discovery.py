@@ -19,6 +19,7 @@ class QueryDigitalResourceEndpoint(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:DigitalResourceDiscovery"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -46,6 +47,7 @@ class RegisterDigitalResourceEndpoint(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:DigitalResourceDiscovery"
     VERSION = "2.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     JAUS_ID = environment_sensing_v1_0_types.JAUS_ID
 
@@ -198,6 +200,7 @@ class RemoveDigitalResourceEndpoint(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:DigitalResourceDiscovery"
     VERSION = "2.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     id: int
     request_id: int
@@ -233,6 +236,7 @@ class ReportDigitalResourceEndpoint(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:DigitalResourceDiscovery"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     JAUS_ID = environment_sensing_v1_0_types.JAUS_ID
 
@@ -371,6 +375,7 @@ class ConfirmDigitalResourceEndpoint(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:DigitalResourceDiscovery"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     id: int
     request_id: int

@@ -23,6 +23,7 @@ class ControlDigitalVideoSensorStream(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:DigitalVideo"
     VERSION = "2.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     class StreamState(IntEnum):
         """Values of StreamState."""
@@ -73,6 +74,7 @@ class ControlDigitalVideoSensorRecording(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:DigitalVideo"
     VERSION = "2.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     class RequestedRecordingState(IntEnum):
         """Values of RequestedRecordingState."""
@@ -121,6 +123,7 @@ class SetDigitalVideoSensorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:DigitalVideo"
     VERSION = "2.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     @dataclass(slots=True, repr=False)
     class RequestIdRec(rt.Struct):
@@ -327,6 +330,7 @@ class QueryDigitalVideoSensorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:DigitalVideo"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     class SensorID(IntEnum):
         """Values of SensorID."""
@@ -395,6 +399,7 @@ class QueryDigitalVideoSensorCapabilitiesExt(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:DigitalVideo"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     class SensorID(IntEnum):
         """Values of SensorID."""
@@ -463,6 +468,7 @@ class QueryDigitalVideoSensorStatus(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:DigitalVideo"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     SensorIDQueryRec = environment_sensing_v1_0_types.SensorIDQueryRec
 
@@ -511,6 +517,7 @@ class ReportDigitalVideoSensorCapabilitiesExt(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:DigitalVideo"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     SupportedFrameSizes = environment_sensing_v1_0_types.SupportedFrameSizes
     SupportedDigitalFormats = environment_sensing_v1_0_types.SupportedDigitalFormats
@@ -755,6 +762,7 @@ class ReportDigitalVideoSensorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:DigitalVideo"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class FrameSize(IntEnum):
         """Values of FrameSize."""
@@ -938,6 +946,7 @@ class ReportDigitalVideoSensorStatus(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:DigitalVideo"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class StreamingState(IntEnum):
         """Values of StreamingState."""

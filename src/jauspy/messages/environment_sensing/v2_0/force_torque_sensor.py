@@ -21,6 +21,7 @@ class QueryForceTorqueCapabilities(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:ForceTorqueSensor"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @dataclass(slots=True, repr=False)
     class QueryForceTorqueCapabilitiesRec(rt.Struct):
@@ -86,6 +87,7 @@ class QueryForceTorque(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:ForceTorqueSensor"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     class CoordinateSystem(IntEnum):
         """Values of CoordinateSystem."""
@@ -160,6 +162,7 @@ class ReportForceTorqueCapabilities(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:ForceTorqueSensor"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class CoordinateTransformSupported(IntEnum):
         """Values of CoordinateTransformSupported."""
@@ -417,6 +420,7 @@ class ReportForceTorque(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:ForceTorqueSensor"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class CoordinateSystem(IntEnum):
         """Values of CoordinateSystem."""

@@ -22,6 +22,7 @@ class SetH264VideoEncodingConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:H264VideoEncoding"
     VERSION = "2.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     @dataclass(slots=True, repr=False)
     class RequestIdRec(rt.Struct):
@@ -419,6 +420,7 @@ class QueryH264VideoEncodingCapabilities(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:H264VideoEncoding"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @dataclass(slots=True, repr=False)
     class QueryH264VideoEncodingRec(rt.Struct):
@@ -481,6 +483,7 @@ class QueryH264VideoEncodingConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:H264VideoEncoding"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @dataclass(slots=True, repr=False)
     class QueryH264VideoEncodingRec(rt.Struct):
@@ -553,6 +556,7 @@ class ReportH264VideoEncodingCapabilities(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:H264VideoEncoding"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class Baseline(IntEnum):
         """Values of Baseline."""
@@ -1311,6 +1315,7 @@ class ReportH264VideoEncodingConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:H264VideoEncoding"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class Profile(IntEnum):
         """Values of Profile."""

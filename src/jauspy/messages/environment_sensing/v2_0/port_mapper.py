@@ -23,6 +23,7 @@ class CancelPortMapping(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:PortMapper"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class SocketType(IntEnum):
         """Values of SocketType."""
@@ -71,6 +72,7 @@ class RequestPortMapping(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:PortMapper"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class SocketType(IntEnum):
         """Values of SocketType."""
@@ -114,6 +116,7 @@ class QueryPortMappings(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:PortMapper"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -141,6 +144,7 @@ class GrantPortMapping(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:PortMapper"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class SocketType(IntEnum):
         """Values of SocketType."""
@@ -232,6 +236,7 @@ class ReportPortMappings(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:PortMapper"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class SocketType(IntEnum):
         """Values of SocketType."""

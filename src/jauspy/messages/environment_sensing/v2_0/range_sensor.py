@@ -24,6 +24,7 @@ class SetRangeSensorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:RangeSensor"
     VERSION = "2.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     @dataclass(slots=True, repr=False)
     class RequestIdRec(rt.Struct):
@@ -238,6 +239,7 @@ class QuerySensorGeometricProperties(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:RangeSensor"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     SensorIDQueryRec = environment_sensing_v1_0_types.SensorIDQueryRec
 
@@ -286,6 +288,7 @@ class QueryRangeSensorCompressedData(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:RangeSensor"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     class SensorID(IntEnum):
         """Values of SensorID."""
@@ -378,6 +381,7 @@ class QueryRangeSensorData(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:RangeSensor"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     class SensorID(IntEnum):
         """Values of SensorID."""
@@ -457,6 +461,7 @@ class QueryRangeSensorCapabilities(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:RangeSensor"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     class SensorID(IntEnum):
         """Values of SensorID."""
@@ -527,6 +532,7 @@ class QueryRangeSensorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:RangeSensor"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     class SensorID(IntEnum):
         """Values of SensorID."""
@@ -607,6 +613,7 @@ class ReportRangeSensorCapabilities(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:RangeSensor"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     SupportedStates = environment_sensing_v1_0_types.SupportedStates
     SupportedCompression = environment_sensing_v1_0_types.SupportedCompression
@@ -865,6 +872,7 @@ class ReportRangeSensorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:RangeSensor"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class SensorState(IntEnum):
         """Values of SensorState."""
@@ -1056,6 +1064,7 @@ class ReportRangeSensorData(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:RangeSensor"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     TimeStamp = core_v1_0_types.TimeStamp
 
@@ -1423,6 +1432,7 @@ class ReportRangeSensorCompressedData(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:RangeSensor"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     TimeStamp = core_v1_0_types.TimeStamp
 
@@ -1618,6 +1628,7 @@ class ReportSensorGeometricProperties(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:RangeSensor"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     SensorIdRec = environment_sensing_v1_0_types.SensorIdRec
     StaticGeometricPropertiesRec = environment_sensing_v1_0_types.StaticGeometricPropertiesRec

@@ -23,6 +23,7 @@ class SetStillImageSensorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:StillImage"
     VERSION = "2.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     @dataclass(slots=True, repr=False)
     class RequestIdRec(rt.Struct):
@@ -209,6 +210,7 @@ class QueryStillImageDataExt(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:StillImage"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     class SensorID(IntEnum):
         """Values of SensorID."""
@@ -288,6 +290,7 @@ class QueryStillImageSensorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:StillImage"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     class SensorID(IntEnum):
         """Values of SensorID."""
@@ -356,6 +359,7 @@ class QueryStillImageSensorCapabilities(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:StillImage"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     class SensorID(IntEnum):
         """Values of SensorID."""
@@ -424,6 +428,7 @@ class ReportStillImageDataExt(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:StillImage"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     TimeStamp = core_v1_0_types.TimeStamp
 
@@ -634,6 +639,7 @@ class ReportStillImageSensorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:StillImage"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class FrameSize(IntEnum):
         """Values of FrameSize."""
@@ -797,6 +803,7 @@ class ReportStillImageSensorCapabilities(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:StillImage"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     SupportedFrameSizes = environment_sensing_v1_0_types.SupportedFrameSizes
     SupportedImageFormats = environment_sensing_v1_0_types.SupportedImageFormats

@@ -22,6 +22,7 @@ class SetVideoIlluminatorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:VideoIlluminator"
     VERSION = "2.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     @dataclass(slots=True, repr=False)
     class RequestIdRec(rt.Struct):
@@ -188,6 +189,7 @@ class QueryVideoIlluminatorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:VideoIlluminator"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @dataclass(slots=True, repr=False)
     class IlluminatorIDRec(rt.Struct):
@@ -250,6 +252,7 @@ class QueryVideoIlluminatorCapabilities(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:VideoIlluminator"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @dataclass(slots=True, repr=False)
     class IlluminatorIDRec(rt.Struct):
@@ -322,6 +325,7 @@ class ReportVideoIlluminatorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:VideoIlluminator"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class Mode(IntEnum):
         """Values of Mode."""
@@ -465,6 +469,7 @@ class ReportVideoIlluminatorCapabilities(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:VideoIlluminator"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class Visible(IntEnum):
         """Values of Visible."""

@@ -32,6 +32,7 @@ class QueryVisualSensorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:VisualSensor"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     class SensorID(IntEnum):
         """Values of SensorID."""
@@ -102,6 +103,7 @@ class QueryVisualSensorCapabilities(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:VisualSensor"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     class SensorID(IntEnum):
         """Values of SensorID."""
@@ -172,6 +174,7 @@ class QueryVisualSensorCapabilitiesExt(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:VisualSensor"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     class SensorID(IntEnum):
         """Values of SensorID."""
@@ -240,6 +243,7 @@ class SetVisualSensorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:VisualSensor"
     VERSION = "2.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     @dataclass(slots=True, repr=False)
     class RequestIdRec(rt.Struct):
@@ -637,6 +641,7 @@ class ReportVisualSensorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:VisualSensor"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class SensorState(IntEnum):
         """Values of SensorState."""
@@ -993,6 +998,7 @@ class ReportVisualSensorCapabilities(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:VisualSensor"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     SupportedStates = environment_sensing_v1_0_types.SupportedStates
     ZoomModes = environment_sensing_v1_0_types.ZoomModes
@@ -1465,6 +1471,7 @@ class ReportVisualSensorCapabilitiesExt(rt.Message):
     SERVICE = "urn:jaus:jss:environmentSensing:VisualSensor"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     SupportedStates = environment_sensing_v1_0_types.SupportedStates
     ZoomModes = environment_sensing_v1_0_types.ZoomModes

@@ -18,6 +18,7 @@ class QueryUGVSummary(rt.Message):
     SERVICE = "urn:jaus:jss:exp:aeodrs:HealthMonitor"
     VERSION = "1.4"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -41,6 +42,7 @@ class UpdateUGVSummary(rt.Message):
     SERVICE = "urn:jaus:jss:exp:aeodrs:HealthMonitor"
     VERSION = "1.4"
     IS_COMMAND = True
+    IS_QUERY = False
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -68,6 +70,7 @@ class ReportUGVSummary(rt.Message):
     SERVICE = "urn:jaus:jss:exp:aeodrs:HealthMonitor"
     VERSION = "1.4"
     IS_COMMAND = False
+    IS_QUERY = False
 
     UGVSeverityRec = exp_v1_0_types.UGVSeverityRec
     SeverityRec = exp_v1_0_types.SeverityRec

@@ -18,6 +18,7 @@ class QueryAnalogDevices(rt.Message):
     SERVICE = "urn:jaus:jss:HMI:AnalogControl"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -45,6 +46,7 @@ class QueryAnalogAction(rt.Message):
     SERVICE = "urn:jaus:jss:HMI:AnalogControl"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     presence_vector: int
     analog_reference: int
@@ -80,6 +82,7 @@ class ReportAnalogDevices(rt.Message):
     SERVICE = "urn:jaus:jss:HMI:AnalogControl"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     @dataclass(slots=True, repr=False)
     class ReportAnalogDevicesRec(rt.Struct):
@@ -161,6 +164,7 @@ class ReportAnalogAction(rt.Message):
     SERVICE = "urn:jaus:jss:HMI:AnalogControl"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class LongitudinalChoice(IntEnum):
         """Values of LongitudinalChoice."""

@@ -18,6 +18,7 @@ class QueryDCM(rt.Message):
     SERVICE = "urn:jaus:jss:HMI:DigitalControl"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -45,6 +46,7 @@ class SetDCM(rt.Message):
     SERVICE = "urn:jaus:jss:HMI:DigitalControl"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     class Updown(IntEnum):
         """Values of Updown."""
@@ -141,6 +143,7 @@ class ReportDCM(rt.Message):
     SERVICE = "urn:jaus:jss:HMI:DigitalControl"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class DCMStateCode(IntEnum):
         """Values of DCMStateCode."""

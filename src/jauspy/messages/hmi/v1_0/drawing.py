@@ -18,6 +18,7 @@ class QueryDrawingDefinition(rt.Message):
     SERVICE = "urn:jaus:jss:HMI:Drawing"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -41,6 +42,7 @@ class QueryDataDefinition(rt.Message):
     SERVICE = "urn:jaus:jss:HMI:Drawing"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -67,6 +69,7 @@ class QueryData(rt.Message):
     SERVICE = "urn:jaus:jss:HMI:Drawing"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     data_structure_reference: int
 
@@ -100,6 +103,7 @@ class ReportDrawingDefinition(rt.Message):
     SERVICE = "urn:jaus:jss:HMI:Drawing"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     @dataclass(slots=True, repr=False)
     class ReferenceFieldRec(rt.Struct):
@@ -6010,6 +6014,7 @@ class ReportDataDefinition(rt.Message):
     SERVICE = "urn:jaus:jss:HMI:Drawing"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     @dataclass(slots=True, repr=False)
     class ReferenceRec(rt.Struct):
@@ -6121,6 +6126,7 @@ class ReportData(rt.Message):
     SERVICE = "urn:jaus:jss:HMI:Drawing"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     @dataclass(slots=True, repr=False)
     class ReportDataRec(rt.Struct):

@@ -18,6 +18,7 @@ class QueryKeyboardAction(rt.Message):
     SERVICE = "urn:jaus:jss:HMI:Keyboard"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -45,6 +46,7 @@ class ReportKeyboardAction(rt.Message):
     SERVICE = "urn:jaus:jss:HMI:Keyboard"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class KeyState(IntEnum):
         """Values of KeyState."""

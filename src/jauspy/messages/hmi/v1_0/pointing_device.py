@@ -18,6 +18,7 @@ class QueryPointingDeviceMovement(rt.Message):
     SERVICE = "urn:jaus:jss:HMI:PointingDevice"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -41,6 +42,7 @@ class QueryPointingDeviceAction(rt.Message):
     SERVICE = "urn:jaus:jss:HMI:PointingDevice"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -69,6 +71,7 @@ class ReportPointingDeviceMovement(rt.Message):
     SERVICE = "urn:jaus:jss:HMI:PointingDevice"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class Valid(IntEnum):
         """Values of Valid."""
@@ -119,6 +122,7 @@ class ReportPointingDeviceAction(rt.Message):
     SERVICE = "urn:jaus:jss:HMI:PointingDevice"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class Button(IntEnum):
         """Values of Button."""

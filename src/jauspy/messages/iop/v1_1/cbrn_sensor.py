@@ -22,6 +22,7 @@ class QueryCBRN4(rt.Message):
     SERVICE = "urn:jaus:jss:iop:CBRNSensor"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     cbrn4_report_id: int
     station_number: int
@@ -57,6 +58,7 @@ class QueryCBRNDetection(rt.Message):
     SERVICE = "urn:jaus:jss:iop:CBRNSensor"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     station_number: int
 
@@ -90,6 +92,7 @@ class QueryRNDetailedMeasurement(rt.Message):
     SERVICE = "urn:jaus:jss:iop:CBRNSensor"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     station_number: int
 
@@ -123,6 +126,7 @@ class QueryCBDetailedMeasurement(rt.Message):
     SERVICE = "urn:jaus:jss:iop:CBRNSensor"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     station_number: int
 
@@ -156,6 +160,7 @@ class QueryCBRNOperatingState(rt.Message):
     SERVICE = "urn:jaus:jss:iop:CBRNSensor"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     station_number: int
 
@@ -189,6 +194,7 @@ class QueryCBRNConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:iop:CBRNSensor"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     station_number: int
 
@@ -222,6 +228,7 @@ class QueryCBRNScanWindowOperatingState(rt.Message):
     SERVICE = "urn:jaus:jss:iop:CBRNSensor"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     station_number: int
 
@@ -268,6 +275,7 @@ class CBRNCommand(rt.Message):
     SERVICE = "urn:jaus:jss:iop:CBRNSensor"
     VERSION = "1.1"
     IS_COMMAND = True
+    IS_QUERY = False
 
     class SetPowerMode(IntEnum):
         """Values of SetPowerMode."""
@@ -537,6 +545,7 @@ class CBRNConfigurationCommand(rt.Message):
     SERVICE = "urn:jaus:jss:iop:CBRNSensor"
     VERSION = "1.1"
     IS_COMMAND = True
+    IS_QUERY = False
 
     class SetExerOperFlag(IntEnum):
         """Values of SetExerOperFlag."""
@@ -975,6 +984,7 @@ class CBRNDisplayConfigurationCommand(rt.Message):
     SERVICE = "urn:jaus:jss:iop:CBRNSensor"
     VERSION = "1.1"
     IS_COMMAND = True
+    IS_QUERY = False
 
     class SetDisplayBrightnessLevel(IntEnum):
         """Values of SetDisplayBrightnessLevel."""
@@ -1104,6 +1114,7 @@ class CBRNScanWindowConfigurationCommand(rt.Message):
     SERVICE = "urn:jaus:jss:iop:CBRNSensor"
     VERSION = "1.1"
     IS_COMMAND = True
+    IS_QUERY = False
 
     class SetScanMode(IntEnum):
         """Values of SetScanMode."""
@@ -1256,6 +1267,7 @@ class CBRN4(rt.Message):
     SERVICE = "urn:jaus:jss:iop:CBRNSensor"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class DetectionType(IntEnum):
         """Values of DetectionType."""
@@ -1366,6 +1378,7 @@ class CBRNDetection(rt.Message):
     SERVICE = "urn:jaus:jss:iop:CBRNSensor"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class DetectionType(IntEnum):
         """Values of DetectionType."""
@@ -1582,6 +1595,7 @@ class RNDetailedMeasurement(rt.Message):
     SERVICE = "urn:jaus:jss:iop:CBRNSensor"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class DetectionType(IntEnum):
         """Values of DetectionType."""
@@ -1673,6 +1687,7 @@ class CBDetailedMeasurement(rt.Message):
     SERVICE = "urn:jaus:jss:iop:CBRNSensor"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class DetectionType(IntEnum):
         """Values of DetectionType."""
@@ -1780,6 +1795,7 @@ class CBRNOperatingState(rt.Message):
     SERVICE = "urn:jaus:jss:iop:CBRNSensor"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class GPSFix(IntEnum):
         """Values of GPSFix."""
@@ -2142,6 +2158,7 @@ class CBRNConfigurationState(rt.Message):
     SERVICE = "urn:jaus:jss:iop:CBRNSensor"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class ExerOperFlag(IntEnum):
         """Values of ExerOperFlag."""
@@ -2705,6 +2722,7 @@ class CBRNScanWindowOperatingState(rt.Message):
     SERVICE = "urn:jaus:jss:iop:CBRNSensor"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class ScanMode(IntEnum):
         """Values of ScanMode."""

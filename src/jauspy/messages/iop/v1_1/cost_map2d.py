@@ -23,6 +23,7 @@ class QueryCostMap2D(rt.Message):
     SERVICE = "urn:jaus:jss:iop:CostMap2D"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     QueryCostMap2DRec = iop_v1_0_types.QueryCostMap2DRec
     CostMap2DGlobalPoseRec = iop_v1_0_types.CostMap2DGlobalPoseRec
@@ -103,6 +104,7 @@ class QueryNoGoZones(rt.Message):
     SERVICE = "urn:jaus:jss:iop:CostMap2D"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     zone_id: int
 
@@ -137,6 +139,7 @@ class AddNoGoZone(rt.Message):
     SERVICE = "urn:jaus:jss:iop:CostMap2D"
     VERSION = "1.1"
     IS_COMMAND = True
+    IS_QUERY = False
 
     GlobalVertexRec = iop_v1_0_types.GlobalVertexRec
     LocalVertexRec = iop_v1_0_types.LocalVertexRec
@@ -292,6 +295,7 @@ class RemoveNoGoZone(rt.Message):
     SERVICE = "urn:jaus:jss:iop:CostMap2D"
     VERSION = "1.1"
     IS_COMMAND = True
+    IS_QUERY = False
 
     zone_id: int
 
@@ -327,6 +331,7 @@ class ReportCostMap2D(rt.Message):
     SERVICE = "urn:jaus:jss:iop:CostMap2D"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     CostMap2DRec = iop_v1_0_types.CostMap2DRec
     CostMap2DGlobalPoseRec = iop_v1_0_types.CostMap2DGlobalPoseRec
@@ -521,6 +526,7 @@ class ReportNoGoZones(rt.Message):
     SERVICE = "urn:jaus:jss:iop:CostMap2D"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     GlobalVertexRec = iop_v1_0_types.GlobalVertexRec
     LocalVertexRec = iop_v1_0_types.LocalVertexRec
@@ -708,6 +714,7 @@ class AddNoGoZoneResponse(rt.Message):
     SERVICE = "urn:jaus:jss:iop:CostMap2D"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class ResponseCode(IntEnum):
         """Values of ResponseCode."""

@@ -18,6 +18,7 @@ class QueryDigitalResourceEndpoint(rt.Message):
     SERVICE = "urn:jaus:jss:iop:DigitalResourceDiscovery"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -45,6 +46,7 @@ class RegisterDigitalResourceEndpoint(rt.Message):
     SERVICE = "urn:jaus:jss:iop:DigitalResourceDiscovery"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     DigitalResourceEndpointRec = iop_v1_0_types.DigitalResourceEndpointRec
 
@@ -111,6 +113,7 @@ class RemoveDigitalResourceEndpoint(rt.Message):
     SERVICE = "urn:jaus:jss:iop:DigitalResourceDiscovery"
     VERSION = "1.1"
     IS_COMMAND = True
+    IS_QUERY = False
 
     id: int
     request_id: int
@@ -146,6 +149,7 @@ class ReportDigitalResourceEndpoint(rt.Message):
     SERVICE = "urn:jaus:jss:iop:DigitalResourceDiscovery"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     DigitalResourceEndpointRec = iop_v1_0_types.DigitalResourceEndpointRec
 
@@ -198,6 +202,7 @@ class ConfirmDigitalResourceEndpoint(rt.Message):
     SERVICE = "urn:jaus:jss:iop:DigitalResourceDiscovery"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     id: int
     request_id: int

@@ -23,6 +23,7 @@ class RequestHandoff(rt.Message):
     SERVICE = "urn:jaus:jss:iop:EnhancedAccessControl"
     VERSION = "1.1"
     IS_COMMAND = True
+    IS_QUERY = False
 
     authority_code: int
     explanation: str
@@ -64,6 +65,7 @@ class QueryHandoffTimeout(rt.Message):
     SERVICE = "urn:jaus:jss:iop:EnhancedAccessControl"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -87,6 +89,7 @@ class QueryEnhancedTimeout(rt.Message):
     SERVICE = "urn:jaus:jss:iop:EnhancedAccessControl"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -113,6 +116,7 @@ class RemoveHandoffRequest(rt.Message):
     SERVICE = "urn:jaus:jss:iop:EnhancedAccessControl"
     VERSION = "1.1"
     IS_COMMAND = True
+    IS_QUERY = False
 
     id: int
 
@@ -146,6 +150,7 @@ class ConfirmReleaseControl(rt.Message):
     SERVICE = "urn:jaus:jss:iop:EnhancedAccessControl"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     ReleaseControlRec = iop_v1_0_types.ReleaseControlRec
 
@@ -197,6 +202,7 @@ class ConfirmHandoffRequest(rt.Message):
     SERVICE = "urn:jaus:jss:iop:EnhancedAccessControl"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class ResponseCode(IntEnum):
         """Values of ResponseCode."""
@@ -246,6 +252,7 @@ class ReportHandoffTimeout(rt.Message):
     SERVICE = "urn:jaus:jss:iop:EnhancedAccessControl"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     timeout: int
 
@@ -279,6 +286,7 @@ class ReportEnhancedTimeout(rt.Message):
     SERVICE = "urn:jaus:jss:iop:EnhancedAccessControl"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     timeout: int
 

@@ -21,6 +21,7 @@ class RequestReleaseControl(rt.Message):
     SERVICE = "urn:jaus:jss:iop:HandoffController"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @dataclass(slots=True, repr=False)
     class RequestReleaseControlRec(rt.Struct):

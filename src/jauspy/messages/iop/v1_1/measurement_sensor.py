@@ -19,6 +19,7 @@ class QueryMeasurement(rt.Message):
     SERVICE = "urn:jaus:jss:iop:MeasurementSensor"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -48,6 +49,7 @@ class ReportMeasurement(rt.Message):
     SERVICE = "urn:jaus:jss:iop:MeasurementSensor"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     DeviceRec = iop_v1_0_types.DeviceRec
     ReadingRec = iop_v1_0_types.ReadingRec

@@ -20,6 +20,7 @@ class QueryPathReporterCapabilities(rt.Message):
     SERVICE = "urn:jaus:jss:iop:PathReporter"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -50,6 +51,7 @@ class QueryPath(rt.Message):
     SERVICE = "urn:jaus:jss:iop:PathReporter"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     class PathType(IntEnum):
         """Values of PathType."""
@@ -134,6 +136,7 @@ class ReportPathReporterCapabilities(rt.Message):
     SERVICE = "urn:jaus:jss:iop:PathReporter"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     PathReporterCapabilitiesRec = iop_v1_0_types.PathReporterCapabilitiesRec
 
@@ -185,6 +188,7 @@ class ReportPath(rt.Message):
     SERVICE = "urn:jaus:jss:iop:PathReporter"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     GlobalPoseRec = mobility_v1_0_types.GlobalPoseRec
     LocalPoseRec = mobility_v1_0_types.LocalPoseRec

@@ -21,6 +21,7 @@ class SetPlatformMode(rt.Message):
     SERVICE = "urn:jaus:jss:iop:PlatformMode"
     VERSION = "1.1"
     IS_COMMAND = True
+    IS_QUERY = False
 
     class PlatformMode(IntEnum):
         """Values of PlatformMode."""
@@ -62,6 +63,7 @@ class QueryPlatformMode(rt.Message):
     SERVICE = "urn:jaus:jss:iop:PlatformMode"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -85,6 +87,7 @@ class QuerySupportedPlatformModes(rt.Message):
     SERVICE = "urn:jaus:jss:iop:PlatformMode"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -112,6 +115,7 @@ class ReportPlatformMode(rt.Message):
     SERVICE = "urn:jaus:jss:iop:PlatformMode"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class PlatformMode(IntEnum):
         """Values of PlatformMode."""
@@ -167,6 +171,7 @@ class ReportSupportedPlatformModes(rt.Message):
     SERVICE = "urn:jaus:jss:iop:PlatformMode"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class PlatformMode(IntEnum):
         """Values of PlatformMode."""

@@ -22,6 +22,7 @@ class SetPlatformState(rt.Message):
     SERVICE = "urn:jaus:jss:iop:PlatformState"
     VERSION = "1.1"
     IS_COMMAND = True
+    IS_QUERY = False
 
     class PlatformState(IntEnum):
         """Values of PlatformState."""
@@ -65,6 +66,7 @@ class QueryPlatformState(rt.Message):
     SERVICE = "urn:jaus:jss:iop:PlatformState"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -108,6 +110,7 @@ class ConfirmPlatformStateRequest(rt.Message):
     SERVICE = "urn:jaus:jss:iop:PlatformState"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class PlatformState(IntEnum):
         """Values of PlatformState."""
@@ -165,6 +168,7 @@ class ReportPlatformState(rt.Message):
     SERVICE = "urn:jaus:jss:iop:PlatformState"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class PlatformState(IntEnum):
         """Values of PlatformState."""

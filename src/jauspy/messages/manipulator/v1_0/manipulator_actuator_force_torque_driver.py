@@ -21,6 +21,7 @@ class QueryManipulatorSpecifications(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorActuatorForceTorqueDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     presence_vector: int
 
@@ -51,6 +52,7 @@ class QueryCommandedActuatorForceTorques(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorActuatorForceTorqueDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -77,6 +79,7 @@ class SetActuatorForceTorques(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorActuatorForceTorqueDriver"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     ActuatorForceTorqueRec = manipulator_v1_0_types.ActuatorForceTorqueRec
 
@@ -133,6 +136,7 @@ class ReportManipulatorSpecifications(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorActuatorForceTorqueDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     ManipulatorCoordinateSystemRec = manipulator_v1_0_types.ManipulatorCoordinateSystemRec
     RevoluteJoint1OffsetRec = manipulator_v1_0_types.RevoluteJoint1OffsetRec
@@ -254,6 +258,7 @@ class ReportCommandedActuatorForceTorques(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorActuatorForceTorqueDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     ActuatorForceTorqueRec = manipulator_v1_0_types.ActuatorForceTorqueRec
 

@@ -27,6 +27,7 @@ class QueryToolOffset(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorEndEffectorPoseDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -55,6 +56,7 @@ class SetToolOffset(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorEndEffectorPoseDriver"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     tool_point_coordinate_x: float
     tool_point_coordinate_y: float
@@ -116,6 +118,7 @@ class SetEndEffectorPose(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorEndEffectorPoseDriver"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     tool_point_coordinate_x: float
     tool_point_coordinate_y: float
@@ -203,6 +206,7 @@ class SetMotionProfile(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorEndEffectorPoseDriver"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     RevoluteMotionProfileRec = manipulator_v1_0_types.RevoluteMotionProfileRec
     PrismaticMotionProfileRec = manipulator_v1_0_types.PrismaticMotionProfileRec
@@ -254,6 +258,7 @@ class QueryCommandedEndEffectorPose(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorEndEffectorPoseDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -277,6 +282,7 @@ class QueryMotionProfile(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorEndEffectorPoseDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -313,6 +319,7 @@ class ReportToolOffset(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorEndEffectorPoseDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     tool_point_coordinate_x: float
     tool_point_coordinate_y: float
@@ -374,6 +381,7 @@ class ReportCommandedEndEffectorPose(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorEndEffectorPoseDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     tool_point_coordinate_x: float
     tool_point_coordinate_y: float
@@ -461,6 +469,7 @@ class ReportMotionProfile(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorEndEffectorPoseDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     RevoluteMotionProfileRec = manipulator_v1_0_types.RevoluteMotionProfileRec
     PrismaticMotionProfileRec = manipulator_v1_0_types.PrismaticMotionProfileRec

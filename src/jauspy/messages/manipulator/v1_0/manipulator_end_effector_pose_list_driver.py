@@ -22,6 +22,7 @@ class ExecuteList(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorEndEffectorPoseListDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     element_uid: int | None = None
     reserved_presence: int = 0
@@ -87,6 +88,7 @@ class QueryActiveElement(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorEndEffectorPoseListDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -137,6 +139,7 @@ class ReportActiveElement(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorEndEffectorPoseListDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     element_uid: int
 

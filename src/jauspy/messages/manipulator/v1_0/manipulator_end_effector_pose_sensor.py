@@ -43,6 +43,7 @@ class QueryEndEffectorPose(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorEndEffectorPoseSensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -91,6 +92,7 @@ class ReportEndEffectorPose(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorEndEffectorPoseSensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     tool_point_coordinate_x: float
     tool_point_coordinate_y: float

@@ -51,6 +51,7 @@ class SetEndEffectorVelocityState(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorEndEffectorVelocityStateDriver"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     angular_velocity_component_x: float
     angular_velocity_component_y: float
@@ -135,6 +136,7 @@ class QueryCommandedEndEffectorVelocityState(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorEndEffectorVelocityStateDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -190,6 +192,7 @@ class ReportCommandedEndEffectorVelocityState(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorEndEffectorVelocityStateDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     angular_velocity_component_x: float
     angular_velocity_component_y: float

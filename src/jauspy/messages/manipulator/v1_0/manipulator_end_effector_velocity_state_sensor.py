@@ -43,6 +43,7 @@ class QueryEndEffectorVelocityState(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorEndEffectorVelocityStateSensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -90,6 +91,7 @@ class ReportEndEffectorVelocityState(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorEndEffectorVelocityStateSensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     angular_velocity_component_x: float
     angular_velocity_component_y: float

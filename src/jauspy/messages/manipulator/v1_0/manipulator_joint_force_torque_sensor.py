@@ -19,6 +19,7 @@ class QueryJointForceTorques(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointForceTorqueSensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -53,6 +54,7 @@ class ReportJointForceTorques(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointForceTorqueSensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     ActuatorForceTorqueRec = manipulator_v1_0_types.ActuatorForceTorqueRec
 

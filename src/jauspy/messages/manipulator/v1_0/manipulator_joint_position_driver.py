@@ -28,6 +28,7 @@ class QueryCommandedJointPositions(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointPositionDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -62,6 +63,7 @@ class SetJointPositions(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointPositionDriver"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     JointPositionRec = manipulator_v1_0_types.JointPositionRec
 
@@ -132,6 +134,7 @@ class ReportCommandedJointPositions(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointPositionDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     JointPositionRec = manipulator_v1_0_types.JointPositionRec
 

@@ -19,6 +19,7 @@ class QueryJointPositions(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointPositionSensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -53,6 +54,7 @@ class ReportJointPositions(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointPositionSensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     JointPositionRec = manipulator_v1_0_types.JointPositionRec
 

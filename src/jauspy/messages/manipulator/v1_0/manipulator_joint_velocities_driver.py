@@ -31,6 +31,7 @@ class SetJointVelocities(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointVelocitiesDriver"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     JointVelocityRec = manipulator_v1_0_types.JointVelocityRec
 
@@ -90,6 +91,7 @@ class QueryCommandedJointVelocities(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointVelocitiesDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -132,6 +134,7 @@ class ReportCommandedJointVelocities(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointVelocitiesDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     JointVelocityRec = manipulator_v1_0_types.JointVelocityRec
 

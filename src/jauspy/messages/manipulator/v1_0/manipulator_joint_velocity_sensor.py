@@ -19,6 +19,7 @@ class QueryJointVelocities(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointVelocitySensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -53,6 +54,7 @@ class ReportJointVelocities(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointVelocitySensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     JointVelocityRec = manipulator_v1_0_types.JointVelocityRec
 

@@ -20,6 +20,7 @@ class QueryPanTiltSpecifications(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:PanTiltJointPositionDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     presence_vector: int
 
@@ -50,6 +51,7 @@ class QueryCommandedPanTiltJointPositions(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:PanTiltJointPositionDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -73,6 +75,7 @@ class QueryPanTiltMotionProfile(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:PanTiltJointPositionDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -100,6 +103,7 @@ class SetPanTiltJointPositions(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:PanTiltJointPositionDriver"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     joint1_position: float
     joint2_position: float
@@ -152,6 +156,7 @@ class SetPanTiltMotionProfile(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:PanTiltJointPositionDriver"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     joint1_max_speed: float
     joint1_max_acceleration_rate: float
@@ -243,6 +248,7 @@ class ReportPanTiltSpecifications(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:PanTiltJointPositionDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     pan_tilt_coordinate_sys_x: float | None = None
     pan_tilt_coordinate_sys_y: float | None = None
@@ -418,6 +424,7 @@ class ReportCommandedPanTiltJointPositions(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:PanTiltJointPositionDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     joint1_position: float
     joint2_position: float
@@ -470,6 +477,7 @@ class ReportPanTiltMotionProfile(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:PanTiltJointPositionDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     joint1_max_speed: float
     joint1_max_acceleration_rate: float

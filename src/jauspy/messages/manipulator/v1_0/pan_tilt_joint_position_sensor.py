@@ -18,6 +18,7 @@ class QueryPanTiltJointPositions(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:PanTiltJointPositionSensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -53,6 +54,7 @@ class ReportPanTiltJointPositions(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:PanTiltJointPositionSensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     joint1_position: float
     joint2_position: float

@@ -30,6 +30,7 @@ class SetPanTiltJointVelocities(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:PanTiltJointVelocitiesDriver"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     joint1_velocity: float
     joint2_velocity: float
@@ -82,6 +83,7 @@ class QueryCommandedPanTiltJointVelocities(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:PanTiltJointVelocitiesDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -125,6 +127,7 @@ class ReportCommandedPanTiltJointVelocities(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:PanTiltJointVelocitiesDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     joint1_velocity: float
     joint2_velocity: float

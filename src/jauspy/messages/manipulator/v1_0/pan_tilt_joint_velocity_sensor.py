@@ -18,6 +18,7 @@ class QueryPanTiltJointVelocities(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:PanTiltJointVelocitySensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -53,6 +54,7 @@ class ReportPanTiltJointVelocities(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:PanTiltJointVelocitySensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     joint1_velocity: float
     joint2_velocity: float

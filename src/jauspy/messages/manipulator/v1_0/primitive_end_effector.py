@@ -17,6 +17,7 @@ class QueryEndEffectorSpecification(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:PrimitiveEndEffector"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -40,6 +41,7 @@ class QueryEndEffectorEffort(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:PrimitiveEndEffector"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -66,6 +68,7 @@ class SetEndEffectorEffort(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:PrimitiveEndEffector"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     end_effector_effort: float
 
@@ -105,6 +108,7 @@ class ReportEndEffectorSpecification(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:PrimitiveEndEffector"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     parent_id: int
 
@@ -138,6 +142,7 @@ class ReportEndEffectorEffort(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:PrimitiveEndEffector"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     end_effector_effort: float
 

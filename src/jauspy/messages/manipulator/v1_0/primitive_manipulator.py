@@ -27,6 +27,7 @@ class QueryJointEfforts(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:PrimitiveManipulator"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -53,6 +54,7 @@ class SetJointEfforts(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:PrimitiveManipulator"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     JointEffortRec = manipulator_v1_0_types.JointEffortRec
 
@@ -114,6 +116,7 @@ class ReportJointEfforts(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:PrimitiveManipulator"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     JointEffortRec = manipulator_v1_0_types.JointEffortRec
 

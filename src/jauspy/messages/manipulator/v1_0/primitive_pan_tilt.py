@@ -26,6 +26,7 @@ class QueryPanTiltJointEfforts(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:PrimitivePanTilt"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -53,6 +54,7 @@ class SetPanTiltJointEfforts(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:PrimitivePanTilt"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     joint1_effort: float
     joint2_effort: float
@@ -109,6 +111,7 @@ class ReportPanTiltJointEfforts(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:PrimitivePanTilt"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     joint1_effort: float
     joint2_effort: float

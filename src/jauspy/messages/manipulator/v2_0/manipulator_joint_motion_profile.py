@@ -17,6 +17,7 @@ class QueryJointMotionProfile(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointMotionProfile"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -43,6 +44,7 @@ class SetJointMotionProfile(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointMotionProfile"
     VERSION = "2.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     @dataclass(slots=True, repr=False)
     class RevoluteJointMotionProfileRec(rt.Struct):
@@ -192,6 +194,7 @@ class ReportJointMotionProfile(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointMotionProfile"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     @dataclass(slots=True, repr=False)
     class RevoluteJointMotionProfileRec(rt.Struct):

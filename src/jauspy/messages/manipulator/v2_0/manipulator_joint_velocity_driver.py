@@ -21,6 +21,7 @@ class SetJointVelocity(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointVelocityDriver"
     VERSION = "2.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     JointVelocityRec = manipulator_v1_0_types.JointVelocityRec
 
@@ -72,6 +73,7 @@ class QueryCommandedJointVelocity(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointVelocityDriver"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -98,6 +100,7 @@ class ReportCommandedJointVelocity(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointVelocityDriver"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     JointVelocityRec = manipulator_v1_0_types.JointVelocityRec
 

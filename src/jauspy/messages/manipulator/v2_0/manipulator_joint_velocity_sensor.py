@@ -18,6 +18,7 @@ class QueryJointVelocity(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointVelocitySensor"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -44,6 +45,7 @@ class ReportJointVelocity(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointVelocitySensor"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     JointVelocityRec = manipulator_v1_0_types.JointVelocityRec
 

@@ -33,6 +33,7 @@ class ReportManipulatorSpecifications(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorSpecificationService"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     ManipulatorCoordinateSystemRec = manipulator_v1_0_types.ManipulatorCoordinateSystemRec
 

@@ -21,6 +21,7 @@ class SetPanTiltJointVelocity(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:PanTiltJointVelocityDriver"
     VERSION = "2.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     joint1_velocity: float
     joint2_velocity: float
@@ -65,6 +66,7 @@ class QueryCommandedPanTiltJointVelocity(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:PanTiltJointVelocityDriver"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -92,6 +94,7 @@ class ReportCommandedPanTiltJointVelocity(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:PanTiltJointVelocityDriver"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     joint1_velocity: float
     joint2_velocity: float

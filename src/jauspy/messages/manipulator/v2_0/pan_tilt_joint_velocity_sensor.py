@@ -17,6 +17,7 @@ class QueryPanTiltJointVelocity(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:PanTiltJointVelocitySensor"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -44,6 +45,7 @@ class ReportPanTiltJointVelocity(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:PanTiltJointVelocitySensor"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     joint1_velocity: float
     joint2_velocity: float

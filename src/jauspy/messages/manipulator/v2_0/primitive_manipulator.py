@@ -18,6 +18,7 @@ class QueryJointEffort(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:PrimitiveManipulator"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -44,6 +45,7 @@ class SetJointEffort(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:PrimitiveManipulator"
     VERSION = "2.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     JointEffortRec = manipulator_v1_0_types.JointEffortRec
 
@@ -97,6 +99,7 @@ class ReportJointEffort(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:PrimitiveManipulator"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     JointEffortRec = manipulator_v1_0_types.JointEffortRec
 

@@ -17,6 +17,7 @@ class QueryPanTiltJointEffort(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:PrimitivePanTilt"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -44,6 +45,7 @@ class SetPanTiltJointEffort(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:PrimitivePanTilt"
     VERSION = "2.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     joint1_effort: float
     joint2_effort: float
@@ -92,6 +94,7 @@ class ReportPanTiltJointEffort(rt.Message):
     SERVICE = "urn:jaus:jss:manipulator:PrimitivePanTilt"
     VERSION = "2.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     joint1_effort: float
     joint2_effort: float

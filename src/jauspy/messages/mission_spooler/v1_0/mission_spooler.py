@@ -24,6 +24,7 @@ class SpoolMission(rt.Message):
     SERVICE = "urn:jaus:jss:missionSpooler:MissionSpooler"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     SourceID = core_v1_0_types.SourceID
     DestinationID = core_v1_0_types.DestinationID
@@ -276,6 +277,7 @@ class RunMission(rt.Message):
     SERVICE = "urn:jaus:jss:missionSpooler:MissionSpooler"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     mission_id: int | None = None
     task_id: int | None = None
@@ -334,6 +336,7 @@ class AbortMission(rt.Message):
     SERVICE = "urn:jaus:jss:missionSpooler:MissionSpooler"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     mission_id: int
 
@@ -368,6 +371,7 @@ class PauseMission(rt.Message):
     SERVICE = "urn:jaus:jss:missionSpooler:MissionSpooler"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     mission_id: int | None = None
     task_id: int | None = None
@@ -419,6 +423,7 @@ class ResumeMission(rt.Message):
     SERVICE = "urn:jaus:jss:missionSpooler:MissionSpooler"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     mission_id: int
 
@@ -453,6 +458,7 @@ class RemoveMessages(rt.Message):
     SERVICE = "urn:jaus:jss:missionSpooler:MissionSpooler"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     @dataclass(slots=True, repr=False)
     class MissionInfo(rt.Struct):
@@ -541,6 +547,7 @@ class InsertMessages(rt.Message):
     SERVICE = "urn:jaus:jss:missionSpooler:MissionSpooler"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     DestinationID = core_v1_0_types.DestinationID
 
@@ -687,6 +694,7 @@ class RemoveMissionTask(rt.Message):
     SERVICE = "urn:jaus:jss:missionSpooler:MissionSpooler"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     @dataclass(slots=True, repr=False)
     class MissionAndTaskInfo(rt.Struct):
@@ -772,6 +780,7 @@ class InsertMissionTask(rt.Message):
     SERVICE = "urn:jaus:jss:missionSpooler:MissionSpooler"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     DestinationID = core_v1_0_types.DestinationID
 
@@ -1005,6 +1014,7 @@ class QuerySpoolingPreferences(rt.Message):
     SERVICE = "urn:jaus:jss:missionSpooler:MissionSpooler"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -1033,6 +1043,7 @@ class QueryMissionStatus(rt.Message):
     SERVICE = "urn:jaus:jss:missionSpooler:MissionSpooler"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     mission_id: int | None = None
     task_id: int | None = None
@@ -1088,6 +1099,7 @@ class QueryStoredMissions(rt.Message):
     SERVICE = "urn:jaus:jss:missionSpooler:MissionSpooler"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -1114,6 +1126,7 @@ class QueryMissionPlan(rt.Message):
     SERVICE = "urn:jaus:jss:missionSpooler:MissionSpooler"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     mission_id: int
 
@@ -1147,6 +1160,7 @@ class ReportSpoolingPreferences(rt.Message):
     SERVICE = "urn:jaus:jss:missionSpooler:MissionSpooler"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class DataChoice(IntEnum):
         """Values of DataChoice."""
@@ -1246,6 +1260,7 @@ class ReportMissionStatus(rt.Message):
     SERVICE = "urn:jaus:jss:missionSpooler:MissionSpooler"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class Type(IntEnum):
         """Values of Type."""
@@ -1315,6 +1330,7 @@ class ReportStoredMissions(rt.Message):
     SERVICE = "urn:jaus:jss:missionSpooler:MissionSpooler"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     @dataclass(slots=True, repr=False)
     class CreatorID(rt.Struct):
@@ -1420,6 +1436,7 @@ class ReportMissionPlan(rt.Message):
     SERVICE = "urn:jaus:jss:missionSpooler:MissionSpooler"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     SourceID = core_v1_0_types.SourceID
     DestinationID = core_v1_0_types.DestinationID

@@ -21,6 +21,7 @@ class QueryAccelerationState(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:AccelerationStateSensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     presence_vector: int
 
@@ -62,6 +63,7 @@ class ReportAccelerationState(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:AccelerationStateSensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     TimeStamp = core_v1_0_types.TimeStamp
 

@@ -28,6 +28,7 @@ class SetGlobalPathSegment(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalPathSegmentDriver"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     p1_latitude: float
     p1_longitude: float
@@ -149,6 +150,7 @@ class ExecuteList(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalPathSegmentDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     speed: float
     element_uid: int | None = None
@@ -200,6 +202,7 @@ class QueryTravelSpeed(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalPathSegmentDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -226,6 +229,7 @@ class QueryGlobalPathSegment(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalPathSegmentDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     presence_vector: int
 
@@ -256,6 +260,7 @@ class QueryActiveElement(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalPathSegmentDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -282,6 +287,7 @@ class ReportTravelSpeed(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalPathSegmentDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     speed: float
 
@@ -328,6 +334,7 @@ class ReportGlobalPathSegment(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalPathSegmentDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     p1_latitude: float
     p1_longitude: float
@@ -448,6 +455,7 @@ class ReportActiveElement(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalPathSegmentDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     element_uid: int
 

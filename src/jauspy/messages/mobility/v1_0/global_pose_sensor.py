@@ -29,6 +29,7 @@ class SetGlobalPose(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalPoseSensor"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     TimeStamp = core_v1_0_types.TimeStamp
 
@@ -187,6 +188,7 @@ class SetGeomagneticProperty(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalPoseSensor"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     magnetic_variation: float
 
@@ -226,6 +228,7 @@ class QueryGlobalPose(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalPoseSensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     presence_vector: int
 
@@ -256,6 +259,7 @@ class QueryGeomagneticProperty(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalPoseSensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -290,6 +294,7 @@ class ReportGlobalPose(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalPoseSensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     TimeStamp = core_v1_0_types.TimeStamp
 
@@ -448,6 +453,7 @@ class ReportGeomagneticProperty(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalPoseSensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     magnetic_variation: float
 

@@ -24,6 +24,7 @@ class SetGlobalVector(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalVectorDriver"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     speed: float | None = None
     altitude: float | None = None
@@ -116,6 +117,7 @@ class QueryGlobalVector(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalVectorDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     presence_vector: int
 
@@ -153,6 +155,7 @@ class ReportGlobalVector(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalVectorDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     speed: float | None = None
     altitude: float | None = None

@@ -21,6 +21,7 @@ class SetTravelSpeed(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalWaypointDriver"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     speed: float
 
@@ -67,6 +68,7 @@ class SetGlobalWaypoint(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalWaypointDriver"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     latitude: float
     longitude: float
@@ -198,6 +200,7 @@ class QueryGlobalWaypoint(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalWaypointDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     presence_vector: int
 
@@ -246,6 +249,7 @@ class ReportGlobalWaypoint(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalWaypointDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     latitude: float
     longitude: float

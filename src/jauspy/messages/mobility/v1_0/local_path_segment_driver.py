@@ -29,6 +29,7 @@ class SetLocalPathSegment(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:LocalPathSegmentDriver"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     p1_x: float
     p1_y: float
@@ -165,6 +166,7 @@ class QueryLocalPathSegment(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:LocalPathSegmentDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     presence_vector: int
 
@@ -221,6 +223,7 @@ class ReportLocalPathSegment(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:LocalPathSegmentDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     p1_x: float
     p1_y: float

@@ -29,6 +29,7 @@ class SetLocalPose(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:LocalPoseSensor"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     TimeStamp = core_v1_0_types.TimeStamp
 
@@ -187,6 +188,7 @@ class QueryLocalPose(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:LocalPoseSensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     presence_vector: int
 
@@ -228,6 +230,7 @@ class ReportLocalPose(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:LocalPoseSensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     TimeStamp = core_v1_0_types.TimeStamp
 

@@ -24,6 +24,7 @@ class SetLocalVector(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:LocalVectorDriver"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     speed: float | None = None
     z: float | None = None
@@ -116,6 +117,7 @@ class QueryLocalVector(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:LocalVectorDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     presence_vector: int
 
@@ -153,6 +155,7 @@ class ReportLocalVector(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:LocalVectorDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     speed: float | None = None
     z: float | None = None

@@ -37,6 +37,7 @@ class SetLocalWaypoint(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:LocalWaypointDriver"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     x: float
     y: float
@@ -168,6 +169,7 @@ class QueryLocalWaypoint(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:LocalWaypointDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     presence_vector: int
 
@@ -216,6 +218,7 @@ class ReportLocalWaypoint(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:LocalWaypointDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     x: float
     y: float

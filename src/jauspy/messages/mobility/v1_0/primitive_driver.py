@@ -31,6 +31,7 @@ class SetWrenchEffort(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:PrimitiveDriver"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     propulsive_linear_effort_x: float | None = None
     propulsive_linear_effort_y: float | None = None
@@ -200,6 +201,7 @@ class QueryWrenchEffort(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:PrimitiveDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     presence_vector: int
 
@@ -244,6 +246,7 @@ class ReportWrenchEffort(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:PrimitiveDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     propulsive_linear_effort_x: float | None = None
     propulsive_linear_effort_y: float | None = None

@@ -27,6 +27,7 @@ class SetVelocityCommand(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:VelocityStateDriver"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     class CommandType(IntEnum):
         """Values of CommandType."""
@@ -160,6 +161,7 @@ class SetAccelerationLimit(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:VelocityStateDriver"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     class CommandType(IntEnum):
         """Values of CommandType."""
@@ -277,6 +279,7 @@ class QueryVelocityCommand(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:VelocityStateDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     presence_vector: int
     command_type: int
@@ -313,6 +316,7 @@ class QueryAccelerationLimit(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:VelocityStateDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     presence_vector: int
     command_type: int
@@ -354,6 +358,7 @@ class ReportVelocityCommand(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:VelocityStateDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class CommandType(IntEnum):
         """Values of CommandType."""
@@ -487,6 +492,7 @@ class ReportAccelerationLimit(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:VelocityStateDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class CommandType(IntEnum):
         """Values of CommandType."""

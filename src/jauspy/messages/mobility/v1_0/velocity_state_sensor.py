@@ -21,6 +21,7 @@ class QueryVelocityState(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:VelocityStateSensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     presence_vector: int
 
@@ -62,6 +63,7 @@ class ReportVelocityState(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:VelocityStateSensor"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     TimeStamp = core_v1_0_types.TimeStamp
 

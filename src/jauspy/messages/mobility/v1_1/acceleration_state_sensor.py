@@ -29,6 +29,7 @@ class QueryAccelerationStateExt(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:AccelerationStateSensor"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     presence_vector: int
 
@@ -79,6 +80,7 @@ class ReportAccelerationStateExt(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:AccelerationStateSensor"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     acceleration_x: float | None = None
     acceleration_y: float | None = None

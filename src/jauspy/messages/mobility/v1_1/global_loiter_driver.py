@@ -23,6 +23,7 @@ class SetGlobalLoiter(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalLoiterDriver"
     VERSION = "1.1"
     IS_COMMAND = True
+    IS_QUERY = False
 
     GlobalZPosition = mobility_v1_0_types.GlobalZPosition
     PolygonRec = mobility_v1_0_types.PolygonRec
@@ -187,6 +188,7 @@ class SetTravelSpeedExt(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalLoiterDriver"
     VERSION = "1.1"
     IS_COMMAND = True
+    IS_QUERY = False
 
     Speed = mobility_v1_0_types.Speed
 
@@ -229,6 +231,7 @@ class QueryGlobalLoiter(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalLoiterDriver"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     presence_vector: int
 
@@ -259,6 +262,7 @@ class QueryTravelSpeedExt(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalLoiterDriver"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -286,6 +290,7 @@ class ReportGlobalLoiter(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalLoiterDriver"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     GlobalZPosition = mobility_v1_0_types.GlobalZPosition
     PolygonRec = mobility_v1_0_types.PolygonRec
@@ -450,6 +455,7 @@ class ReportTravelSpeedExt(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalLoiterDriver"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     Speed = mobility_v1_0_types.Speed
 

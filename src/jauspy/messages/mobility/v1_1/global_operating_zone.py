@@ -23,6 +23,7 @@ class SetGlobalOperatingZone(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalOperatingZone"
     VERSION = "1.1"
     IS_COMMAND = True
+    IS_QUERY = False
 
     class MinZPositionChoice(IntEnum):
         """Values of MinZPositionChoice."""
@@ -399,6 +400,7 @@ class DeleteZone(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalOperatingZone"
     VERSION = "1.1"
     IS_COMMAND = True
+    IS_QUERY = False
 
     ZoneIDRec = mobility_v1_0_types.ZoneIDRec
 
@@ -447,6 +449,7 @@ class QueryGlobalOperatingZone(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalOperatingZone"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     class QueryZoneID(IntEnum):
         """Values of QueryZoneID."""
@@ -487,6 +490,7 @@ class QueryExcursion(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalOperatingZone"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     class QueryZoneID(IntEnum):
         """Values of QueryZoneID."""
@@ -528,6 +532,7 @@ class ReportGlobalOperatingZone(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalOperatingZone"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class MinZPositionChoice(IntEnum):
         """Values of MinZPositionChoice."""
@@ -904,6 +909,7 @@ class ReportExcursion(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalOperatingZone"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     ExcursionRec = mobility_v1_0_types.ExcursionRec
 

@@ -25,6 +25,7 @@ class ExecuteList(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalPathSegmentDriver"
     VERSION = "1.1"
     IS_COMMAND = True
+    IS_QUERY = False
 
     speed: float
     element_uid: int | None = None
@@ -80,6 +81,7 @@ class ExecuteListExt(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalPathSegmentDriver"
     VERSION = "1.1"
     IS_COMMAND = True
+    IS_QUERY = False
 
     Speed = mobility_v1_0_types.Speed
 
@@ -166,6 +168,7 @@ class QueryGlobalPathSegmentExt(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalPathSegmentDriver"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     presence_vector: int
 
@@ -238,6 +241,7 @@ class ReportGlobalPathSegmentExt(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalPathSegmentDriver"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class P1_ZPositionChoice(IntEnum):
         """Values of P1_ZPositionChoice."""

@@ -40,6 +40,7 @@ class SetGlobalPoseExt(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalPoseSensor"
     VERSION = "1.1"
     IS_COMMAND = True
+    IS_QUERY = False
 
     GlobalZPosition = mobility_v1_0_types.GlobalZPosition
 
@@ -221,6 +222,7 @@ class QueryGlobalPoseExt(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalPoseSensor"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     presence_vector: int
 
@@ -284,6 +286,7 @@ class ReportGlobalPoseExt(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalPoseSensor"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     latitude: float | None = None
     longitude: float | None = None

@@ -35,6 +35,7 @@ class SetGlobalVectorExt(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalVectorDriver"
     VERSION = "1.1"
     IS_COMMAND = True
+    IS_QUERY = False
 
     Speed = mobility_v1_0_types.Speed
     GlobalZPosition = mobility_v1_0_types.GlobalZPosition
@@ -153,6 +154,7 @@ class QueryGlobalVectorExt(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalVectorDriver"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     presence_vector: int
 
@@ -199,6 +201,7 @@ class ReportGlobalVectorExt(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalVectorDriver"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     Speed = mobility_v1_0_types.Speed
     GlobalZPosition = mobility_v1_0_types.GlobalZPosition

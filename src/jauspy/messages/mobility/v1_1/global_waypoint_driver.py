@@ -56,6 +56,7 @@ class SetGlobalWaypointExt(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalWaypointDriver"
     VERSION = "1.1"
     IS_COMMAND = True
+    IS_QUERY = False
 
     GlobalZPosition = mobility_v1_0_types.GlobalZPosition
 
@@ -212,6 +213,7 @@ class QueryGlobalWaypointExt(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalWaypointDriver"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     presence_vector: int
 
@@ -276,6 +278,7 @@ class ReportGlobalWaypointExt(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GlobalWaypointDriver"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     GlobalZPosition = mobility_v1_0_types.GlobalZPosition
 

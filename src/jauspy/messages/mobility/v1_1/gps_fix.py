@@ -18,6 +18,7 @@ class RequestGPSFix(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GPSFix"
     VERSION = "1.1"
     IS_COMMAND = True
+    IS_QUERY = False
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -41,6 +42,7 @@ class QueryGPSFix(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GPSFix"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -67,6 +69,7 @@ class ReportGPSFix(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:GPSFix"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     @dataclass(slots=True, repr=False)
     class GPSFixRec(rt.Struct):

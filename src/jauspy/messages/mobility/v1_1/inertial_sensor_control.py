@@ -21,6 +21,7 @@ class InertialSensorControl(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:InertialSensorControl"
     VERSION = "1.1"
     IS_COMMAND = True
+    IS_QUERY = False
 
     class Command(IntEnum):
         """Values of Command."""
@@ -61,6 +62,7 @@ class QueryInertialSensorStatus(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:InertialSensorControl"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -88,6 +90,7 @@ class ReportInertialSensorStatus(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:InertialSensorControl"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class PowerState(IntEnum):
         """Values of PowerState."""

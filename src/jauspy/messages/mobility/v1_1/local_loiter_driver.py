@@ -24,6 +24,7 @@ class SetLocalLoiter(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:LocalLoiterDriver"
     VERSION = "1.1"
     IS_COMMAND = True
+    IS_QUERY = False
 
     ZPosition = mobility_v1_0_types.ZPosition
     PolygonRec = mobility_v1_0_types.PolygonRec
@@ -196,6 +197,7 @@ class QueryLocalLoiter(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:LocalLoiterDriver"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     presence_vector: int
 
@@ -238,6 +240,7 @@ class ReportLocalLoiter(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:LocalLoiterDriver"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     ZPosition = mobility_v1_0_types.ZPosition
     PolygonRec = mobility_v1_0_types.PolygonRec

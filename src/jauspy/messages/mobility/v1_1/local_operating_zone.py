@@ -23,6 +23,7 @@ class SetLocalOperatingZone(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:LocalOperatingZone"
     VERSION = "1.1"
     IS_COMMAND = True
+    IS_QUERY = False
 
     class MinZPositionChoice(IntEnum):
         """Values of MinZPositionChoice."""
@@ -435,6 +436,7 @@ class QueryLocalOperatingZone(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:LocalOperatingZone"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     class QueryZoneID(IntEnum):
         """Values of QueryZoneID."""
@@ -484,6 +486,7 @@ class ReportLocalOperatingZone(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:LocalOperatingZone"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class MinZPositionChoice(IntEnum):
         """Values of MinZPositionChoice."""

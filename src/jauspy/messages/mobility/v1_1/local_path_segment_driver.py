@@ -65,6 +65,7 @@ class QueryLocalPathSegmentExt(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:LocalPathSegmentDriver"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     presence_vector: int
 
@@ -137,6 +138,7 @@ class ReportLocalPathSegmentExt(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:LocalPathSegmentDriver"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class P1_ZPositionChoice(IntEnum):
         """Values of P1_ZPositionChoice."""

@@ -40,6 +40,7 @@ class SetLocalPoseExt(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:LocalPoseSensor"
     VERSION = "1.1"
     IS_COMMAND = True
+    IS_QUERY = False
 
     ZPosition = mobility_v1_0_types.ZPosition
 
@@ -213,6 +214,7 @@ class QueryLocalPoseExt(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:LocalPoseSensor"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     presence_vector: int
 
@@ -269,6 +271,7 @@ class ReportLocalPoseExt(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:LocalPoseSensor"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     x: float | None = None
     y: float | None = None

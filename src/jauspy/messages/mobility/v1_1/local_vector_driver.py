@@ -26,6 +26,7 @@ class SetLocalVector(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:LocalVectorDriver"
     VERSION = "1.1"
     IS_COMMAND = True
+    IS_QUERY = False
 
     speed: float
     z: float | None = None
@@ -122,6 +123,7 @@ class SetLocalVectorExt(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:LocalVectorDriver"
     VERSION = "1.1"
     IS_COMMAND = True
+    IS_QUERY = False
 
     Speed = mobility_v1_0_types.Speed
     ZPosition = mobility_v1_0_types.ZPosition
@@ -240,6 +242,7 @@ class QueryLocalVectorExt(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:LocalVectorDriver"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     presence_vector: int
 
@@ -277,6 +280,7 @@ class ReportLocalVector(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:LocalVectorDriver"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     speed: float
     z: float | None = None
@@ -373,6 +377,7 @@ class ReportLocalVectorExt(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:LocalVectorDriver"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     Speed = mobility_v1_0_types.Speed
     ZPosition = mobility_v1_0_types.ZPosition

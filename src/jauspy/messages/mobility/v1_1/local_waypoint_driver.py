@@ -57,6 +57,7 @@ class SetLocalWaypointExt(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:LocalWaypointDriver"
     VERSION = "1.1"
     IS_COMMAND = True
+    IS_QUERY = False
 
     ZPosition = mobility_v1_0_types.ZPosition
 
@@ -213,6 +214,7 @@ class QueryLocalWaypointExt(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:LocalWaypointDriver"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     presence_vector: int
 
@@ -277,6 +279,7 @@ class ReportLocalWaypointExt(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:LocalWaypointDriver"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     ZPosition = mobility_v1_0_types.ZPosition
 

@@ -24,6 +24,7 @@ class QueryNavigation(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:NavigationState"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     global_pose_presence_vector: int
     local_pose_presence_vector: int
@@ -65,6 +66,7 @@ class ReportNavigation(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:NavigationState"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     ReportGlobalPoseExtRec = mobility_v1_0_types.ReportGlobalPoseExtRec
     ReportLocalPoseExtRec = mobility_v1_0_types.ReportLocalPoseExtRec

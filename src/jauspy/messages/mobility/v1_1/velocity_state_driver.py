@@ -37,6 +37,7 @@ class SetVelocityCommandExt(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:VelocityStateDriver"
     VERSION = "1.1"
     IS_COMMAND = True
+    IS_QUERY = False
 
     class CommandType(IntEnum):
         """Values of CommandType."""
@@ -174,6 +175,7 @@ class SetAccelerationLimit(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:VelocityStateDriver"
     VERSION = "1.1"
     IS_COMMAND = True
+    IS_QUERY = False
 
     class CommandType(IntEnum):
         """Values of CommandType."""
@@ -299,6 +301,7 @@ class QueryVelocityCommandExt(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:VelocityStateDriver"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     presence_vector: int
     command_type: int
@@ -356,6 +359,7 @@ class ReportVelocityCommandExt(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:VelocityStateDriver"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class CommandType(IntEnum):
         """Values of CommandType."""
@@ -493,6 +497,7 @@ class ReportAccelerationLimit(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:VelocityStateDriver"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class CommandType(IntEnum):
         """Values of CommandType."""

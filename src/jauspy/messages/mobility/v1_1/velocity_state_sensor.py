@@ -31,6 +31,7 @@ class QueryVelocityStateExt(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:VelocityStateSensor"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = True
 
     velocity_var_presence_vector: int
     report_velocity_state_ext_rec_presence_vector: int
@@ -75,6 +76,7 @@ class ReportVelocityStateExt(rt.Message):
     SERVICE = "urn:jaus:jss:mobility:VelocityStateSensor"
     VERSION = "1.1"
     IS_COMMAND = False
+    IS_QUERY = False
 
     VelocityVehicleXYZRec = mobility_v1_0_types.VelocityVehicleXYZRec
     VelocityLocalXYZRec = mobility_v1_0_types.VelocityLocalXYZRec

@@ -24,6 +24,7 @@ class SetAckermannConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:AckermannDriver"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     steering_angle: float
     throttle_effort: float
@@ -110,6 +111,7 @@ class QueryAckermannConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:AckermannDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -140,6 +142,7 @@ class ReportAckermannConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:AckermannDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     steering_angle: float
     throttle_effort: float

@@ -21,6 +21,7 @@ class SetAnnunciatorState(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:AnnunciatorService"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     @dataclass(slots=True, repr=False)
     class Annunciator(rt.Struct):
@@ -102,6 +103,7 @@ class QueryAnnunciatorState(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:AnnunciatorService"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -125,6 +127,7 @@ class QueryAnnunciatorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:AnnunciatorService"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -151,6 +154,7 @@ class ReportAnnunciatorState(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:AnnunciatorService"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     @dataclass(slots=True, repr=False)
     class Annunciator(rt.Struct):
@@ -235,6 +239,7 @@ class ReportAnnunciatorConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:AnnunciatorService"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class Horn(IntEnum):
         """Values of Horn."""

@@ -21,6 +21,7 @@ class SetTransmissionState(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:DriveTrainDriver"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     class TransmissionState(IntEnum):
         """Values of TransmissionState."""
@@ -74,6 +75,7 @@ class QueryTransmissionState(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:DriveTrainDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -100,6 +102,7 @@ class SetTransferCaseState(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:DriveTrainDriver"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     class TransferCaseState(IntEnum):
         """Values of TransferCaseState."""
@@ -144,6 +147,7 @@ class QueryTransferCaseState(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:DriveTrainDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -167,6 +171,7 @@ class QueryTransmissionCapabilities(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:DriveTrainDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -194,6 +199,7 @@ class ReportTransmissionState(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:DriveTrainDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class RequestedTransmissionState(IntEnum):
         """Values of RequestedTransmissionState."""
@@ -275,6 +281,7 @@ class ReportTransferCaseState(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:DriveTrainDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class TransferCaseState(IntEnum):
         """Values of TransferCaseState."""
@@ -323,6 +330,7 @@ class ReportTransmissionCapabilities(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:DriveTrainDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class PARK(IntEnum):
         """Values of PARK."""

@@ -18,6 +18,7 @@ class QueryIlluminationState(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:IlluminationService"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -41,6 +42,7 @@ class QueryIlluminationConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:IlluminationService"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -67,6 +69,7 @@ class SetIlluminationState(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:IlluminationService"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     class Headlights(IntEnum):
         """Values of Headlights."""
@@ -274,6 +277,7 @@ class ReportIlluminationState(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:IlluminationService"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class Headlights(IntEnum):
         """Values of Headlights."""
@@ -481,6 +485,7 @@ class ReportIlluminationConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:IlluminationService"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class Headlights(IntEnum):
         """Values of Headlights."""

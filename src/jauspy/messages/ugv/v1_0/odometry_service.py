@@ -21,6 +21,7 @@ class ResetOdometry(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:OdometryService"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     class OdometryType(IntEnum):
         """Values of OdometryType."""
@@ -64,6 +65,7 @@ class QueryOdometry(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:OdometryService"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     class Odom(IntEnum):
         """Values of Odom."""
@@ -109,6 +111,7 @@ class ReportOdometry(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:OdometryService"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     class Odom(IntEnum):
         """Values of Odom."""

@@ -20,6 +20,7 @@ class SetParkingBrake(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:ParkingBrakeDriver"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     parking_brake: float
 
@@ -56,6 +57,7 @@ class QueryParkingBrake(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:ParkingBrakeDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -83,6 +85,7 @@ class ReportParkingBrake(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:ParkingBrakeDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     commanded_parking_brake: float
     actual_parking_brake: float

@@ -17,6 +17,7 @@ class QueryPlatformSpecifications(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:PlatformSpecifications"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -43,6 +44,7 @@ class ReportPlatformSpecifications(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:PlatformSpecifications"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     @dataclass(slots=True, repr=False)
     class Skidsteer(rt.Struct):

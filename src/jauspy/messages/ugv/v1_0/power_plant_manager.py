@@ -21,6 +21,7 @@ class SetPowerPlantConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:PowerPlantManager"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     @dataclass(slots=True, repr=False)
     class PowerPlantID(rt.Struct):
@@ -346,6 +347,7 @@ class QueryPowerPlantConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:PowerPlantManager"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @dataclass(slots=True, repr=False)
     class PowerPlantID(rt.Struct):
@@ -408,6 +410,7 @@ class QueryPowerPlantCapabilities(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:PowerPlantManager"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @dataclass(slots=True, repr=False)
     class PowerPlantID(rt.Struct):
@@ -470,6 +473,7 @@ class QueryPowerPlantStatus(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:PowerPlantManager"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @dataclass(slots=True, repr=False)
     class PowerPlantID(rt.Struct):
@@ -532,6 +536,7 @@ class ReportPowerPlantConfiguration(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:PowerPlantManager"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     @dataclass(slots=True, repr=False)
     class PowerPlantID(rt.Struct):
@@ -857,6 +862,7 @@ class ReportPowerPlantCapabilities(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:PowerPlantManager"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     @dataclass(slots=True, repr=False)
     class PowerPlantDescRec(rt.Struct):
@@ -1438,6 +1444,7 @@ class ReportPowerPlantStatus(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:PowerPlantManager"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     @dataclass(slots=True, repr=False)
     class PowerPlantDescRec(rt.Struct):

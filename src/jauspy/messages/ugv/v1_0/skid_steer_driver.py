@@ -21,6 +21,7 @@ class SetSkidSteerEffort(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:SkidSteerDriver"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     left_side_propulsive_effort: float
     right_side_propulsive_effort: float
@@ -65,6 +66,7 @@ class QuerySkidSteerEffort(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:SkidSteerDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -92,6 +94,7 @@ class ReportSkidSteerEffort(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:SkidSteerDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     left_side_propulsive_effort: float
     right_side_propulsive_effort: float

@@ -20,6 +20,7 @@ class QueryStabilizerEffort(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:StabilizerDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @dataclass(slots=True, repr=False)
     class QueryStabilizerRec(rt.Struct):
@@ -79,6 +80,7 @@ class QueryStabilizerCapabilities(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:StabilizerDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -105,6 +107,7 @@ class SetStabilizerEffort(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:StabilizerDriver"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     @dataclass(slots=True, repr=False)
     class StabilizerEffortRec(rt.Struct):
@@ -173,6 +176,7 @@ class SetStabilizerPosition(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:StabilizerDriver"
     VERSION = "1.0"
     IS_COMMAND = True
+    IS_QUERY = False
 
     @dataclass(slots=True, repr=False)
     class StabilizerPositionRec(rt.Struct):
@@ -241,6 +245,7 @@ class QueryStabilizerPosition(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:StabilizerDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = True
 
     @dataclass(slots=True, repr=False)
     class QueryStabilizerRec(rt.Struct):
@@ -303,6 +308,7 @@ class ReportStabilizerPosition(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:StabilizerDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     @dataclass(slots=True, repr=False)
     class StabilizerPositionRec(rt.Struct):
@@ -379,6 +385,7 @@ class ReportStabilizerCapabilities(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:StabilizerDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     @dataclass(slots=True, repr=False)
     class StabilizerCapabilitiesRec(rt.Struct):
@@ -531,6 +538,7 @@ class ReportStabilizerEffort(rt.Message):
     SERVICE = "urn:jaus:jss:ugv:StabilizerDriver"
     VERSION = "1.0"
     IS_COMMAND = False
+    IS_QUERY = False
 
     @dataclass(slots=True, repr=False)
     class StabilizerEffortRec(rt.Struct):

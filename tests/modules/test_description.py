@@ -1,0 +1,54 @@
+"""Robots out of TOML and URDF."""
+
+from pathlib import Path
+
+import pytest
+
+from jauspy.errors import ConfigError
+from jauspy.modules.description import robot_model
+from jauspy.modules.robots import known, load
+
+
+@pytest.mark.parametrize("name", known())
+def test_every_robot_fits_its_urdf(name: str) -> None:
+    model = robot_model(load(name))
+    for setup in model.groups.values():
+        for joint, start in zip(map(model.description.joint, setup.joints), setup.start, strict=True):
+            assert joint.lower <= start <= joint.upper
+            assert joint.effort > 0.0
+            assert joint.velocity > 0.0
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("urdf = 'none.urdf'", "none.urdf: there is no such file"),
+        ("urdf = 'bad.xacro'", r"bad.xacro: xacro cannot expand it: .*nobody"),
+        (
+            "[tracks]\nleft = ['no']\nright = ['no']",
+            "tracks.left: 'no' is not a prismatic joint.*base_link_to_left_track",
+        ),
+        (
+            "[groups.arm]\nbase = 'b'\ntip = 'tool_link'\nJOINT",
+            "groups.arm: the URDF has no link 'b'; it has: .*base_link",
+        ),
+        ("[groups.arm]\nbase = 'base_link'\ntip = 'tool_link'\nJOINT", "no joint 'elbow'; those that move are"),
+        (
+            "[groups.arm]\nbase = 'base_link'\ntip = 'tool_link'\nFLIPPERS",
+            "groups.arm.joints: between base_link and tool_link move, in this order: base_link_to_arm_link_1",
+        ),
+        ("[groups.arm]\nbase = 'base_link'\ntip = 'tool_link'\nFIXED", "'gripper_link_to_tool_link' does not move"),
+    ],
+)
+def test_mistakes_are_named(tmp_path: Path, text: str, said: str) -> None:
+    (tmp_path / "bad.xacro").write_text('<robot xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:nobody/></robot>')
+    for word, joint in (
+        ("JOINT", "elbow"),
+        ("FLIPPERS", "base_link_to_flippers"),
+        ("FIXED", "gripper_link_to_tool_link"),
+    ):
+        text = text.replace(word, f"joints = [{{ name = '{joint}', position = {{ p = 1 }}, velocity = {{ p = 1 }} }}]")
+    path = tmp_path / "mine.toml"
+    path.write_text(f"extends = 'inc1'\n{text}")
+    with pytest.raises(ConfigError, match=said):
+        robot_model(load(path))

@@ -1,0 +1,65 @@
+"""The motion of set points."""
+
+from itertools import pairwise
+
+import pytest
+
+from jauspy.platform.description import Joint, JointKind
+from jauspy.platform.joints import ControlMode, Target
+from jauspy.platform.motion import Motion
+
+JOINT = Joint("elbow", JointKind.REVOLUTE, "a", "b", lower=-2.0, upper=1.0, effort=10.0, velocity=0.5)
+DT = 0.002
+
+
+def run(motion: Motion, seconds: float) -> list[tuple[float, float]]:
+    path = []
+    for _ in range(round(seconds / DT)):
+        motion.advance(DT)
+        path.append((motion.position, motion.velocity))
+    return path
+
+
+@pytest.mark.parametrize("goal", [0.9, -1.7, 0.001, 0.0])
+def test_arrives_without_overshoot_within_speed_and_acceleration(goal: float) -> None:
+    motion = Motion(JOINT, 0.0)
+    motion.target = Target(ControlMode.POSITION, goal, speed=0.4, acceleration=2.0)
+    path = run(motion, 6.0)
+    assert path[-1] == (goal, 0.0)
+    speeds = [0.0, *(velocity for _, velocity in path[:-2])]
+    assert max(map(abs, speeds)) <= 0.4
+    assert max(abs(b - a) for a, b in pairwise(speeds)) <= 2.0 * 2.0 * DT + 1e-9  # the last step may take two at once
+    assert all(min(0.0, goal) <= position <= max(0.0, goal) for position, _ in path)
+
+
+def test_a_goal_beyond_the_limit_is_the_limit() -> None:
+    motion = Motion(JOINT, 0.0)
+    motion.target = Target(ControlMode.POSITION, 9.0)
+    assert run(motion, 5.0)[-1] == (1.0, 0.0)
+
+
+def test_velocity_ends_at_the_limit() -> None:
+    motion = Motion(JOINT, 0.0)
+    motion.target = Target(ControlMode.VELOCITY, -0.3)
+    assert run(motion, 1.0)[-1][1] == pytest.approx(-0.3)
+    assert run(motion, 10.0)[-1] == (-2.0, 0.0)
+
+
+def test_velocity_is_limited() -> None:
+    motion = Motion(JOINT, -2.0)
+    motion.target = Target(ControlMode.VELOCITY, 7.0)
+    assert max(velocity for _, velocity in run(motion, 2.0)) == pytest.approx(0.5)
+
+
+def test_turns_round_when_the_goal_changes() -> None:
+    motion = Motion(JOINT, 0.0)
+    motion.target = Target(ControlMode.POSITION, 1.0)
+    run(motion, 1.0)
+    motion.target = Target(ControlMode.POSITION, -1.0)
+    assert run(motion, 6.0)[-1] == (-1.0, 0.0)
+
+
+def test_under_effort_it_stands() -> None:
+    motion = Motion(JOINT, 0.3)
+    motion.target = Target(ControlMode.EFFORT, 5.0)
+    assert run(motion, 0.1)[-1] == (0.3, 0.0)
