@@ -62,9 +62,10 @@ async def test_the_component_is_found_asked_and_subscribed_to(
     assert result.output == "battery.xml\n"
     place = f'name="battery", connect="local:{root}")'
     (tmp_path / "battery.py").write_text(program.replace('name="battery")', place))
-    query = jauspy.load("battery.xml").by_name("QueryBattery")
+    registry = jauspy.load("battery.xml")
+    query = registry.by_name("QueryBattery")
     node = NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root))
-    async with node, jauspy.OCU("42.1.1", connect=f"local:{root}", registry=jauspy.load("battery.xml")) as ocu:
+    async with node, jauspy.OCU("42.1.1", connect=f"local:{root}", registry=registry) as ocu:
         child = await asyncio.create_subprocess_exec(
             sys.executable, "-W", "error", "battery.py", stderr=subprocess.PIPE
         )

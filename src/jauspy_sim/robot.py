@@ -65,9 +65,13 @@ class SimulatedRobot:
             raise ValueError(f"cannot advance by {dt} s; time only goes forward")
         self._owed += dt / TIMESTEP
         steps = math.floor(self._owed + ROUNDING)
+        if not steps:
+            return
         self._owed -= steps
+        before = self._drive.twist()
         self._run(steps)
         self._steps += steps
+        self._drive.moved(before, steps * TIMESTEP)
 
     def close(self) -> None:
         """Stop; MuJoCo's memory goes with the object."""

@@ -8,7 +8,8 @@ from typing import Final
 import mujoco
 import numpy as np
 
-from jauspy.platform.contract import Pose, Twist
+from jauspy.platform.acceleration import mean_acceleration
+from jauspy.platform.contract import Acceleration, Pose, Twist
 from jauspy.platform.description import TrackSetup
 from jauspy.platform.skid_steer import mix
 
@@ -41,6 +42,7 @@ class TrackedDrive:
         self._motors = [int(model.actuator(name).id) for name in names]
         self._forces = [float(model.actuator_ctrlrange[motor][1]) for motor in self._motors]
         self._gear_friction = [float(model.dof_frictionloss[dof]) for dof in self._belt_dofs]
+        self._acceleration = Acceleration()
         self.stop()
 
     def set_effort(self, linear_x: float, rotational_z: float) -> None:
@@ -69,6 +71,14 @@ class TrackedDrive:
         mujoco.mju_quat2Mat(rotation, self._data.qpos[self._base_position][3:])
         linear = velocity[:3] @ rotation.reshape(3, 3)  # a free joint's linear velocity is in the world's frame
         return Twist(*linear.tolist(), *velocity[3:].tolist())
+
+    def acceleration(self) -> Acceleration:
+        """Mean of the last `advance`."""
+        return self._acceleration
+
+    def moved(self, before: Twist, dt: float) -> None:
+        """The simulation went on for `dt` seconds, at whose beginning the twist was `before`."""
+        self._acceleration = mean_acceleration(before, self.twist(), dt)
 
     def rewind_belts(self) -> None:
         """Put the belts back to position zero: only their surface speed shall act."""

@@ -8,7 +8,8 @@ from datetime import UTC, datetime, timedelta
 from jauspy.conformance import Bench, Part, Profile, Report, Settings, find, run
 from jauspy.ids import JausID
 from jauspy.modules import robots
-from jauspy.modules.mobility import cm_mob
+from jauspy.modules.description import robot_model
+from jauspy.modules.mobility import cm_mob, vehicle_of
 from jauspy.platform import backends
 
 START = datetime(2026, 3, 14, 15, 9, 26, 535000, tzinfo=UTC)
@@ -20,14 +21,14 @@ Maker = Callable[..., Bench]
 def robot(part: type[Part] = Part, bench: type[Bench] = Bench, **options: object) -> Bench:
     """The whole robot; `part` and `bench` may be broken ones."""
     config = robots.load("igvc")
-    body = backends.find("kinematic").open(config.model, config.world)
+    body = backends.find("kinematic").open(robot_model(config), config.world)
     made: list[Bench] = []
 
     def utc_now() -> datetime:
         return START + timedelta(seconds=made[0].now() if made else 0.0)
 
     hosts = [
-        cm_mob(config.id_of(module), body.drive, module, identities={}, utc_now=utc_now, now=0.0)
+        cm_mob(config.id_of(module), vehicle_of(config, body.drive), module, identities={}, utc_now=utc_now, now=0.0)
         for module in config.modules
     ]
     made.append(bench([part(host) for host in hosts], tick=body.advance, **options))

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import threading
+from importlib.util import find_spec
 
 import pytest
+from tests.modules.world import World
 
-from jauspy.platform.contract import Pose, Twist
+from jauspy.platform.contract import Acceleration, Pose, Twist
 
 
 class FakeDrive:
@@ -28,6 +30,9 @@ class FakeDrive:
 
     def twist(self) -> Twist:
         return Twist()
+
+    def acceleration(self) -> Acceleration:
+        return Acceleration()
 
 
 class FakeRobot:
@@ -69,3 +74,16 @@ def fake_robot() -> FakeRobot:
 @pytest.fixture
 def fragile_robot() -> FakeRobot:
     return FakeRobot(breaks_after=3)
+
+
+@pytest.fixture(
+    params=[
+        "kinematic",
+        pytest.param("sim", marks=pytest.mark.skipif(find_spec("mujoco") is None, reason="MuJoCo is not installed")),
+    ]
+)
+def world(request: pytest.FixtureRequest) -> World:
+    """A robot under control, in Ready, on each backend."""
+    world = World(request.param)
+    world.take_control()
+    return world

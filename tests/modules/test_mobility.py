@@ -7,6 +7,7 @@ from datetime import UTC, datetime
 import pytest
 
 from jauspy.codec.base import Message
+from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages import registry
 from jauspy.messages.core import (
@@ -26,6 +27,7 @@ from jauspy.modules.config import ModuleConfig
 from jauspy.modules.mobility import cm_mob
 from jauspy.modules.watchdog import PERIOD, may_move
 from jauspy.services.core import Identity
+from jauspy.services.mobility import GlobalPose, Vehicle
 
 ME, CLIENT = JausID(101, 1, 102), JausID(42, 1, 1)
 FORWARD = SetWrenchEffort(propulsive_linear_effort_x=40.0)
@@ -34,12 +36,12 @@ FORWARD = SetWrenchEffort(propulsive_linear_effort_x=40.0)
 class Module:
     """A CM-MOB, its clock and its drive."""
 
-    def __init__(self, drive, **config) -> None:
+    def __init__(self, drive, origin: GlobalPose | None = None, **config) -> None:
         self.drive = drive
         self.now = 10.0
         self.host = cm_mob(
             ME,
-            drive,
+            Vehicle(drive, origin=origin),
             ModuleConfig(type="CM-MOB", component=102, **config),
             identities={4: Identity("CM-MOB", 60001)},
             utc_now=lambda: datetime(2026, 1, 1, tzinfo=UTC),
@@ -78,15 +80,31 @@ def driving(module) -> Module:
     return module
 
 
-ALL = {"Transport", "Events", "AccessControl", "Management", "Time", "Liveness", "Discovery"} | {
+ALL = {"Transport", "Events", "AccessControl", "Management", "ListManager", "Time", "Liveness", "Discovery"} | {
     "PrimitiveDriver",
     "VelocityStateSensor",
+    "VelocityStateDriver",
+    "AccelerationStateSensor",
     "LocalPoseSensor",
+    "LocalVectorDriver",
+    "LocalWaypointDriver",
+    "LocalWaypointListDriver",
 }
+GLOBAL = {"GlobalPoseSensor", "GlobalVectorDriver", "GlobalWaypointDriver", "GlobalWaypointListDriver"}
 
 
 def test_offers_everything_by_default(module):
     assert module.services() == ALL
+
+
+def test_offers_services_on_the_globe_where_there_is_an_origin(fake_robot):
+    assert Module(fake_robot.drive, GlobalPose(38.6, -77.2)).services() == ALL | GLOBAL
+
+
+@pytest.mark.parametrize("service", sorted(GLOBAL))
+def test_a_service_on_the_globe_needs_an_origin(fake_robot, service):
+    with pytest.raises(ConfigError, match="need an origin"):
+        Module(fake_robot.drive, services=("Discovery", service)).tell(RequestControl(100))
 
 
 def test_offers_only_what_is_chosen(fake_robot):

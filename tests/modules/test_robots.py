@@ -112,6 +112,13 @@ def test_not_even_text(write, tmp_path):
         ),
         ("component = 33", "component = 33\nservices = []", r"none has the service Discovery; nobody could find"),
         ("component = 33", "component = 33\nservices = ['PrimitiveDriver']", r"none has the service Discovery"),
+        (
+            "component = 33",
+            "component = 33\nservices = ['Discovery', 'GlobalPoseSensor']",
+            r"origin: is missing; GlobalPoseSensor cannot",
+        ),
+        ("[[modules]]", "[origin]\nlatitude = 91.0\nlongitude = 0.0\n[[modules]]", r"origin\.latitude = 91\.0: .*90"),
+        ("[[modules]]", "[origin]\nlatitude = 9.0\n[[modules]]", r"origin\.longitude: is missing"),
         ('"mine"', '"Ωmega"', r"name: 'Ωmega': JAUS sends names in Latin-1, which has no 'Ω'"),
     ],
 )
@@ -130,6 +137,11 @@ def test_what_a_module_offers(write):
     (module,) = load(write(GOOD + "services = ['Discovery', 'LocalPoseSensor']")).modules
     assert module.offers("LocalPoseSensor")
     assert not module.offers("PrimitiveDriver")
+
+
+def test_an_origin_is_read(write):
+    origin = load(write(GOOD + "[origin]\nlatitude = 38.5\nlongitude = -77.0\nheading = 45.0\n")).origin
+    assert (origin.latitude, origin.longitude, origin.altitude, origin.heading) == (38.5, -77.0, 0.0, 45.0)
 
 
 def test_a_robot_without_modules(write):

@@ -42,7 +42,7 @@ def counters() -> Counters:
 async def run(source: Socket, counters: Counters) -> list[bytes]:
     """Wake up until nothing is left; what was routed, in order."""
     routed: list[bytes] = []
-    reader = Ingress(lambda data, _: routed.append(data), lambda: None, counters)
+    reader = Ingress(lambda data, _: routed.append(data), counters)
     while source.datagrams or len(reader):
         reader._wake(source, "lan", 0, {}, lambda error: None)  # type: ignore[arg-type]
         await asyncio.sleep(0)

@@ -27,7 +27,7 @@ from jauspy.protocol.judp import unpack_all
 from jauspy.schema import Schema
 from jauspy.services.core import AccessControl, Discovery, Events, Identity, Liveness
 from jauspy.services.host import Host
-from jauspy.services.mobility import LocalPoseSensor, PrimitiveDriver, VelocityStateSensor
+from jauspy.services.mobility import LocalPoseSensor, PrimitiveDriver, Vehicle, VelocityStateSensor
 from jauspy.services.service import Service
 from jauspy.transport import LoopbackHub, LoopbackTransport
 
@@ -124,6 +124,7 @@ class World:
         drive = drive or FakeDrive()
         self.drives.append(drive)
         names = {2: Identity("test robot", 10001), 3: Identity("test node", 40001), 4: Identity("all in one", 60001)}
+        vehicle = Vehicle(drive)
         return await self.component(
             id,
             [
@@ -131,9 +132,9 @@ class World:
                 Events(timeout=1),
                 Discovery(names),
                 Liveness(),
-                PrimitiveDriver(drive),
-                LocalPoseSensor(drive),
-                VelocityStateSensor(drive),
+                PrimitiveDriver(vehicle),
+                LocalPoseSensor(vehicle),
+                VelocityStateSensor(vehicle),
             ],
         )
 

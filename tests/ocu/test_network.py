@@ -24,7 +24,7 @@ from jauspy.ocu import OCU
 from jauspy.platform.contract import Pose, Twist
 from jauspy.services.core import AccessControl, Discovery, Liveness
 from jauspy.services.host import Host
-from jauspy.services.mobility import PrimitiveDriver
+from jauspy.services.mobility import PrimitiveDriver, Vehicle
 from jauspy.transport import LocalTransport
 
 ROBOT = JausID(101, 1, 102)
@@ -62,7 +62,7 @@ class Site:
             self.port = probe.getsockname()[1]
         self.root = root
         self.drive = Drive()
-        services = [Discovery(), Liveness(), AccessControl(timeout=1), PrimitiveDriver(self.drive)]
+        services = [Discovery(), Liveness(), AccessControl(timeout=1), PrimitiveDriver(Vehicle(self.drive))]
         host = Host(ROBOT, services, utc_now=lambda: datetime.now(UTC), now=time.monotonic())
         self.robot = Shell(host, LocalTransport(ROBOT, root))
 

@@ -10,10 +10,10 @@ import pytest
 from jauspy.codec.base import Message
 from jauspy.ids import JausID
 from jauspy.messages import registry
-from jauspy.platform.contract import Pose, Twist
+from jauspy.platform.contract import Acceleration, Pose, Twist
 from jauspy.services.core import AccessControl, Discovery, Events, Liveness, Management, Time
 from jauspy.services.host import Host
-from jauspy.services.mobility import LocalPoseSensor, PrimitiveDriver, VelocityStateSensor
+from jauspy.services.mobility import LocalPoseSensor, PrimitiveDriver, Vehicle, VelocityStateSensor
 from jauspy.services.service import Service
 
 START = datetime(2026, 3, 14, 15, 9, 26, 535000, tzinfo=UTC)
@@ -27,6 +27,7 @@ class FakeDrive:
         self.stops = 0
         self.now_at = Pose()
         self.moving = Twist()
+        self.changing = Acceleration()
 
     @property
     def effort(self) -> tuple[float, float]:
@@ -44,6 +45,9 @@ class FakeDrive:
 
     def twist(self) -> Twist:
         return self.moving
+
+    def acceleration(self) -> Acceleration:
+        return self.changing
 
 
 class Rig:
@@ -97,10 +101,11 @@ def make() -> Callable[..., Rig]:
 @pytest.fixture
 def robot(drive: FakeDrive) -> Rig:
     """A component with everything there is."""
+    vehicle = Vehicle(drive)
     return Rig(
-        PrimitiveDriver(drive),
-        VelocityStateSensor(drive),
-        LocalPoseSensor(drive),
+        PrimitiveDriver(vehicle),
+        VelocityStateSensor(vehicle),
+        LocalPoseSensor(vehicle),
         Discovery(),
         Liveness(),
         Time(),

@@ -24,7 +24,7 @@ from jauspy.messages.mobility import QueryWrenchEffort, ReportWrenchEffort, SetW
 from jauspy.protocol.header import Broadcast, Priority
 from jauspy.schema import Schema, load_builtin, load_files, needed
 from jauspy.services.core import AccessControl, Liveness, Management
-from jauspy.services.mobility import PrimitiveDriver
+from jauspy.services.mobility import PrimitiveDriver, Vehicle
 from jauspy.services.outbox import Outbox, Outgoing
 from jauspy.services.service import Service
 
@@ -163,7 +163,7 @@ def test_a_bug_is_logged_with_its_message_counted_and_contained(make, drive, cap
         def set_wrench_effort(self, msg: SetWrenchEffort) -> None:
             raise ZeroDivisionError("of mine")
 
-    rig = make(Buggy(drive), Liveness())
+    rig = make(Buggy(Vehicle(drive)), Liveness())
     rig.tell(A, RequestControl(100))
     rig.tell(A, Resume())
     before = rig.host.state
@@ -208,7 +208,7 @@ def test_internal_events_that_bring_up_more_are_bounded(make) -> None:
 
 
 def test_inherited_core_services_come_by_themselves(make, drive) -> None:
-    rig = make(PrimitiveDriver(drive))
+    rig = make(PrimitiveDriver(Vehicle(drive)))
     assert [type(s).__name__ for s in rig.host.services] == [
         "PrimitiveDriver",
         "Management",
@@ -217,7 +217,7 @@ def test_inherited_core_services_come_by_themselves(make, drive) -> None:
         "Transport",
     ]
     given = AccessControl(timeout=9)
-    assert make(PrimitiveDriver(drive), given).host.service(AccessControl) is given
+    assert make(PrimitiveDriver(Vehicle(drive)), given).host.service(AccessControl) is given
 
 
 def test_missing_actions_are_named(make) -> None:

@@ -21,8 +21,26 @@ def _on_the_wire(name: str) -> str:
 
 Name: TypeAlias = Annotated[str, Field(min_length=1, max_length=64)]
 Service: TypeAlias = Literal[
-    "Time", "Liveness", "Discovery", "PrimitiveDriver", "VelocityStateSensor", "LocalPoseSensor"
+    "Time",
+    "Liveness",
+    "Discovery",
+    "PrimitiveDriver",
+    "VelocityStateSensor",
+    "VelocityStateDriver",
+    "AccelerationStateSensor",
+    "LocalPoseSensor",
+    "LocalVectorDriver",
+    "LocalWaypointDriver",
+    "LocalWaypointListDriver",
+    "GlobalPoseSensor",
+    "GlobalVectorDriver",
+    "GlobalWaypointDriver",
+    "GlobalWaypointListDriver",
 ]
+GLOBAL_SERVICES: Final[frozenset[Service]] = frozenset(
+    {"GlobalPoseSensor", "GlobalVectorDriver", "GlobalWaypointDriver", "GlobalWaypointListDriver"}
+)
+"""Those that need to know where the robot's world lies on the globe."""
 
 _DRIVING: Final = ("CM-MOB",)
 """Types of modules that drive the chassis."""
@@ -55,6 +73,18 @@ class ModuleConfig(_Strict):
         return self.services is None or service in self.services
 
 
+class OriginConfig(_Strict):
+    """Where the origin of the robot's world lies on the globe (WGS 84)."""
+
+    latitude: Annotated[float, Field(ge=-90.0, le=90.0)]
+    longitude: Annotated[float, Field(ge=-180.0, le=180.0)]
+    """Degrees, north and east positive."""
+    altitude: Annotated[float, Field(ge=-10000.0, le=35000.0)] = 0.0
+    """Metres above the ellipsoid."""
+    heading: Annotated[float, Field(ge=-360.0, le=360.0)] = 0.0
+    """Degrees clockwise from true north, of the world's x axis: where the robot looks at the start."""
+
+
 class RobotConfig(_Strict):
     """One robot: a JAUS node with its capability modules, on a backend."""
 
@@ -66,6 +96,8 @@ class RobotConfig(_Strict):
     node: Annotated[int, Field(ge=1, le=254)]
     backend: Name = "kinematic"
     world: Name = "empty"
+    origin: OriginConfig | None = None
+    """Without one the module has no services on the globe."""
     modules: tuple[ModuleConfig, ...]
     tracks: TracksConfig
     groups: Groups = {}
@@ -87,6 +119,12 @@ class RobotConfig(_Strict):
             )
         if not any(module.offers("Discovery") for module in self.modules):
             raise ValueError("modules: none has the service Discovery; nobody could find the robot; add it to services")
+        for module in self.modules:
+            on_the_globe = sorted(GLOBAL_SERVICES & set(module.services or ()))
+            if on_the_globe and self.origin is None:
+                raise ValueError(
+                    f"origin: is missing; {', '.join(on_the_globe)} cannot do without knowing where the world lies"
+                )
         return self
 
     def id_of(self, module: ModuleConfig) -> JausID:

@@ -2,32 +2,72 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from datetime import datetime
 from typing import Final
 
 from jauspy.ids import JausID
-from jauspy.modules.config import ModuleConfig
+from jauspy.modules.config import GLOBAL_SERVICES, ModuleConfig, RobotConfig
 from jauspy.modules.watchdog import Watchdog
 from jauspy.platform.contract import DriveBase
 from jauspy.services.core import AccessControl, Discovery, Events, Identity, Liveness, Management, Time, Transport
 from jauspy.services.host import Host
-from jauspy.services.mobility import LocalPoseSensor, PrimitiveDriver, VelocityStateSensor
+from jauspy.services.mobility import (
+    AccelerationStateSensor,
+    GlobalPose,
+    GlobalPoseSensor,
+    GlobalVectorDriver,
+    GlobalWaypointDriver,
+    GlobalWaypointListDriver,
+    LocalPoseSensor,
+    LocalVectorDriver,
+    LocalWaypointDriver,
+    LocalWaypointListDriver,
+    PrimitiveDriver,
+    Vehicle,
+    VelocityStateDriver,
+    VelocityStateSensor,
+)
 from jauspy.services.service import Service
 
-CHOICE: Final[Mapping[str, Callable[[DriveBase], Service]]] = {
+CHOICE: Final[Mapping[str, Callable[[Vehicle], Service]]] = {
     "Time": lambda _: Time(),
     "Liveness": lambda _: Liveness(),
     "PrimitiveDriver": PrimitiveDriver,
     "VelocityStateSensor": VelocityStateSensor,
+    "VelocityStateDriver": VelocityStateDriver,
+    "AccelerationStateSensor": AccelerationStateSensor,
     "LocalPoseSensor": LocalPoseSensor,
+    "LocalVectorDriver": LocalVectorDriver,
+    "LocalWaypointDriver": LocalWaypointDriver,
+    "LocalWaypointListDriver": LocalWaypointListDriver,
+    "GlobalPoseSensor": GlobalPoseSensor,
+    "GlobalVectorDriver": GlobalVectorDriver,
+    "GlobalWaypointDriver": GlobalWaypointDriver,
+    "GlobalWaypointListDriver": GlobalWaypointListDriver,
 }
 """What a configuration may choose from, beside Discovery."""
 
 
+def vehicle_of(config: RobotConfig, drive: DriveBase) -> Vehicle:
+    """The robot's chassis, and where its world lies on the globe, as its services share them."""
+    place = None
+    if (origin := config.origin) is not None:
+        place = GlobalPose(origin.latitude, origin.longitude, origin.altitude, math.radians(origin.heading))
+    return Vehicle(drive, name=config.name, origin=place)
+
+
+def offered(config: ModuleConfig, *, has_origin: bool) -> tuple[str, ...]:
+    """The services that the module has; those on the globe only where the robot has an origin."""
+    if config.services is not None:
+        return config.services
+    return ("Discovery", *(name for name in CHOICE if has_origin or name not in GLOBAL_SERVICES))
+
+
 def cm_mob(
     id: JausID,
-    drive: DriveBase,
+    vehicle: Vehicle,
     config: ModuleConfig,
     *,
     identities: Mapping[int, Identity],
@@ -35,7 +75,6 @@ def cm_mob(
     now: float,
 ) -> Host:
     """The component's host, with a watchdog on the drive. `now`: seconds of the clock that runs the host."""
-    chosen = config.services if config.services is not None else ("Discovery", *CHOICE)
     access = config.access_control
     services: list[Service] = [
         Transport(),
@@ -43,7 +82,8 @@ def cm_mob(
         AccessControl(default_authority=access.default_authority, timeout=access.timeout),
         Management(),
     ]
-    services += [Discovery(identities) if name == "Discovery" else CHOICE[name](drive) for name in chosen]
+    names = offered(config, has_origin=vehicle.has_origin)
+    services += [Discovery(identities) if name == "Discovery" else CHOICE[name](vehicle) for name in names]
     host = Host(id, services, utc_now=utc_now, now=now)
-    Watchdog(host, drive)
+    Watchdog(host, vehicle.pilot)
     return host

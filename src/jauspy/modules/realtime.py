@@ -13,7 +13,7 @@ from types import TracebackType
 from typing import Final, Self
 
 from jauspy.modules.pace import Pace
-from jauspy.platform.contract import Pose, Robot, Twist
+from jauspy.platform.contract import Acceleration, Pose, Robot, Twist
 
 STEP: Final = 0.01
 """Seconds between two looks at commands and two snapshots of the state."""
@@ -29,6 +29,7 @@ class Snapshot:
     time: float
     pose: Pose
     twist: Twist
+    acceleration: Acceleration
 
 
 @dataclass(frozen=True, slots=True)
@@ -148,7 +149,8 @@ class RealTime:
             self._snapshot = snapshot
 
     def _look(self) -> Snapshot:
-        return Snapshot(self._robot.time, self._robot.drive.pose(), self._robot.drive.twist())
+        drive = self._robot.drive
+        return Snapshot(self._robot.time, drive.pose(), drive.twist(), drive.acceleration())
 
 
 class SharedDrive:
@@ -172,3 +174,7 @@ class SharedDrive:
     def twist(self) -> Twist:
         """Velocity of the base in its own frame."""
         return self._runner.snapshot.twist
+
+    def acceleration(self) -> Acceleration:
+        """Acceleration of the base in its own frame."""
+        return self._runner.snapshot.acceleration

@@ -14,7 +14,7 @@ from jauspy.component import Shell
 from jauspy.ids import JausID
 from jauspy.modules.config import ModuleConfig, RobotConfig
 from jauspy.modules.description import robot_model
-from jauspy.modules.mobility import cm_mob
+from jauspy.modules.mobility import cm_mob, vehicle_of
 from jauspy.modules.realtime import RealTime, Snapshot
 from jauspy.platform import backends
 from jauspy.platform.contract import DriveBase
@@ -118,7 +118,7 @@ def _host(config: RobotConfig, module: ModuleConfig, drive: DriveBase) -> Host:
     }
     return cm_mob(
         config.id_of(module),
-        drive,
+        vehicle_of(config, drive),
         module,
         identities=identities,
         utc_now=lambda: datetime.now(UTC),

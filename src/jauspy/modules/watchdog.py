@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Final
+from typing import Final, Protocol
 
-from jauspy.platform.contract import DriveBase
 from jauspy.services.host import Host
 
 PERIOD: Final = 0.1
@@ -12,6 +11,14 @@ PERIOD: Final = 0.1
 
 MAY_MOVE: Final = ("Controlled", "Available", "Ready")
 """The states, one within the other, in which a client in control may move something (AS5710)."""
+
+
+class Stoppable(Protocol):
+    """What moves."""
+
+    def stop(self) -> None:
+        """Stop at once; twice is fine."""
+        ...
 
 
 def may_move(host: Host) -> bool:
@@ -23,7 +30,7 @@ def may_move(host: Host) -> bool:
 class Watchdog:
     """A second line of defence: the services stop the drive by themselves, unless there is a mistake in them."""
 
-    def __init__(self, host: Host, drive: DriveBase) -> None:
+    def __init__(self, host: Host, drive: Stoppable) -> None:
         self._host = host
         self._drive = drive
         self._look()

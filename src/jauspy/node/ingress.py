@@ -29,28 +29,39 @@ _Queue = deque[tuple[bytes, UdpPort]]
 class Ingress:
     """`take(datagram, port)` gets the datagrams of all attached sockets, the most urgent of those that wait first.
 
-    Within one priority they keep their order. `done` is called after each batch.
+    Within one priority they keep their order.
     """
 
-    def __init__(self, take: Take, done: Callable[[], None], counters: Counters) -> None:
+    def __init__(self, take: Take, counters: Counters) -> None:
         self._loop = asyncio.get_running_loop()
         self._take = take
-        self._done = done
         self._counters = counters
         self._queues: tuple[_Queue, ...] = tuple(deque() for _ in range(_PRIORITIES))
         self._waiting = 0
         self._scheduled = False
+        self._attached: list[socket.socket] = []
 
     def __len__(self) -> int:
         return self._waiting
 
     def attach(self, sock: socket.socket, network: str, failed: Callable[[OSError], None], *, skip: int = 0) -> None:
-        """Read a non-blocking socket until it is detached. `skip` bytes come before the packet's version byte.
+        """Read a non-blocking socket until `close`. `skip` bytes come before the packet's version byte.
 
         `failed` is told what became of sent datagrams that came back.
         """
         ports: dict[Any, UdpPort] = {}
         self._loop.add_reader(sock, self._wake, sock, network, skip, ports, failed)
+        self._attached.append(sock)
+
+    def close(self) -> None:
+        """Read no more, and forget what waits; the sockets belong to the caller."""
+        for sock in self._attached:
+            self._loop.remove_reader(sock)
+        self._attached.clear()
+        for queue in self._queues:
+            queue.clear()
+        self._counters["dropped.closed"] += self._waiting
+        self._waiting = 0
 
     def _wake(
         self,
@@ -60,23 +71,23 @@ class Ingress:
         ports: dict[Any, UdpPort],
         failed: Callable[[OSError], None],
     ) -> None:
-        for count in range(READ_BURST):
-            try:
+        count = 0
+        try:
+            for count in range(READ_BURST):  # noqa: B007
                 data, sender = sock.recvfrom(_BUFFER)
-            except (BlockingIOError, InterruptedError) as error:
-                if not count:
-                    failed(error)
-                break
-            except OSError as error:
+                port = ports.get(sender)
+                if port is None:
+                    if len(ports) > MAX_WAITING:
+                        ports.clear()
+                    port = ports[sender] = _port(sender, network)
+                self._queues[wire.peek_priority(data, skip)].append((data, port))
+            count = READ_BURST
+        except (BlockingIOError, InterruptedError) as error:
+            if not count:
                 failed(error)
-                break
-            port = ports.get(sender)
-            if port is None:
-                if len(ports) > MAX_WAITING:
-                    ports.clear()
-                port = ports[sender] = _port(sender, network)
-            self._queues[wire.peek_priority(data, skip)].append((data, port))
-            self._waiting += 1
+        except OSError as error:
+            failed(error)
+        self._waiting += count
         if self._waiting > MAX_WAITING:
             self._drop(self._waiting - MAX_WAITING)
         if not self._scheduled:
@@ -93,14 +104,13 @@ class Ingress:
 
     def _route(self) -> None:
         self._scheduled = False
-        left = ROUTE_BURST
+        take, left = self._take, ROUTE_BURST
         for queue in reversed(self._queues):
             count = min(left, len(queue))
             for _ in range(count):
-                self._take(*queue.popleft())
+                take(*queue.popleft())
             left -= count
         self._waiting -= ROUTE_BURST - left
-        self._done()
         if self._waiting:
             self._scheduled = True
             self._loop.call_soon(self._route)

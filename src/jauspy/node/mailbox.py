@@ -13,6 +13,9 @@ from jauspy.transport.outbox import Outbox
 
 BURST: Final = 64
 """Datagrams sent from the queue before others get their turn."""
+ATTEMPT_EVERY: Final = 8
+"""Datagrams that have to wait until sending is tried again, without being told that there is room. In a flood that
+takes too long: ten datagrams that a component can hold are read long before the event loop gets its turn."""
 
 _GONE: Final = (errno.ECONNREFUSED, errno.ENOENT, errno.ENOTCONN)
 
@@ -31,27 +34,41 @@ class Mailbox:
         self._gone = gone
         self._loop = asyncio.get_running_loop()
         self._socket: socket.socket | None = None
+        self._direct: Callable[[bytes], object] | None = None
+        """Sends at once; only while there is a socket and nothing waits."""
         self._waiting = Outbox()
+        self._watched = False
+        self._untried = 0
 
     def __len__(self) -> int:
         return len(self._waiting)
 
     def send(self, datagram: bytes) -> None:
         """Send now, or as soon as the component reads; what does not fit the queue is dropped and counted."""
-        if not self._waiting and (self._sent(datagram) or self._try(datagram)):
-            return
-        if not self._waiting and self._socket is not None:
-            self._loop.add_writer(self._socket, self._drain)
+        if self._direct is not None:
+            try:
+                self._direct(datagram)
+            except OSError:
+                self._send_carefully(datagram)
+        else:
+            self._send_carefully(datagram)
+
+    def _send_carefully(self, datagram: bytes) -> None:
+        if not self._waiting:
+            if self._try(datagram):
+                return
+            self._wait_for_room()
         for _ in range(self._waiting.push(datagram)):
             self._counters.drop("queue_full", self._path)
+        self._untried += 1
+        if self._untried == ATTEMPT_EVERY:
+            self._drain()
 
     def refresh(self) -> None:
         """The component has introduced itself: it may be a new one, on a new socket under the old name."""
         self._disconnect()
         if self._waiting:
             self._drain()
-        if self._waiting and self._socket is not None:
-            self._loop.add_writer(self._socket, self._drain)
 
     def close(self) -> None:
         """Forget the component, and count what waited for it; a second call does nothing."""
@@ -61,25 +78,32 @@ class Mailbox:
         self._waiting = Outbox()
 
     def _drain(self) -> None:
-        for _ in range(BURST):
-            if not self._waiting:
-                break
-            if not self._try(self._waiting.peek()):
-                return
-            if self._waiting:
-                self._waiting.pop()
-        if not self._waiting and self._socket is not None:
-            self._loop.remove_writer(self._socket)
-
-    def _sent(self, datagram: bytes) -> bool:
-        """The usual case; false sends it the careful way."""
-        if self._socket is None:
-            return False
+        self._untried = 0
         try:
-            self._socket.send(datagram)
+            if self._socket is not None:
+                self._waiting.drain(self._socket.send, BURST)
+        except BlockingIOError:
+            return
         except OSError:
-            return False
-        return True
+            self._disconnect()
+        if self._waiting and self._socket is None and self._try(self._waiting.peek()) and self._waiting:
+            self._waiting.pop()
+        if self._waiting:
+            self._wait_for_room()
+        elif self._socket is not None:
+            self._stop_waiting(self._socket)
+            self._direct = self._socket.send
+
+    def _wait_for_room(self) -> None:
+        self._direct, self._untried = None, 0
+        if self._socket is not None and not self._watched:
+            self._loop.add_writer(self._socket.fileno(), self._drain)
+            self._watched = True
+
+    def _stop_waiting(self, sock: socket.socket) -> None:
+        if self._watched:
+            self._loop.remove_writer(sock.fileno())
+            self._watched = False
 
     def _try(self, datagram: bytes) -> bool:
         """False when it must wait; true when it was sent, or is lost because the component is gone."""
@@ -120,10 +144,12 @@ class Mailbox:
             sock.close()
             raise
         self._socket = sock
+        if not self._waiting:
+            self._direct = sock.send
         return sock
 
     def _disconnect(self) -> None:
-        sock, self._socket = self._socket, None
+        sock, self._socket, self._direct = self._socket, None, None
         if sock is not None:
-            self._loop.remove_writer(sock)
+            self._stop_waiting(sock)
             sock.close()

@@ -17,12 +17,13 @@ from jauspy.node.ingress import Ingress
 from jauspy.node.links import Links
 from jauspy.node.mailbox import Mailbox
 from jauspy.node.network import Network
+from jauspy.node.shortcuts import Send, Shortcuts
 from jauspy.node.state import NodeState
 from jauspy.node.sweep import Sweep
 from jauspy.protocol import junior
 from jauspy.protocol.directory import ComponentPort
 from jauspy.protocol.node import NodeCore
-from jauspy.protocol.ports import GroupPort, LocalPort, NetworkPort, Port, SerialPort, TcpPort, UdpPort
+from jauspy.protocol.ports import GroupPort, LocalPort, Port, SerialPort, TcpPort, UdpPort
 from jauspy.protocol.sources import Sources
 from jauspy.transport import draining, local_socket, memberships
 
@@ -56,7 +57,9 @@ class NodeManager:
             networks=[network.name for network in self.config.all_networks],
             gateway=policy.gateway(self.config),
             sources=Sources(policy.limits(self.config)),
+            changed=self._changed,
         )
+        self._shortcuts = Shortcuts(self._core, self._way_to)
         self._networks: dict[str, Network] = {}
         self._local: socket.socket | None = None
         self._ingress: Ingress | None = None
@@ -64,7 +67,7 @@ class NodeManager:
         self._senders: dict[str | bytes | None, LocalPort] = {}
         self._mirror: Mirror | None = None
         self._mirrored: Port = LocalPort("")
-        self._links = Links(self._core.counters, self.config.name, self._from_link, self._core.disconnected)
+        self._links = Links(self._core.counters, self.config.name, self._take, self._core.disconnected)
         self._timer: asyncio.TimerHandle | None = None
         self._watch: asyncio.TimerHandle | None = None
         self._sweep = Sweep(self._core.components, self._is_dead, self._buried)
@@ -137,8 +140,9 @@ class NodeManager:
             await self.close()
             raise
         self._closed.clear()
-        draining.attach(self._loop, self._local, self._from_component, self._socket_error, done=self._flush)
-        self._ingress = Ingress(self._from_network, self._flush, self._core.counters)
+        draining.attach(self._loop, self._local, self._from_component, self._socket_error)
+        sealed = any(network.seal for network in self._networks.values())
+        self._ingress = Ingress(self._from_network if sealed else self._take, self._core.counters)
         for name, network in self._networks.items():
             for sock in network.sockets:
                 self._ingress.attach(sock, name, self._udp_error, skip=network.skip)
@@ -154,14 +158,15 @@ class NodeManager:
             if timer is not None:
                 timer.cancel()
         self._timer = self._watch = self._sweeping = None
+        draining.detach(self._loop, local)
+        if self._ingress is not None:
+            self._ingress.close()
         await self._links.close()
         for mailbox in self._mailboxes.values():
             mailbox.close()
         self._mailboxes.clear()
-        draining.detach(self._loop, local)
+        self._shortcuts.clear()
         for network in self._networks.values():
-            for sock in network.sockets:
-                self._loop.remove_reader(sock)
             network.close()
         self._networks.clear()
         self._mirror = None
@@ -178,6 +183,7 @@ class NodeManager:
         self._core.gateway = gateway
         self._core.address_book.tell({int(id): ports for id, ports in known.items()})
         self._core.sources.limit(policy.limits(config))
+        self._shortcuts.clear()
         names = type(config).model_fields
         changed = [name for name in names if getattr(config, name) != getattr(self.config, name)]
         taken = {name: getattr(config, name) for name in changed if name in RELOADABLE}
@@ -204,15 +210,14 @@ class NodeManager:
         if datagram is not None:
             self._take(datagram, port)
 
-    def _from_link(self, datagram: bytes, port: NetworkPort) -> None:
-        self._take(datagram, port)
-        self._flush()
-
     def _take(self, datagram: bytes, port: Port) -> None:
-        self._core.receive(datagram, port, self._loop.time())
-        if self._mirror is not None:
+        if not self._shortcuts.take(datagram, port):
+            self._core.receive(datagram, port, self._loop.time())
             self._mirrored = port
             self._flush()
+
+    def _changed(self, id: int | None) -> None:
+        self._shortcuts.forget(id)
 
     def _socket_error(self, error: OSError) -> None:
         self._core.counters.drop("socket_error", error)
@@ -244,14 +249,27 @@ class NodeManager:
                 self._mirror.add(self._mirrored, port, datagram)
         self._arm()
 
+    def _way_to(self, port: LocalPort | UdpPort) -> Send | None:
+        """For the shortcuts; a mirror wants to see each datagram."""
+        if self._mirror is not None:
+            return None
+        if isinstance(port, LocalPort):
+            return self._mailbox(port.path).send
+        network = self._networks.get(port.network)
+        return None if network is None else network.way_to(port.host, port.port)
+
     def _send_local(self, path: str, datagram: bytes) -> None:
+        mailbox = self._mailbox(path)
+        if datagram[0] == junior.VERSION:
+            mailbox.refresh()
+        mailbox.send(datagram)
+
+    def _mailbox(self, path: str) -> Mailbox:
         mailbox = self._mailboxes.get(path)
         if mailbox is None:
             self._forget_cancelled()
             mailbox = self._mailboxes[path] = Mailbox(path, self._core.counters, self._gone)
-        elif datagram[0] == junior.VERSION:
-            mailbox.refresh()
-        mailbox.send(datagram)
+        return mailbox
 
     def _gone(self, path: str) -> None:
         self._mailboxes.pop(path, None)
@@ -292,10 +310,7 @@ class NodeManager:
     # --- time ----------------------------------------------------------------------------------------------------
 
     def _arm(self) -> None:
-        when = self._core.next_timeout()
-        if when is None or self._local is None:
-            return
-        if self._timer is None:
+        if self._timer is None and self._local is not None and (when := self._core.next_timeout()) is not None:
             self._timer = self._loop.call_at(when, self._timeout)
 
     def _timeout(self) -> None:

@@ -39,6 +39,18 @@ class Twist:
     wz: float = 0.0
 
 
+@dataclass(frozen=True, slots=True)
+class Acceleration:
+    """How the motion of the base changes, in its own frame, gravity left out: m/s^2 and rad/s^2."""
+
+    ax: float = 0.0
+    ay: float = 0.0
+    az: float = 0.0
+    wx: float = 0.0
+    wy: float = 0.0
+    wz: float = 0.0
+
+
 class DriveBase(Protocol):
     """A chassis that drives on the ground."""
 
@@ -56,6 +68,10 @@ class DriveBase(Protocol):
 
     def twist(self) -> Twist:
         """Velocity of the base in its own frame."""
+        ...
+
+    def acceleration(self) -> Acceleration:
+        """Acceleration of the base in its own frame, averaged over the last `Robot.advance`; zero before the first."""
         ...
 
 

@@ -8,7 +8,8 @@ from dataclasses import dataclass
 from typing import Final
 
 from jauspy.errors import ConfigError
-from jauspy.platform.contract import Pose, Twist
+from jauspy.platform.acceleration import mean_acceleration
+from jauspy.platform.contract import Acceleration, Pose, Twist
 from jauspy.platform.description import RobotModel
 from jauspy.platform.kinematic_joints import KinematicJoints
 from jauspy.platform.skid_steer import mix
@@ -62,6 +63,7 @@ class SkidSteer:
         self._efforts = (0.0, 0.0)
         self._left = self._right = 0.0
         self._x = self._y = self._yaw = 0.0
+        self._acceleration = Acceleration()
 
     def set_effort(self, linear_x: float, rotational_z: float) -> None:
         """Drive with fractions of the full effort, -1..1; positive z turns left."""
@@ -81,6 +83,14 @@ class SkidSteer:
             vx=(self._left + self._right) / 2.0,
             wz=(self._right - self._left) / self._parameters.slip_width,
         )
+
+    def acceleration(self) -> Acceleration:
+        """Mean of the last `advance`."""
+        return self._acceleration
+
+    def moved(self, before: Twist, dt: float) -> None:
+        """`dt` seconds have passed, at whose beginning the twist was `before`."""
+        self._acceleration = mean_acceleration(before, self.twist(), dt)
 
     def step(self, dt: float) -> None:
         """Move for `dt` seconds along the arc that the tracks' mean speeds describe."""
@@ -124,11 +134,14 @@ class KinematicRobot:
         """Let exactly `dt` seconds pass, in equal steps of at most `MAX_STEP`."""
         if not 0.0 <= dt < math.inf:
             raise ValueError(f"cannot advance by {dt} s; time only goes forward")
+        before = self._drive.twist()
         steps = math.ceil(dt / MAX_STEP)
         for _ in range(steps):
             self._drive.step(dt / steps)
             for group in self._groups.values():
                 group.step(dt / steps)
+        if steps:
+            self._drive.moved(before, dt)
         self._time += dt
 
     def close(self) -> None:

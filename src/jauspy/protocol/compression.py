@@ -130,6 +130,10 @@ class Compression:
         self._partners.move_to_end(port)
         return partner
 
+    def knows(self, port: UdpPort) -> bool:
+        """True when `shrink` may change or do something for this peer."""
+        return self._probes or port in self._partners
+
     # --- out -----------------------------------------------------------------------------------------------------
 
     def shrink(self, datagram: bytes, port: UdpPort, now: float) -> bytes:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Final, TypeAlias
 
 from jauspy.protocol import addressing
@@ -15,9 +15,10 @@ ComponentPort: TypeAlias = LocalPort | UdpPort
 
 
 class Directory:
-    """Ids (32-bit numbers) and the ports they were last heard from."""
+    """Ids (32-bit numbers) and the ports they were last heard from. `changed` is told of an id that comes or goes."""
 
-    def __init__(self) -> None:
+    def __init__(self, changed: Callable[[int], None] = lambda _: None) -> None:
+        self._changed = changed
         self._ports: dict[int, ComponentPort] = {}
         self._ids: dict[ComponentPort, set[int]] = {}
 
@@ -46,6 +47,7 @@ class Directory:
             self.remove(id)
             self._ports[id] = port
             self._ids.setdefault(port, set()).add(id)
+            self._changed(id)
         return True
 
     def remove(self, id: int) -> None:
@@ -55,6 +57,7 @@ class Directory:
             self._ids[port].discard(id)
             if not self._ids[port]:
                 del self._ids[port]
+            self._changed(id)
 
     def remove_port(self, port: ComponentPort) -> list[int]:
         """Forget all that listen there; returns their ids."""

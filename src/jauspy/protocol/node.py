@@ -28,8 +28,8 @@ from jauspy.protocol.waiting import WaitingRoom
 _LOGGER = logging.getLogger(__name__)
 
 _KINDS: Final = {LocalPort: "local", UdpPort: "udp", GroupPort: "udp", TcpPort: "tcp", SerialPort: "serial"}
-_RECEIVED: Final[dict[type, str]] = {port: f"received.{kind}" for port, kind in _KINDS.items()}
-_ROUTED: Final[dict[type, str]] = {port: f"routed.{kind}" for port, kind in _KINDS.items()}
+RECEIVED: Final[dict[type, str]] = {port: f"received.{kind}" for port, kind in _KINDS.items()}
+ROUTED: Final[dict[type, str]] = {port: f"routed.{kind}" for port, kind in _KINDS.items()}
 
 
 CompressionUse: TypeAlias = Literal["off", "accept", "propose"]
@@ -43,6 +43,7 @@ class NodeCore:
     `compression` is what is done with compressed headers on UDP.
     Packets cross from one of the `networks` to another only by a `gateway`; it and `sources` may change at run time.
     `is_dead` says whether nobody listens on a socket any more; it is asked when somebody else speaks as its component.
+    `changed` is told of each id whose `shortcut` may be another now, or None for all of them.
     """
 
     def __init__(
@@ -57,9 +58,11 @@ class NodeCore:
         local_udp: bool = True,
         compression: CompressionUse = "accept",
         is_dead: Callable[[str], bool] = lambda _: False,
+        changed: Callable[[int | None], None] = lambda _: None,
     ) -> None:
         self.counters = Counters(_LOGGER)
-        self.components = Directory()
+        self._changed = changed
+        self.components = Directory(changed)
         static = {int(id): ports for id, ports in (addresses or {}).items()}
         self.address_book = AddressBook(static, lifetime=address_lifetime)
         self.gateway = gateway
@@ -81,7 +84,7 @@ class NodeCore:
 
     def receive(self, data: bytes, source: Port, now: float) -> None:
         """Take one datagram from a component or from the network. Never raises; what is wrong is counted."""
-        self.counters[_RECEIVED[type(source)]] += 1
+        self.counters[RECEIVED[type(source)]] += 1
         try:
             if isinstance(source, LocalPort) or (isinstance(source, UdpPort) and self._is_local(data, source)):
                 self._from_component(data, source, now)
@@ -89,6 +92,39 @@ class NodeCore:
                 self._from_network(data, source, now)
         except ProtocolError as error:
             self.counters.drop(f"malformed.{error.reason}", error)
+
+    def shortcut(self, source: int, destination: int, port: Port, now: float) -> LocalPort | UdpPort | None:
+        """Where `receive` sends every plain packet between two ids that comes from `port`, whatever else is in it.
+
+        None when it would look at more than the ids, or do more than send. Good until an id changes or for a moment,
+        because limits of rates, learned addresses and their checks live on what `receive` sees.
+        """
+        if self.gateway is not None or self.sources.are_limited or addressing.is_wildcard(destination):
+            return None
+        to = self.components.port(destination)
+        if isinstance(port, LocalPort) and self.components.port(source) == port:
+            where = to or self.address_book.find(destination, now)
+        elif self._is_settled(source, port, now):
+            where = to
+        else:
+            return None
+        if isinstance(where, LocalPort):
+            return where
+        if (
+            isinstance(where, UdpPort)
+            and where is not to
+            and not (self._compression and self._compression.knows(where))
+        ):
+            return where
+        return None
+
+    def _is_settled(self, id: int, port: Port, now: float) -> bool:
+        """True for a peer on the network that was checked and learned a moment ago."""
+        if isinstance(port, LocalPort | GroupPort) or id in self.components:
+            return False
+        return self.sources.is_settled(id, port, now) and not (
+            isinstance(port, UdpPort) and self.components.has_port(port)
+        )
 
     def poll_output(self) -> list[tuple[Port, bytes]]:
         """What is to be sent now, in order."""
@@ -218,6 +254,8 @@ class NodeCore:
             self.counters.drop("connect_from_network", f"{port.host}:{port.port}")
             return
         if self._compression is not None and type(port) is UdpPort and applies_to(data):
+            if not self._compression.knows(port):
+                self._changed(None)
             data = self._compression.expand(data, port, now)
             if not data:
                 return
@@ -287,6 +325,7 @@ class NodeCore:
         if addressing.is_vague(id):
             return
         if self.address_book.learn(id, port, now):
+            self._changed(id)
             for datagram in self._waiting.found(id):
                 if port.network in self._where_to_ask(wire.header_of(datagram), now):
                     self._forward(port, id, datagram, now)
@@ -317,7 +356,7 @@ class NodeCore:
 
     def _send_to(self, port: NetworkPort, destination: int, datagram: bytes) -> None:
         self._send(port, self._dialects.spoken_to(destination, datagram))
-        self.counters[_ROUTED[type(port)]] += 1
+        self.counters[ROUTED[type(port)]] += 1
 
     def _multicast(self, datagram: bytes, networks: Sequence[str], now: float) -> None:
         for network in networks:

@@ -17,6 +17,7 @@ from jauspy.protocol.legacy import Dialect
 MAX_DIALECTS: Final = 1024
 
 _VERSION_BYTE: Final = bytes([header.VERSION])
+_PLAIN: Final = bytes([header.VERSION, 0])
 _ACK_REQUIRED: Final = Ack.REQUIRED << 4
 _ACK_MASK: Final = 3 << 4
 _HC_BYTES: Final = 2
@@ -54,6 +55,8 @@ def peek_priority(data: bytes, skip: int = 0) -> int:
 
     Connects and Cancels count like what a component usually sends, so that they keep their place among it.
     """
+    if len(data) > skip + header.OVERHEAD and data[skip : skip + 2] == _PLAIN:
+        return data[skip + 4] & 3
     if data[skip : skip + 1] in _OLD_BEGINNINGS and legacy.is_legacy(data[skip:]):
         return legacy.priority(data[skip:])
     return header.peek_priority(data, skip)

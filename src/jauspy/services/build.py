@@ -11,7 +11,7 @@ from jauspy.errors import ConfigError
 from jauspy.schema.model import Schema, Service as Definition
 from jauspy.services.bind import Binder, Reply
 from jauspy.services.core.defaults import DEFAULTS
-from jauspy.services.definitions import registry_for, schema_for
+from jauspy.services.definitions import schema_for
 from jauspy.services.isolation import Containment
 from jauspy.services.lineage import definitions_of
 from jauspy.services.machine import BoundState, Machine, Rule
@@ -38,14 +38,12 @@ class Built:
 
 
 def build(
-    services: Iterable[Service], schema: Schema | None, registry: Registry | None, reply: Reply, contain: Containment
+    services: Iterable[Service], schema: Schema | None, registry: Registry, reply: Reply, contain: Containment
 ) -> Built:
     """Everything bound and checked; raises `ConfigError` with all that is missing."""
     given = _by_urn(services)
     if schema is None:
         schema = schema_for(given.values())
-    if registry is None:
-        registry = registry_for(given.values())
     definitions = definitions_of(given.values(), schema)
     all_services = {urn: given.get(urn) or _default(urn) for urn in definitions}
     binder = Binder(definitions, all_services, reply)

@@ -8,7 +8,6 @@ from collections.abc import Callable, Hashable, Iterable, Mapping
 from datetime import datetime
 from typing import TYPE_CHECKING, Any, Final, TypeVar
 
-from jauspy import messages
 from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
 from jauspy.errors import DecodeError, EncodeError
@@ -19,6 +18,7 @@ from jauspy.services.build import Built, build
 from jauspy.services.core.access_control import AccessControl
 from jauspy.services.core.management import Management
 from jauspy.services.core.time import Time
+from jauspy.services.definitions import registry_for
 from jauspy.services.isolation import Attempt
 from jauspy.services.machine import Outcome
 from jauspy.services.outbox import Outbox, Outgoing
@@ -68,8 +68,9 @@ class Host:
         self._events: deque[Trigger] = deque()
         self._busy = True
         self._logged: set[str] = set()
-        self._registry = registry or messages.registry
-        self._built: Built = build(services, schema, self._registry, self._reply, self._contain)
+        given = list(services)
+        self._registry = registry or registry_for(given)
+        self._built: Built = build(given, schema, self._registry, self._reply, self._contain)
         for service in self.services:
             service.host = self
         for service in self.services:

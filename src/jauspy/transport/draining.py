@@ -16,21 +16,13 @@ def attach(
     sock: socket.socket,
     take: Callable[[bytes, Any], None],
     failed: Callable[[OSError], None],
-    *,
-    done: Callable[[], None] | None = None,
 ) -> None:
     """Call `take(datagram, sender)` for each datagram of a non-blocking socket until it is detached.
 
     An error that a sent datagram left behind goes to `failed`, and reading goes on.
-    `done` is called once after each batch.
     """
 
     def drain() -> None:
-        read()
-        if done is not None:
-            done()
-
-    def read() -> None:
         for _ in range(DATAGRAMS_PER_WAKEUP):
             try:
                 datagram, sender = sock.recvfrom(BUFFER_SIZE)

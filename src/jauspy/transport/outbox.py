@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Callable
 from typing import Final
 
 from jauspy.protocol import junior, wire
@@ -39,11 +40,24 @@ class Outbox:
 
     def peek(self) -> bytes:
         """The datagram to send next; only when there is one."""
-        return next(queue for queue in reversed(self._queues) if queue)[0]
+        return self._next()[0]
 
     def pop(self) -> None:
         """Remove what `peek` showed."""
-        self._take(next(queue for queue in reversed(self._queues) if queue))
+        self._take(self._next())
+
+    def drain(self, send: Callable[[bytes], object], count: int) -> None:
+        """Send the next `count`; one that raises stays the next, and its exception passes."""
+        while self._length and count:
+            queue = self._next()
+            for _ in range(min(count, len(queue))):
+                send(queue[0])
+                self._take(queue)
+                count -= 1
+
+    def _next(self) -> deque[bytes]:
+        low, standard, high, urgent = self._queues
+        return urgent or high or standard or low
 
     def _take(self, queue: deque[bytes]) -> None:
         self._bytes -= len(queue.popleft())

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 
-from jauspy.platform.contract import Pose, Twist
+from jauspy.platform.contract import Acceleration, Pose, Twist
 
 
 def jaus_pose(pose: Pose) -> Pose:
@@ -18,6 +18,12 @@ def jaus_pose(pose: Pose) -> Pose:
 def jaus_twist(twist: Twist) -> Twist:
     """A body twist in the other frame; its own inverse."""
     return Twist(twist.vx, -twist.vy, -twist.vz, twist.wx, -twist.wy, -twist.wz)
+
+
+def jaus_acceleration(acceleration: Acceleration) -> Acceleration:
+    """A body acceleration in the other frame; its own inverse."""
+    a = acceleration
+    return Acceleration(a.ax, -a.ay, -a.az, a.wx, -a.wy, -a.wz)
 
 
 def wrap(angle: float) -> float:

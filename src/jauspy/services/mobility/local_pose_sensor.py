@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from jauspy.messages.mobility import (
     ReportLocalPose,
@@ -12,47 +11,26 @@ from jauspy.messages.mobility import (
     SetLocalPoseExt,
     ZPosition,
 )
-from jauspy.platform.contract import DriveBase, Pose
-from jauspy.services.mobility.frames import jaus_pose, wrap
+from jauspy.platform.contract import Pose
+from jauspy.services.mobility.vehicle import Vehicle
 from jauspy.services.service import Service
 from jauspy.services.stamps import epoch_seconds, time_stamp
-
-
-@dataclass(frozen=True, slots=True)
-class Reference:
-    """Puts the local frame so that the platform at `raw` reads as `shown`: a shift and a turn about z."""
-
-    raw: Pose
-    shown: Pose
-
-    def apply(self, pose: Pose) -> Pose:
-        """A pose (JAUS axes) in the frame that was set."""
-        turn = self.shown.yaw - self.raw.yaw
-        dx, dy = pose.x - self.raw.x, pose.y - self.raw.y
-        return replace(
-            pose,
-            x=self.shown.x + math.cos(turn) * dx - math.sin(turn) * dy,
-            y=self.shown.y + math.sin(turn) * dx + math.cos(turn) * dy,
-            z=self.shown.z + pose.z - self.raw.z,
-            yaw=wrap(pose.yaw + turn),
-        )
 
 
 class LocalPoseSensor(Service, urn="urn:jaus:jss:mobility:LocalPoseSensor"):
     """Position (m), attitude (rad) and time.
 
     The controlling client may set x, y, z and yaw; roll and pitch are measured against gravity and stay as they are.
+    The frame that is set is that of the drivers to local waypoints and along local vectors, too.
     """
 
-    def __init__(self, drive: DriveBase) -> None:
-        self._drive = drive
-        self._reference: Reference | None = None
+    def __init__(self, vehicle: Vehicle) -> None:
+        self._vehicle = vehicle
 
     @property
     def pose(self) -> Pose:
         """The pose in JAUS axes, in the local frame as it was last set."""
-        raw = jaus_pose(self._drive.pose())
-        return self._reference.apply(raw) if self._reference else raw
+        return self._vehicle.local.show(self._vehicle.pose)
 
     def update_local_pose(self, msg: SetLocalPose) -> None:
         """The platform is, from now on, where the client says that it is."""
@@ -67,7 +45,7 @@ class LocalPoseSensor(Service, urn="urn:jaus:jss:mobility:LocalPoseSensor"):
     def _set(self, x: float | None, y: float | None, z: float | None, yaw: float | None) -> None:
         given = {"x": x, "y": y, "z": z, "yaw": yaw}
         shown = replace(self.pose, **{name: value for name, value in given.items() if value is not None})
-        self._reference = Reference(jaus_pose(self._drive.pose()), shown)
+        self._vehicle.local.set(self._vehicle.pose, shown)
 
     def report_local_pose(self) -> ReportLocalPose:
         """Everything that is measured; there is no estimate of the errors."""

@@ -10,8 +10,8 @@ from jauspy.messages.mobility import (
     ReportVelocityStateExtRec,
     VelocityVehicleXYZRec,
 )
-from jauspy.platform.contract import DriveBase
 from jauspy.services.mobility.frames import jaus_twist
+from jauspy.services.mobility.vehicle import Vehicle
 from jauspy.services.service import Service
 from jauspy.services.stamps import epoch_seconds, time_stamp
 
@@ -19,8 +19,8 @@ from jauspy.services.stamps import epoch_seconds, time_stamp
 class VelocityStateSensor(Service, urn="urn:jaus:jss:mobility:VelocityStateSensor"):
     """Velocities (m/s) and rates (rad/s) in JAUS body axes: x forward, y right, z down."""
 
-    def __init__(self, drive: DriveBase) -> None:
-        self._drive = drive
+    def __init__(self, vehicle: Vehicle) -> None:
+        self._drive = vehicle.drive
 
     def report_velocity_state(self) -> ReportVelocityState:
         """Everything that is measured; there is no estimate of the errors."""

@@ -1,0 +1,73 @@
+"""Closed-loop velocity control of a skid-steered chassis: wanted and measured motion to efforts."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from jauspy.services.mobility.guidance.motion import Motion
+
+
+@dataclass(frozen=True, slots=True)
+class Gains:
+    """Of one axis. Efforts are fractions of the full one; the rest is in m/s, or rad/s, and seconds."""
+
+    forward: float
+    """Effort per unit of wanted velocity: what the drive needs by and large."""
+    breakaway: float
+    """Effort that only overcomes friction; tracks that skid sideways need some before anything turns."""
+    proportional: float
+    integral: float
+
+
+SPEED = Gains(forward=0.64, breakaway=0.01, proportional=0.15, integral=0.6)
+TURN = Gains(forward=0.27, breakaway=0.06, proportional=0.05, integral=0.4)
+"""Between those of inc1 as it is simulated with and without physics; the integral makes up for the difference."""
+
+SOFT = 0.1
+"""Velocity (m/s, rad/s) from which on the whole breakaway effort is added, so that it does not jump at zero."""
+
+
+class AxisControl:
+    """PI control with feed-forward; the integral stands still while the effort is at its limit."""
+
+    def __init__(self, gains: Gains) -> None:
+        self._gains = gains
+        self._integral = 0.0
+
+    def reset(self) -> None:
+        """Forget what was learned about the resistance."""
+        self._integral = 0.0
+
+    def effort(self, wanted: float, measured: float, dt: float) -> float:
+        """The effort, -1..1, for the next `dt` seconds."""
+        gains, error = self._gains, wanted - measured
+        feed_forward = gains.forward * wanted + gains.breakaway * limit(wanted / SOFT)
+        integral = self._integral + gains.integral * error * dt
+        effort = feed_forward + gains.proportional * error + integral
+        if abs(effort) <= 1.0:
+            self._integral = integral
+        return limit(effort)
+
+
+class VelocityControl:
+    """Both axes of the chassis."""
+
+    def __init__(self) -> None:
+        self._speed, self._turn = AxisControl(SPEED), AxisControl(TURN)
+
+    def reset(self) -> None:
+        """Start anew."""
+        self._speed.reset()
+        self._turn.reset()
+
+    def efforts(self, wanted: Motion, measured: Motion, dt: float) -> tuple[float, float]:
+        """Efforts forward and to the right, -1..1."""
+        return (
+            self._speed.effort(wanted.speed, measured.speed, dt),
+            self._turn.effort(wanted.turn_rate, measured.turn_rate, dt),
+        )
+
+
+def limit(value: float, most: float = 1.0) -> float:
+    """The value within -most..most."""
+    return min(most, max(-most, value))

@@ -1,0 +1,58 @@
+"""The velocities and accelerations that a client may ask for."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from jauspy.messages.mobility import SetAccelerationLimit
+from jauspy.platform.chassis import Chassis
+from jauspy.services.mobility.guidance.motion import Limits, Motion
+from jauspy.services.mobility.guidance.velocity_control import limit
+
+SLOWEST_CHANGE = 0.05
+"""m/s^2, rad/s^2: a limit of zero would keep a moving platform moving for ever."""
+
+
+@dataclass(frozen=True, slots=True)
+class VelocityRange:
+    """From the least to the most velocity, of both axes."""
+
+    least: Motion
+    most: Motion
+
+    @classmethod
+    def of(cls, chassis: Chassis) -> VelocityRange:
+        """All that the chassis can do."""
+        return cls(Motion(-chassis.max_speed, -chassis.max_turn_rate), Motion(chassis.max_speed, chassis.max_turn_rate))
+
+    def contains(self, motion: Motion) -> bool:
+        """True for a motion that is neither too fast nor too slow."""
+        return (
+            self.least.speed <= motion.speed <= self.most.speed
+            and self.least.turn_rate <= motion.turn_rate <= self.most.turn_rate
+        )
+
+
+def possible(motion: Motion, chassis: Chassis) -> Motion:
+    """The motion, or as much of it as the chassis can do."""
+    return Motion(limit(motion.speed, chassis.max_speed), limit(motion.turn_rate, chassis.max_turn_rate))
+
+
+def with_acceleration(limits: Limits, msg: SetAccelerationLimit, chassis: Chassis) -> Limits:
+    """The limits after a command; what it leaves out stays, and the chassis sets the upper bound."""
+    x, yaw = msg.acceleration_x, msg.yaw_acceleration
+    if msg.command_type == SetAccelerationLimit.CommandType.MAX_ACCELERATION:
+        return replace(
+            limits,
+            acceleration=_usable(x, limits.acceleration, chassis.acceleration),
+            turn_acceleration=_usable(yaw, limits.turn_acceleration, chassis.turn_acceleration),
+        )
+    return replace(
+        limits,
+        deceleration=_usable(x, limits.deceleration, chassis.deceleration),
+        turn_deceleration=_usable(yaw, limits.turn_deceleration, chassis.turn_acceleration),
+    )
+
+
+def _usable(wanted: float | None, present: float, most: float) -> float:
+    return present if wanted is None else min(most, max(SLOWEST_CHANGE, abs(wanted)))
