@@ -64,6 +64,7 @@ format: dev
 
 generate: dev
 	$(BIN)/python tools/generate_messages.py
+	$(BIN)/python tools/generate_sync.py
 
 clean:
 	rm -rf $(VENV) dist build .mypy_cache .pytest_cache .ruff_cache .hypothesis .import_linter_cache

@@ -6,10 +6,11 @@ import shutil
 import socket
 import subprocess
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
+from tests.node.hosts.switch import Switch
 
 
 @pytest.fixture
@@ -62,3 +63,19 @@ def cable() -> Iterator[tuple[str, str]]:
 
 def _run(*command: str) -> None:
     subprocess.run(command, check=True, capture_output=True, timeout=20)
+
+
+@pytest.fixture
+def switch() -> Iterator[Callable[[int], Switch]]:
+    """Makes a number of hosts on one switch."""
+    if os.geteuid() or not shutil.which("ip"):
+        pytest.skip("needs root and the program ip to make network namespaces")
+    with contextlib.ExitStack() as stack:
+
+        def make(count: int) -> Switch:
+            try:
+                return Switch(stack, count)
+            except subprocess.CalledProcessError as error:
+                pytest.skip(f"this system makes no network namespaces: {error.stderr.decode().strip()}")
+
+        yield make

@@ -45,6 +45,16 @@ class SimulatedRobot:
         return cls(build(robot, world), robot)
 
     @property
+    def model(self) -> mujoco.MjModel:
+        """MuJoCo's model of the robot and its world."""
+        return self._model
+
+    @property
+    def data(self) -> mujoco.MjData:
+        """MuJoCo's state; whoever writes into it moves the world by hand."""
+        return self._data
+
+    @property
     def drive(self) -> TrackedDrive:
         """The tracked chassis."""
         return self._drive

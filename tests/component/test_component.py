@@ -14,7 +14,14 @@ import pytest
 
 import jauspy
 from jauspy.errors import ConfigError, TransportError
-from jauspy.messages.core import QueryHeartbeatPulse, QueryTime, ReportHeartbeatPulse, ReportTime
+from jauspy.messages.core import (
+    QueryHeartbeatPulse,
+    QueryStatus,
+    QueryTime,
+    ReportHeartbeatPulse,
+    ReportStatus,
+    ReportTime,
+)
 from jauspy.messages.mobility import QueryWrenchEffort, ReportWrenchEffort, SetWrenchEffort
 from jauspy.node import NodeConfig, NodeManager
 from jauspy.services.core import Discovery, Identity, Liveness
@@ -165,6 +172,35 @@ def test_every_does_not_drift_and_leaves_out_what_was_missed():
     host.cancel_timer(clock.tick)
     host.handle_timeout(110.0)
     assert len(clock.ticks) == 4
+
+
+class Buggy(Liveness):
+    def report_heartbeat_pulse(self) -> ReportHeartbeatPulse:
+        raise RuntimeError("a bug of the author")
+
+
+@pytest.mark.parametrize(("on_error", "status"), [("stay", "STANDBY"), ("failure", "FAILURE")])
+async def test_it_survives_its_own_bugs_and_others_run_on(on_error, status, caplog):
+    hub = LoopbackHub()
+    other = jauspy.Component("101.1.121", [Liveness()], transport=on(hub, "101.1.121"))
+    me = component(hub, Buggy(), on_action_error=on_error)
+    async with me, other, jauspy.OCU(OCU, transport=on(hub, OCU)) as ocu:
+        await until(lambda: me.host.status == ReportStatus.Status.STANDBY)
+        with pytest.raises(jauspy.ResponseTimeout):
+            await ocu.query(ME, QueryHeartbeatPulse(), timeout=0.05, retries=0)
+        assert me.counters["host.action_failed"] == 1
+        assert (await ocu.query(ME, QueryStatus())).status.name == status
+        assert (await ocu.query("101.1.121", QueryStatus())).status.name == "STANDBY"
+    (record,) = [each for each in caplog.records if each.levelname == "ERROR"]
+    assert "QueryHeartbeatPulse" in record.getMessage()
+    assert "42.1.1" in record.getMessage()
+    assert "a bug of the author" in caplog.text
+
+
+async def until(condition) -> None:
+    async with asyncio.timeout(20):
+        while not condition():
+            await asyncio.sleep(0.005)
 
 
 PROGRAM = """

@@ -9,6 +9,7 @@ import pytest
 from tests.modules.world import World
 
 from jauspy.platform.contract import Acceleration, Pose, Twist
+from jauspy.platform.joints import JointGroup
 
 
 class FakeDrive:
@@ -39,6 +40,7 @@ class FakeRobot:
     """Counts the time it was given, and notices who touches it."""
 
     def __init__(self, breaks_after: int | None = None) -> None:
+        self.groups: dict[str, JointGroup] = {}
         self.drive = FakeDrive()
         self.time = 0.0
         self.closed = 0

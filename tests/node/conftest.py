@@ -1,11 +1,13 @@
 """Components and network peers as bytes."""
 
+import contextlib
 import socket
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
+from tests.node.daemon import Daemon
 
 from jauspy.ids import JausID
 from jauspy.protocol import junior
@@ -42,3 +44,9 @@ def udp(stack: ExitStack) -> Callable[[], socket.socket]:
         return sock
 
     return make
+
+
+@pytest.fixture
+def daemon(root: Path, free_port: int) -> Iterator[Daemon]:
+    with contextlib.ExitStack() as stack:
+        yield Daemon(stack, root, free_port)

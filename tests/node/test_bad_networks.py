@@ -3,103 +3,13 @@
 import contextlib
 import itertools
 import json
-import os
-import shutil
-import subprocess
-import sys
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
-
-PROGRAMS = Path(__file__).parent / "hosts"
-LOSS, TWICE, DELAY = 0.1, 0.05, 0.02
-RELAY = json.dumps({"loss": LOSS, "twice": TWICE, "delay": DELAY, "seed": 1})
-NETEM = ("netem", "delay", "10ms", "8ms", "loss", "10%", "duplicate", "5%", "reorder", "5%")
-
-# The checksum of what a virtual port sends is usually left to hardware; frames that pass a program need it written.
-CHECKSUMS = """
-import ctypes, fcntl, socket, struct, sys
-value = ctypes.create_string_buffer(struct.pack("=II", 0x17, 0))
-request = struct.pack("16sP", sys.argv[1].encode(), ctypes.addressof(value))
-with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sock:
-    fcntl.ioctl(sock, 0x8946, request)
-"""
-
-
-def run(*command: str) -> None:
-    subprocess.run(command, check=True, capture_output=True, timeout=20)
-
-
-@contextlib.contextmanager
-def started(namespace: str, *command: str) -> Iterator[subprocess.Popen[str]]:
-    with subprocess.Popen(
-        ("ip", "netns", "exec", namespace, sys.executable, *command),
-        stdin=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-        text=True,
-    ) as process:
-        try:
-            assert process.stdout is not None
-            assert process.stdout.readline() == "ready\n"
-            yield process
-        finally:
-            process.kill()
-
-
-class Switch:
-    """A namespace with one port for each of `count` hosts, which are 10.77.0.1, 10.77.0.2 and so on."""
-
-    def __init__(self, stack: contextlib.ExitStack, count: int) -> None:
-        self.name = f"js{os.getpid()}"
-        self.hosts = [f"{self.name}h{number}" for number in range(1, count + 1)]
-        self.ports = [f"p{number}" for number in range(1, count + 1)]
-        for name in (self.name, *self.hosts):
-            run("ip", "netns", "add", name)
-            stack.callback(run, "ip", "netns", "del", name)
-        for number, (host, port) in enumerate(zip(self.hosts, self.ports, strict=True), 1):
-            run("ip", "link", "add", port, "netns", self.name, "type", "veth", "peer", "eth0", "netns", host)
-            run("ip", "-n", self.name, "link", "set", port, "up")
-            run("ip", "-n", host, "addr", "add", f"10.77.0.{number}/24", "dev", "eth0")
-            run("ip", "-n", host, "link", "set", "eth0", "up")
-            run("ip", "-n", host, "link", "set", "lo", "up")
-            run("ip", "-n", host, "route", "add", "default", "dev", "eth0")
-            run("ip", "netns", "exec", host, sys.executable, "-c", CHECKSUMS, "eth0")
-        self._stack = stack
-
-    def relay(self) -> None:
-        """Frames pass through a program."""
-        told = json.dumps(json.loads(RELAY) | {"ports": self.ports})
-        self._stack.enter_context(started(self.name, str(PROGRAMS / "relay.py"), told))
-
-    def netem(self) -> None:
-        """Frames pass through a bridge, and each port is made bad by the kernel."""
-        run("ip", "-n", self.name, "link", "add", "br0", "type", "bridge", "mcast_snooping", "0")
-        run("ip", "-n", self.name, "link", "set", "br0", "up")
-        for port in self.ports:
-            run("ip", "-n", self.name, "link", "set", port, "master", "br0")
-            try:
-                run("tc", "-n", self.name, "qdisc", "add", "dev", port, "root", *NETEM)
-            except (FileNotFoundError, subprocess.CalledProcessError) as error:
-                told = getattr(error, "stderr", None) or str(error).encode()
-                pytest.skip(f"needs tc and the kernel's sch_netem: {told.decode().strip()}")
-
-
-@pytest.fixture
-def switch() -> Iterator[Callable[[int], Switch]]:
-    if os.geteuid() or not shutil.which("ip"):
-        pytest.skip("needs root and the program ip to make network namespaces")
-    with contextlib.ExitStack() as stack:
-
-        def make(count: int) -> Switch:
-            try:
-                return Switch(stack, count)
-            except subprocess.CalledProcessError as error:
-                pytest.skip(f"this system makes no network namespaces: {error.stderr.decode().strip()}")
-
-        yield make
+from tests.node.hosts.switch import PROGRAMS, Switch, started
 
 
 def converse(hosts: list[str], root: Path, count: int, **settings: Any) -> list[dict[str, Any]]:

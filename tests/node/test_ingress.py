@@ -77,6 +77,16 @@ async def test_among_too_many_the_lowest_go_first(counters: Counters) -> None:
     assert [data for data in routed if peek_priority(data) == Priority.HIGH] == high
 
 
+async def test_while_the_urgent_fill_every_turn_the_least_urgent_are_late_but_not_starved(counters: Counters) -> None:
+    low = [packet(n, Priority.LOW) for n in range(40)]
+    urgent = [packet(n, Priority.HIGH) for n in range(2000)]
+    routed = await run(Socket(*low, *urgent), counters)
+    assert routed.index(low[0]) < ingress.ROUTE_BURST
+    assert routed.index(low[-1]) < (40 / ingress.SHARE) * ingress.ROUTE_BURST
+    assert [data for data in routed if data in low] == low
+    assert [data for data in routed if data not in low] == urgent
+
+
 async def test_a_real_flood_never_starves_the_safety_critical(root: Path, introduce, udp) -> None:
     """While a peer sends low-priority packets as fast as it can, another one's emergency stop arrives every time."""
     async with NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root)) as node:

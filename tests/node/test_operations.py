@@ -147,6 +147,23 @@ async def test_each_datagram_of_the_mirror_is_a_file(root: Path, tmp_path: Path,
         assert packets(data)[-1][2] in (QUERY, junior.accept(HERE))
 
 
+async def test_a_mirror_that_nobody_looks_at_harms_nothing(root: Path, introduce, udp, free_port: int) -> None:
+    """Its packets come back as refused; those of the network are not touched."""
+    async with NodeManager(config(root, mirror=f"udp:127.0.0.1:{free_port}")) as node:
+        component, peer = await traffic(node, introduce, udp)
+        for _ in range(300):
+            peer.sendto(QUERY, ("127.0.0.1", node.port))
+            assert await receive(component) == QUERY
+        assert node.counters["dropped.udp_unreachable"] == 0
+
+
+async def test_a_mirror_that_cannot_be_written_is_told_and_nothing_stays_open(root: Path, tmp_path: Path) -> None:
+    file = tmp_path / "nowhere" / "all.pcapng"
+    with pytest.raises(TransportError, match=f"cannot write the mirror {file}: No such file or directory"):
+        await NodeManager(config(root, mirror=str(file))).open()
+    assert list(root.iterdir()) == []
+
+
 async def test_a_reload_takes_over_rules_and_keeps_the_old_ones_when_it_fails(root: Path, introduce, udp) -> None:
     def gateway(**rule: object) -> NodeConfig:
         return config(root, gateway={"subsystem": 101, "rules": [rule]})

@@ -99,6 +99,14 @@ async def test_version_1_passes_both_ways(node: NodeManager, here: Any, terminal
     assert await terminal.receive(35) == "10010116001002aea200001200060234120101c800020164000200" + "0700aabb1003f2a7"
 
 
+async def test_several_packets_in_one_frame(node: NodeManager, here: Any, terminal: Terminal) -> None:
+    _, arrived = here
+    first, second = (judp.pack(Packet(FAR, HERE, b"\x02\x20", number)) for number in range(2))
+    os.write(terminal.end, jserial.frame(first + second[1:]))
+    async with asyncio.timeout(5):
+        assert [await arrived.get(), await arrived.get()] == [first, second]
+
+
 async def test_noise_and_bad_checksums_harm_nobody(node: NodeManager, here: Any, terminal: Terminal) -> None:
     _, arrived = here
     good = judp.pack(Packet(FAR, HERE, b"\x02\x20", 1))

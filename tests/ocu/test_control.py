@@ -23,6 +23,7 @@ from jauspy.messages.core import (
 from jauspy.messages.mobility import SetWrenchEffort
 from jauspy.ocu import control as module
 from jauspy.services.core import AccessControl, Discovery, Liveness, Management
+from jauspy.testing import VirtualNetwork
 
 Status = ReportStatus.Status
 HOLDER = JausID(42, 1, 1)
@@ -214,6 +215,21 @@ async def test_anothers_emergency_counts_as_lost_and_ones_own_standby_does_not(w
         await second.send("101.1.1", SetEmergency(emergency_code=1))
         await asyncio.wait_for(control.until_lost(), 2)
         assert "went from READY to EMERGENCY" in control.lost
+
+
+@pytest.mark.parametrize("seed", range(5))
+async def test_control_is_kept_for_minutes_on_a_network_that_loses_a_quarter(seed):
+    services = [AccessControl(timeout=5), Management(), Discovery(), Liveness()]
+    async with (
+        VirtualNetwork(loss=0.25, seed=seed) as network,
+        network.component("101.1.1", services) as robot,
+        network.ocu(retries=9) as ocu,
+    ):
+        client = (await ocu.discover(101)).service("Management")
+        async with client.control() as control:
+            await asyncio.sleep(600)
+            assert control.held, control.lost
+            assert robot.host.controller == HOLDER
 
 
 async def test_ones_own_acknowledged_standby_is_no_loss_either(virtual_network):

@@ -99,7 +99,9 @@ def order(component) -> list[int]:
 
 async def test_uploaded_and_read_back(robot, client):
     waypoints = client.waypoints
-    assert len(waypoints) == 0
+    with pytest.raises(ConfigError, match=r"was not read yet; call `read\(\)`"):
+        len(waypoints)
+    assert "? elements of" in repr(waypoints)
     await waypoints.upload(at(1, 2, 3, 4))
     assert order(robot) == xs(waypoints) == [1, 2, 3, 4]
     await waypoints.upload(at(7, 8))

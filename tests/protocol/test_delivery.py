@@ -156,6 +156,15 @@ def test_small_messages_that_overtake_a_large_one_arrive_once(network: Any) -> N
     assert network.endpoints[B].counters["dropped.duplicate"] > 0
 
 
+def test_equal_packets_of_subsystems_100_and_356_are_two() -> None:
+    """Their ids differ in one byte only, which is not looked at everywhere."""
+    endpoint = Endpoint(B, first_sequence=1)
+    for subsystem in (100, 356):
+        packet = Packet(JausID(subsystem, 1, 2), B, b"\x02\x20", 7, ack=Ack.REQUIRED)
+        endpoint.receive(judp.pack(packet), 0.0)
+        assert endpoint.next_event() == packet
+
+
 def test_a_peer_that_never_counts_is_heard() -> None:
     endpoint = Endpoint(B, first_sequence=9)
     for step in range(10):

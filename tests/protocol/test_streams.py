@@ -5,7 +5,6 @@ import random
 import pytest
 from hypothesis import given, strategies as st
 
-from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
 from jauspy.protocol import jserial, judp
 from jauspy.protocol.crc import crc16
@@ -63,9 +62,9 @@ packets = st.builds(
 
 @given(st.lists(packets, max_size=8), st.data())
 def test_any_cuts_give_the_same_packets(datagrams: list[bytes], draw: st.DataObject) -> None:
-    serial = FrameDecoder()
+    serial, stream_decoder = FrameDecoder(), StreamDecoder()
     for start, frame, decode in (
-        (b"\x02", StreamDecoder().frame, StreamDecoder().feed),
+        (b"\x02", StreamDecoder().frame, lambda part: stream_decoder.feed(part)[0]),
         (b"noise\x10\x10\x10\x02", jserial.frame, lambda part: serial.feed(part)[0]),
     ):
         stream = start + b"".join(map(frame, datagrams))
@@ -119,7 +118,7 @@ def test_serial_noise_raises_nothing() -> None:
 
 def test_a_tcp_stream_of_another_implementation() -> None:
     stream = data("02 001000 01 02016400 0101c800 1112 0100 001100 01 02016400 0101c800 212223 0200")
-    assert [datagram.hex() for datagram in StreamDecoder().feed(stream)] == [
+    assert [datagram.hex() for datagram in StreamDecoder().feed(stream)[0]] == [
         "0200100001020164000101c80011120100",
         "0200110001020164000101c8002122230200",
     ]
@@ -135,7 +134,7 @@ def test_a_version_1_stream_in_both_forms(compression: str, draw: st.DataObject)
     cuts = sorted(draw.draw(st.lists(st.integers(0, len(stream)), max_size=10)))
     decoder = StreamDecoder()
     parts = [stream[a:b] for a, b in zip([0, *cuts], [*cuts, len(stream)], strict=True)]
-    assert [each.hex() for part in parts for each in decoder.feed(part)] == 3 * [data(f"010000 0012 {RA}").hex()]
+    assert [each.hex() for part in parts for each in decoder.feed(part)[0]] == 3 * [data(f"010000 0012 {RA}").hex()]
     assert decoder.frame(data(f"010000 0012 {RA}")) == data(f"{compression} 0012 {RA}")
 
 
@@ -155,6 +154,12 @@ def test_a_version_1_stream_in_both_forms(compression: str, draw: st.DataObject)
     ],
 )
 def test_a_stream_without_boundaries_is_an_error(stream: str, reason: str) -> None:
-    with pytest.raises(ProtocolError) as caught:
-        StreamDecoder().feed(data(stream))
-    assert caught.value.reason == reason
+    _, error = StreamDecoder().feed(data(stream))
+    assert error is not None
+    assert error.reason == reason
+
+
+def test_what_came_before_the_boundary_was_lost_is_good() -> None:
+    packet = "001000 01 02016400 0101c800 1112 0100"
+    datagrams, error = StreamDecoder().feed(data(f"02 {packet} {packet} 02 ffff"))
+    assert (len(datagrams), error is None) == (2, False)

@@ -142,3 +142,13 @@ def test_services_share_one_access_control(robot) -> None:
     assert robot.ask(A, RequestControl(100)) == ACCEPTED
     assert robot.ask(B, RequestControl(100)) == TOO_LOW
     assert str(robot.host.controller) == A
+
+
+def test_a_client_that_cannot_be_reached_loses_control(robot, drive) -> None:
+    robot.tell(A, RequestControl(100))
+    robot.host.unreachable(robot.ID.parse(B), 0.0)
+    assert str(robot.host.controller) == A
+    stops = drive.stops
+    robot.host.unreachable(robot.ID.parse(A), 0.0)
+    assert robot.host.controller is None
+    assert drive.stops > stops

@@ -9,7 +9,6 @@ from jauspy.messages.core import (
     AllEventsRec,
     CancelEvent,
     ConfirmEventRequest,
-    CreateCommandEvent,
     CreateEvent,
     Event,
     EventTypeRec,
@@ -200,11 +199,6 @@ def test_unknown_and_foreign_events_are_rejected_with_6(rig) -> None:
     assert len(rig.run(1.5)) == 2
 
 
-def test_command_events_are_refused(rig) -> None:
-    assert refusal(rig.ask(A, CreateCommandEvent(1, 10, RequestControl(100)))) == 5
-    assert rig.host.controller is None
-
-
 def test_query_events_selects_own_events(rig) -> None:
     status = rig.ask(A, create(QueryStatus())).event_id
     pulse = rig.ask(A, create(QueryHeartbeatPulse(), kind=ON_CHANGE)).event_id
@@ -276,7 +270,7 @@ def test_a_query_as_large_as_a_book_is_refused(make) -> None:
 
 
 @pytest.mark.parametrize(
-    "options", [{"timeout": 256}, {"max_rate": 0.0}, {"max_rate": 2000.0}, {"max_change_rate": -1.0}]
+    "options", [{"timeout": 256}, {"min_rate": 0.0}, {"max_rate": 2000.0}, {"max_change_rate": -1.0}]
 )
 def test_settings_that_make_no_sense_are_refused(options) -> None:
     with pytest.raises(ConfigError):
@@ -287,3 +281,62 @@ def test_a_kind_of_event_that_does_not_exist_is_an_invalid_setup(rig) -> None:
     request = create().encode()
     ((_, answer),) = rig.tell(A, request[:3] + b"\x07" + request[4:])
     assert refusal(answer) == 4
+
+
+def test_a_kind_of_event_that_is_switched_off_is_refused_as_such(make) -> None:
+    rig = make(Management(), Events(max_rate=0.0))
+    assert refusal(rig.ask(A, create(QueryStatus()))) == 1
+    assert isinstance(rig.ask(A, create(QueryStatus(), kind=ON_CHANGE)), ConfirmEventRequest)
+    rig = make(Management(), Events(max_change_rate=0.0))
+    assert refusal(rig.ask(A, create(QueryStatus(), kind=ON_CHANGE))) == 2
+    assert isinstance(rig.ask(A, create(QueryStatus())), ConfirmEventRequest)
+
+
+@pytest.mark.parametrize("asked", [STEP, 0.1, 1.0, 7.0, 33.3, 49.99, 50.0, 51.0, 1092.0])
+def test_the_confirmed_rate_is_the_delivered_one_to_the_last_bit(make, asked) -> None:
+    rig = make(Management(), Events(min_rate=0.5, max_rate=50.0, timeout=0))
+    confirmed = rig.ask(A, create(rate=asked)).confirmed_periodic_rate
+    assert 0.5 - STEP / 2 <= confirmed <= 50.0
+    assert rig.host.service(Events).subscriptions.find(1, rig.ID.parse(A)).confirmed == pytest.approx(confirmed)
+    if 0.5 <= asked <= 50.0:
+        assert confirmed == pytest.approx(asked, abs=STEP)
+    times = [when for when, *_ in rig.run(20.0)]
+    assert (len(times) - 1) / (times[-1] - times[0]) == pytest.approx(confirmed, rel=1e-6)
+
+
+def test_a_first_change_is_reported_once_and_so_is_a_report_asked_for_once(make) -> None:
+    rig = make(Management(), AccessControl(timeout=0), Events(more_kinds=True))
+    rig.ask(A, create(QueryControl(), kind=2, rate=0.0).encode(strict=False))
+    rig.ask(A, create(QueryStatus(), kind=3).encode(strict=False))
+    assert [type(event.report_message) for *_, event in rig.run(1.0)] == [ReportStatus]
+    assert len(rig.ask(A, ALL).event_list) == 1
+    rig.tell(B, RequestControl(100))
+    ((_, to, event),) = rig.run(1.0)
+    assert (to, event.report_message) == (A, ReportControl(42, 2, 1, 100))
+    rig.tell(B, RequestControl(200))
+    assert rig.run(1.0) == []
+    assert rig.ask(A, ALL) == ReportEvents([])
+    assert rig.host.next_timeout() is None
+
+
+def test_events_of_a_client_that_cannot_be_reached_end(rig) -> None:
+    rig.ask(A, create(QueryStatus()))
+    rig.ask(A, create(QueryControl(), kind=ON_CHANGE))
+    kept = rig.ask(B, create(QueryStatus())).event_id
+    rig.host.unreachable(rig.ID.parse(A), rig.now)
+    assert {to for _, to, _ in rig.run(5.0)} == {B}
+    assert rig.ask(A, ALL) == ReportEvents([])
+    assert [each.event_id for each in rig.ask(B, ALL).event_list] == [kept]
+
+
+def test_an_event_whose_report_has_a_bug_ends_and_says_so(make, caplog) -> None:
+    class Ill(Liveness):
+        def report_heartbeat_pulse(self):
+            raise RuntimeError("flat line")
+
+    rig = make(Ill(), Events(timeout=0))
+    rig.ask(A, create(QueryHeartbeatPulse(), request=9))
+    ((_, to, answer),) = rig.run(10.0)
+    assert (to, answer) == (A, RejectEventRequest(9, 5))
+    assert rig.ask(A, ALL) == ReportEvents([])
+    assert "flat line" in caplog.text

@@ -12,6 +12,7 @@ from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages import registry
 from jauspy.messages.core import (
+    ConfirmControl,
     QueryHeartbeatPulse,
     QueryStatus,
     RejectControl,
@@ -28,7 +29,7 @@ from jauspy.services.mobility import PrimitiveDriver, Vehicle
 from jauspy.services.outbox import Outbox, Outgoing
 from jauspy.services.service import Service
 
-A = "42.1.1"
+A, B = "42.1.1", "42.2.1"
 SOURCE = JausID.parse(A)
 CONTROL_RELEASED = RejectControl.ResponseCode.CONTROL_RELEASED
 INPUTS = sorted({m.code for s in load_builtin().services for m in s.inputs})
@@ -199,7 +200,7 @@ def test_internal_events_that_bring_up_more_are_bounded(make) -> None:
     rig.tell(A, bytes.fromhex("0500"))
     assert rig.host.status is ReportStatus.Status.STANDBY
     for _ in range(1000):
-        rig.host._busy = True
+        rig.host._agenda._busy = True
         rig.host.fire("Nonsense")
     assert rig.host.counters["event_dropped"] > 0
 
@@ -286,3 +287,45 @@ def test_only_the_definitions_that_are_needed_are_read(monkeypatch, request) -> 
 def test_without_management_there_is_no_status(make) -> None:
     rig = make(Liveness())
     assert (rig.host.status, rig.host.controller, rig.host.state) == (None, None, "Receiving.Ready")
+
+
+class Fragile(Management):
+    """Breaks down when it is asked, and again while it fails."""
+
+    def report_status(self):
+        raise RuntimeError("no idea")
+
+    def control_lost(self) -> None:
+        raise RuntimeError("no end")
+
+
+def test_a_bug_takes_the_component_to_failure_when_it_is_told_so(make, caplog) -> None:
+    rig = make(Fragile(), AccessControl(timeout=0), Liveness(), on_action_error="failure")
+    rig.tell(A, RequestControl(100))
+    rig.tell(A, Resume())
+    assert rig.tell(B, QueryStatus()) == [(A, RejectControl(RejectControl.ResponseCode.CONTROL_RELEASED))]
+    assert rig.host.status is ReportStatus.Status.FAILURE
+    assert "QueryStatus" in caplog.text
+    assert "no idea" in caplog.text
+    assert "no end" in caplog.text
+    assert rig.ask(A, RequestControl(100)).response_code == ConfirmControl.ResponseCode.NOT_AVAILABLE
+    assert rig.ask(A, QueryHeartbeatPulse()).NAME == "ReportHeartbeatPulse"
+    rig.tell(B, QueryStatus())
+    assert rig.host.status is ReportStatus.Status.FAILURE
+
+
+def test_by_default_a_component_goes_on_after_a_bug(make) -> None:
+    rig = make(Fragile(), AccessControl(timeout=0))
+    rig.tell(A, RequestControl(100))
+    rig.tell(A, Resume())
+    assert rig.tell(B, QueryStatus()) == []
+    assert rig.host.status is ReportStatus.Status.READY
+
+
+def test_a_bug_that_is_met_again_and_again_does_not_fill_the_log(make, caplog) -> None:
+    rig = make(Fragile(), AccessControl(timeout=0))
+    for _ in range(1000):
+        rig.tell(B, QueryStatus())
+    assert rig.host.counters["action_failed"] == 1000
+    assert len(caplog.records) == 10
+    assert "(512 times)" in caplog.text

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from dataclasses import replace
 
 import pytest
 
@@ -10,7 +11,7 @@ from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.schema import model
 from jauspy.services.bind import Binder
-from jauspy.services.isolation import Attempt
+from jauspy.services.isolation import Bugs
 from jauspy.services.machine import MAX_PUSHED, Machine, Outcome
 from jauspy.services.service import Service
 from jauspy.services.tree import merge, start_of
@@ -25,7 +26,7 @@ def on(
 ):
     """A transition; `do`: actions separated by blanks."""
     return model.Transition(
-        trigger=f"x.{what}" if event else "x.Receive",
+        trigger=what and f"x.{what}" if event else "x.Receive",
         parameters=() if event else (model.Parameter(what, "msg"),),
         kind=kind,
         end_state=end,
@@ -96,7 +97,7 @@ class Rig:
         self.machine = Machine(
             bound,
             start_of(root, "ReceiveFSM", definitions),
-            lambda name, trigger: Attempt(name, trigger, self.counters),
+            Bugs(self.counters).attempt,
         )
 
     def get(self, what: str) -> Outcome:
@@ -360,3 +361,25 @@ def test_send_calls_the_report_method_by_name(arguments: tuple[str, ...], code: 
 def test_an_unknown_parameter_is_refused() -> None:
     with pytest.raises(ConfigError, match="parameter `message` is not one of msg, query, source, code"):
         Rig(sending("'Wrong'"), S=Sends())
+
+
+def test_a_default_transition_takes_what_no_other_of_its_state_takes() -> None:
+    rig = Rig(
+        two_states(
+            a=(on("", do="a", event=True), on("Go", do="b")),
+            top=(on("Ask", do="c"),),
+        )
+    )
+    assert [rig.get(what) for what in ("Go", "Ask", "Other", "Tick")] == [Outcome.TAKEN] * 4
+    assert rig.log == ["b", "a", "a", "a"]
+
+
+def test_default_transitions_of_the_machine_come_last_of_all() -> None:
+    one = two_states(a=(on("Go", do="a"),), defaults=(on("Ask", do="b"),))
+    machine = replace(one.behavior.machines[0], default_transitions=(on("", "simple", "Top.B", event=True),))
+    rig = Rig(replace(one, behavior=replace(one.behavior, machines=(machine,))))
+    rig.get("Go")
+    rig.get("Ask")
+    assert (rig.log, rig.machine.state) == (["a", "b"], "Top.A")
+    rig.get("Other")
+    assert rig.machine.state == "Top.B"

@@ -7,8 +7,6 @@ import sys
 
 import pytest
 
-pytest_plugins = ["pytester"]
-
 STRICT = ("-p", "jauspy.testing.plugin", "-o", "asyncio_mode=strict")
 AUTO = ("-p", "jauspy.testing.plugin", "-o", "asyncio_mode=auto")
 

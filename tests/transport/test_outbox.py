@@ -1,8 +1,11 @@
 """The bounded queue of one destination."""
 
+import pytest
+
 from jauspy.ids import JausID
 from jauspy.protocol import judp, junior
 from jauspy.protocol.header import Packet, Priority
+from jauspy.transport import outbox as outbox_module
 from jauspy.transport.outbox import MAX_BYTES, Outbox
 
 A = JausID.parse("101.1.1")
@@ -52,3 +55,23 @@ def test_what_is_no_packet_has_a_place_too() -> None:
     for data in (b"", b"\x02", b"\x02\x40"):
         outbox.push(data)
     assert len(drained(outbox)) == 3
+
+
+@pytest.mark.parametrize("way", ["one by one", "at once"])
+def test_the_least_urgent_have_a_share(way: str) -> None:
+    """Though there is always something more urgent."""
+    outbox, sent = Outbox(), []
+    low = [datagram(Priority.LOW, n) for n in range(10)]
+    for data in low:
+        outbox.push(data)
+    for number in range(20 * outbox_module.SHARE):
+        outbox.push(datagram(Priority.SAFETY_CRITICAL, number))
+        if way == "at once":
+            outbox.drain(sent.append, 1)
+        else:
+            sent.append(outbox.peek())
+            outbox.pop()
+    assert [data for data in sent if data in low] == low
+    urgent = [judp.unpack(data)[0].sequence for data in sent if data not in low]
+    assert urgent == list(range(len(urgent)))
+    assert sent.index(low[9]) == 10 * outbox_module.SHARE - 1

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Mapping
 from datetime import UTC, datetime
 from pathlib import Path
 from types import TracebackType
-from typing import Final, Self, TypeVar
+from typing import Final, Literal, Self, TypeVar
 
 from jauspy.codec.base import Message
 from jauspy.component.shell import Shell
@@ -33,8 +33,9 @@ class Component:
     The core services (Transport, Events, AccessControl, Management, Time, Liveness and Discovery) are there unless they
     are given; with `core=False` only those that the others inherit from. `name` is what Discovery tells. `connect` says
     where the node manager is: None (on this machine, its sockets in /tmp), or as for `OCU`; `transport` replaces it. An
-    id with zeros, as in `"0.0.101"`, waits to be given the rest, see `move`. Raises `ConfigError` that names every
-    method which a service lacks.
+    id with zeros, as in `"0.0.101"`, waits to be given the rest, see `move`. A bug in a service is logged with the
+    message that met it; then the component stays as it is, or with `on_action_error="failure"` fails. Raises
+    `ConfigError` that names every method which a service lacks.
     """
 
     def __init__(
@@ -47,12 +48,17 @@ class Component:
         connect: str | None = None,
         transport: Transport | None = None,
         delivery: Delivery | None = None,
+        on_action_error: Literal["stay", "failure"] = "stay",
         clock: Callable[[], float] | None = None,
         utc_now: Callable[[], datetime] = lambda: datetime.now(UTC),
     ) -> None:
         me = _usable(id)
         self.host = Host(
-            me, with_core(services, name) if core else services, utc_now=utc_now, now=(clock or _loop_time)()
+            me,
+            with_core(services, name) if core else services,
+            utc_now=utc_now,
+            now=(clock or _loop_time)(),
+            on_action_error=on_action_error,
         )
         self._connect = connect
         self._transport = transport

@@ -62,7 +62,7 @@ class GroupConfig(_Strict):
     """The link it stands on."""
     tip: JointName
     """The link at its end."""
-    rate: Annotated[float, Field(ge=10.0, le=500.0)] = 500.0
+    rate: Annotated[float, Field(ge=10.0, le=500.0)] = 250.0
     """How often its controllers act, in hertz."""
     joints: Annotated[tuple[JointConfig, ...], Field(min_length=1, max_length=32)]
     """Base to tip."""

@@ -8,12 +8,13 @@ import time
 from collections import Counter
 from collections.abc import Callable, Mapping
 from concurrent.futures import Future, ThreadPoolExecutor
-from dataclasses import dataclass
 from types import TracebackType
 from typing import Final, Self
 
 from jauspy.modules.pace import Pace
-from jauspy.platform.contract import Acceleration, Pose, Robot, Twist
+from jauspy.modules.shared import Order, SharedDrive, SharedJoints
+from jauspy.modules.snapshot import Snapshot, look
+from jauspy.platform.contract import Robot
 
 STEP: Final = 0.01
 """Seconds between two looks at commands and two snapshots of the state."""
@@ -22,29 +23,13 @@ PATIENCE: Final = 0.1
 """Seconds that the robot may be late before time is left out."""
 
 
-@dataclass(frozen=True, slots=True)
-class Snapshot:
-    """The robot's state at one moment; `time` is the robot's own, in seconds."""
-
-    time: float
-    pose: Pose
-    twist: Twist
-    acceleration: Acceleration
-
-
-@dataclass(frozen=True, slots=True)
-class _Effort:
-    linear_x: float
-    rotational_z: float
-
-
 class RealTime:
     """Advances `robot` in real time, in a thread of its own, between `open` and `close`.
 
-    Between the two only that thread touches the robot. Others command `drive` and read `snapshot` at any time: both
-    go through a lock that is never held while the robot moves, so an event loop is not held up by physics.
+    Between the two only that thread touches the robot. Others command `drive` and `groups` and read `snapshot` at any
+    time: all go through a lock that is never held while the robot moves, so an event loop is not held up by physics.
 
-    `lapse`: seconds after which the drive is stopped unless somebody calls `alive`, so that a program that hangs does
+    `lapse`: seconds after which the robot is stopped unless somebody calls `alive`, so that a program that hangs does
     not leave a robot driving; endless when not given.
     """
 
@@ -64,13 +49,17 @@ class RealTime:
         self._clock = clock
         self._alive = clock()
         self._lock = threading.Lock()
-        self._command: _Effort | None = None
-        self._snapshot = self._look()
+        self._orders: dict[str, Order] = {}
+        self._abandoned = False
+        self._snapshot = look(robot)
         self._ending = threading.Event()
         self._executor: ThreadPoolExecutor | None = None
         self._ended: Future[None] = Future()
         self._pace = Pace(step, patience, start=clock())
-        self._drive = SharedDrive(self)
+        self._drive = SharedDrive(self.order, self._sight)
+        self._groups = {
+            name: SharedJoints(name, group, self.order, self._sight) for name, group in robot.groups.items()
+        }
 
     @property
     def drive(self) -> SharedDrive:
@@ -78,10 +67,14 @@ class RealTime:
         return self._drive
 
     @property
+    def groups(self) -> Mapping[str, SharedJoints]:
+        """The robot's other joints, for any thread."""
+        return self._groups
+
+    @property
     def snapshot(self) -> Snapshot:
         """The state after the last step."""
-        with self._lock:
-            return self._snapshot
+        return self._sight()
 
     @property
     def counters(self) -> Mapping[str, int]:
@@ -93,10 +86,14 @@ class RealTime:
         """Done when the thread is: with None after `close`, with the error when the robot raised one."""
         return self._ended
 
-    def command(self, linear_x: float, rotational_z: float) -> None:
-        """Efforts (-1..1) that the next step starts with; a later command replaces an earlier one."""
+    def order(self, key: str, order: Order) -> None:
+        """Something that the robot's thread does before its next step, instead of what was ordered as `key` before."""
         with self._lock:
-            self._command = _Effort(linear_x, rotational_z)
+            self._orders[key] = order
+
+    def _sight(self) -> Snapshot:
+        with self._lock:
+            return self._snapshot
 
     def alive(self) -> None:
         """Who commands the robot is still there."""
@@ -133,48 +130,32 @@ class RealTime:
                 self._pace.begin(self._clock())
                 self._make_step()
         finally:
-            self._robot.drive.stop()
+            stop(self._robot)
 
     def _make_step(self) -> None:
         with self._lock:
-            command, self._command = self._command, None
-        if command is not None:
-            self._robot.drive.set_effort(command.linear_x, command.rotational_z)
-        if self._clock() - self._alive > self._lapse:
-            self._robot.drive.stop()
-            self._pace.counters["abandoned"] += 1
+            orders, self._orders = self._orders, {}
+        for order in orders.values():
+            order(self._robot)
+        self._look_after()
         self._robot.advance(self._step)
-        snapshot = self._look()
+        snapshot = look(self._robot)
         with self._lock:
             self._snapshot = snapshot
 
-    def _look(self) -> Snapshot:
-        drive = self._robot.drive
-        return Snapshot(self._robot.time, drive.pose(), drive.twist(), drive.acceleration())
+    def _look_after(self) -> None:
+        """Stop the robot when those who command it do not live any more."""
+        abandoned = self._clock() - self._alive > self._lapse
+        if abandoned:
+            self._pace.counters["abandoned"] += 1
+            self._robot.drive.stop()
+            if not self._abandoned:  # holding again and again would follow joints that sag
+                stop(self._robot)
+        self._abandoned = abandoned
 
 
-class SharedDrive:
-    """A `DriveBase` for all threads: commands act with the next step, states are those after the last one."""
-
-    def __init__(self, runner: RealTime) -> None:
-        self._runner = runner
-
-    def set_effort(self, linear_x: float, rotational_z: float) -> None:
-        """Drive with fractions of the full effort, -1..1; positive z turns left."""
-        self._runner.command(linear_x, rotational_z)
-
-    def stop(self) -> None:
-        """Brake to a standstill."""
-        self._runner.command(0.0, 0.0)
-
-    def pose(self) -> Pose:
-        """Pose of the base in the world."""
-        return self._runner.snapshot.pose
-
-    def twist(self) -> Twist:
-        """Velocity of the base in its own frame."""
-        return self._runner.snapshot.twist
-
-    def acceleration(self) -> Acceleration:
-        """Acceleration of the base in its own frame."""
-        return self._runner.snapshot.acceleration
+def stop(robot: Robot) -> None:
+    """Brake the chassis, and hold all joints where they are."""
+    robot.drive.stop()
+    for group in robot.groups.values():
+        group.hold()

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import time
 from collections.abc import Callable, Mapping
 from contextlib import AsyncExitStack, suppress
 from datetime import UTC, datetime
@@ -11,13 +10,15 @@ from types import TracebackType
 from typing import Final, Self
 
 from jauspy.component import Shell
+from jauspy.component.shell import loop_time
 from jauspy.ids import JausID
 from jauspy.modules.config import ModuleConfig, RobotConfig
 from jauspy.modules.description import robot_model
 from jauspy.modules.mobility import cm_mob, vehicle_of
-from jauspy.modules.realtime import RealTime, Snapshot
+from jauspy.modules.realtime import RealTime
+from jauspy.modules.snapshot import Snapshot
 from jauspy.platform import backends
-from jauspy.platform.contract import DriveBase
+from jauspy.platform.contract import DriveBase, Robot
 from jauspy.services.core import Identity
 from jauspy.services.host import Host
 from jauspy.transport import Transport
@@ -29,10 +30,15 @@ SYSTEM, SUBSYSTEM, NODE, COMPONENT = 1, 2, 3, 4
 _VEHICLE, _NODE, _COMPONENT = 10001, 40001, 60001  # the types that Discovery reports (AS5710)
 
 
+def _in_real_time(robot: Robot) -> RealTime:
+    return RealTime(robot, lapse=LAPSE)
+
+
 class RobotRunner:
     """Runs the robot that `config` describes: `async with RobotRunner(...)`, or `await runner.run()`.
 
-    `transports` makes the transport of each component, by its id. `backend` and `world` replace what `config` says.
+    `transports` makes the transport of each component, by its id. `backend` and `world` replace what `config` says;
+    `realtime` says how time passes for the robot.
     Opening raises `ConfigError` for an unknown backend, model or world, and `TransportError` for a transport that
     cannot be opened. Closing ends the components first, and then the robot, which stands still from there on.
     """
@@ -44,9 +50,11 @@ class RobotRunner:
         *,
         backend: str | None = None,
         world: str | None = None,
+        realtime: Callable[[Robot], RealTime] = _in_real_time,
     ) -> None:
         self.config = config.model_copy(update={"backend": backend or config.backend, "world": world or config.world})
         self._transports = transports
+        self._in_time = realtime
         self._realtime: RealTime | None = None
         self._components: tuple[Shell, ...] = ()
         self._stack = AsyncExitStack()
@@ -106,7 +114,7 @@ class RobotRunner:
     def _bring_to_life(self, stack: AsyncExitStack) -> RealTime:
         robot = backends.find(self.config.backend).open(robot_model(self.config), self.config.world)
         stack.callback(robot.close)
-        return stack.enter_context(RealTime(robot, lapse=LAPSE))
+        return stack.enter_context(self._in_time(robot))
 
 
 def _host(config: RobotConfig, module: ModuleConfig, drive: DriveBase) -> Host:
@@ -122,7 +130,7 @@ def _host(config: RobotConfig, module: ModuleConfig, drive: DriveBase) -> Host:
         module,
         identities=identities,
         utc_now=lambda: datetime.now(UTC),
-        now=time.monotonic(),
+        now=loop_time(),
     )
 
 

@@ -176,7 +176,7 @@ class NodeConfig(NetworkConfig):
     """Answer `jauspy node-manager --status` on the local socket JuniorRTE.status."""
     metrics: HostPort | None = Field(default=None, examples=["127.0.0.1:9794"])
     """Address where Prometheus gets metrics by HTTP."""
-    mirror: Mirror | None = Field(default=None, examples=["/var/log/jaus.pcapng"])
+    mirror: Mirror | None = Field(default=None, examples=["/var/log/jauspy/all.pcapng"])
     """Copy all routed packets to a pcapng file, or as pcapng datagrams to udp:ADDRESS:PORT."""
     mirror_limit: int = Field(default=1 << 30, ge=4096)
     """Bytes after which the mirror's file ends."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import socket
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any, Final
 
 from jauspy.protocol import wire
@@ -17,6 +17,8 @@ READ_BURST: Final = 384
 urgent is found in it, and not in the kernel, which drops whatever comes last."""
 ROUTE_BURST: Final = 128
 """Datagrams routed before the event loop gets its turn: a few milliseconds at most."""
+SHARE: Final = 8
+"""Of these, for the least urgent: while more urgent ones fill every turn, they are late, but not starved."""
 MAX_WAITING: Final = 4096
 """Datagrams that wait in all; what comes beyond drops the oldest of the lowest priority."""
 _BUFFER: Final = 65536
@@ -104,16 +106,22 @@ class Ingress:
 
     def _route(self) -> None:
         self._scheduled = False
-        take, left = self._take, ROUTE_BURST
-        for queue in reversed(self._queues):
-            count = min(left, len(queue))
-            for _ in range(count):
-                take(*queue.popleft())
-            left -= count
+        left = self._route_from(reversed(self._queues), ROUTE_BURST - SHARE) + SHARE
+        left = self._route_from(self._queues, left)
         self._waiting -= ROUTE_BURST - left
         if self._waiting:
             self._scheduled = True
             self._loop.call_soon(self._route)
+
+    def _route_from(self, queues: Iterable[_Queue], left: int) -> int:
+        """Route up to `left` datagrams; returns how many more it might have been."""
+        take = self._take
+        for queue in queues:
+            count = min(left, len(queue))
+            for _ in range(count):
+                take(*queue.popleft())
+            left -= count
+        return left
 
 
 def _port(sender: tuple[Any, ...], network: str) -> UdpPort:

@@ -52,7 +52,7 @@ class OCU:
         registry: Registry | None = None,
         transport: Transport | None = None,
     ) -> None:
-        self.id = JausID.parse(id) if isinstance(id, str) else id
+        self.id: JausID = JausID.parse(id) if isinstance(id, str) else id
         if self.id.is_wildcard or 0 in (self.id.subsystem, self.id.node, self.id.component):
             raise ConfigError(f"{self.id} cannot be an OCU's id; use 1..65534, 1..254 and 1..254, as in 42.1.1")
         self._connect = connect

@@ -35,8 +35,12 @@ LEAVE: Final = Patience(timeout=0.3, retries=2)
 """How long leaving the block waits for the component to say that control is released."""
 ASSUMED_TIMEOUT: Final = 3.0
 """Seconds, of a component that does not say after how long it takes control back."""
+ASK_TIMEOUT: Final = Patience(timeout=0.3, retries=3)
+"""For asking it that: the time is running already."""
 LOOK: Final = 2.0
 """Seconds, at most, between two looks at whether the component still knows of us and does what it was told."""
+REQUESTS: Final = 4
+"""Renewals of control that are sent at most each time, until one is confirmed."""
 _NOBODY: Final = JausID(0, 0, 0)
 _CALMING: Final = tuple(each.CODE for each in (Standby, SetEmergency, Reset, Shutdown))
 """After one of these from us it is no wonder that the component leaves Ready."""
@@ -98,7 +102,6 @@ class Control:
                 self._quietly(ReleaseControl())  # it may have been granted, and nobody is there to use it
             raise
         self._stack.enter_context(self._link.replies.tapped(self.id, self._heard, ConfirmControl, RejectControl))
-        self._confirmed_at = asyncio.get_running_loop().time()
         self._keeper = asyncio.create_task(self._keep(), name=f"control of {self.id}")
         return self
 
@@ -126,7 +129,8 @@ class Control:
         assert isinstance(answer, ConfirmControl)
         if answer.response_code != ConfirmControl.ResponseCode.CONTROL_ACCEPTED:
             raise ControlRejected(await self._explain(answer.response_code))
-        report = await self._ask(QueryTimeout())
+        self._confirmed_at = asyncio.get_running_loop().time()
+        report = await self._ask(QueryTimeout(), ASK_TIMEOUT)
         self.timeout = float(report.timeout) if isinstance(report, ReportTimeout) else ASSUMED_TIMEOUT
 
     async def _explain(self, code: int) -> str:
@@ -154,11 +158,11 @@ class Control:
     # --- keeping --------------------------------------------------------------------------------------------------
 
     async def _keep(self) -> None:
-        """Look, and ask again, at a third of the timeout, so that two lost requests do no harm."""
+        """Look, and ask again, at a third of the timeout, so that a gap in the network does no harm."""
         clock = asyncio.get_running_loop().time
         interval = min(self.timeout / 3 or LOOK, LOOK)
         patience = Patience(min(self._patience.timeout, interval / 3), 1)
-        due = clock()
+        due = self._confirmed_at
         while not self.lost:
             due = max(due + interval, clock())
             await asyncio.sleep(due - clock())
@@ -169,7 +173,17 @@ class Control:
             # Before asking: a component that was started anew would just give control again, and stand still.
             await self._look(patience)
             if self.timeout and not self.lost:
-                self._quietly(RequestControl(authority_code=self.authority))
+                await self._renew(interval / 2)
+
+    async def _renew(self, seconds: float) -> None:
+        """Ask for control again, several times within these seconds while it is not confirmed: packets get lost."""
+        clock = asyncio.get_running_loop().time
+        asked_at = clock()
+        for _ in range(REQUESTS):
+            self._quietly(RequestControl(authority_code=self.authority))
+            await asyncio.sleep(seconds / REQUESTS)
+            if self.lost or self._confirmed_at >= asked_at:
+                return
 
     async def _look(self, patience: Patience) -> None:
         """See whether the component still holds us for its controller, and is as we left it; silence says nothing."""

@@ -60,23 +60,23 @@ class Elements(Sequence[Element]):
         """By number, in the list's order; None before the first look at the component's own."""
 
     def __repr__(self) -> str:
-        return f"<{len(self)} elements of {self._service!r}>"
+        return f"<{'?' if self._items is None else len(self)} elements of {self._service!r}>"
 
     def __len__(self) -> int:
-        return len(self._items or ())
+        return len(self._read_before())
 
     @overload
     def __getitem__(self, index: int) -> Element: ...
 
     @overload
-    def __getitem__(self, index: slice) -> tuple[Element, ...]: ...
+    def __getitem__(self, index: slice) -> list[Element]: ...
 
-    def __getitem__(self, index: int | slice) -> Element | tuple[Element, ...]:
-        return tuple((self._items or {}).values())[index]
+    def __getitem__(self, index: int | slice) -> Element | list[Element]:
+        return list(self._read_before().values())[index]
 
     # --- reading and changing -------------------------------------------------------------------------------------
 
-    async def read(self) -> tuple[Element, ...]:
+    async def read(self) -> list[Element]:
         """Fetch the list from the component."""
         items: dict[int, Element] = {}
         for uid in await self._read_order():
@@ -166,11 +166,15 @@ class Elements(Sequence[Element]):
 
     # --- inside ---------------------------------------------------------------------------------------------------
 
+    def _read_before(self) -> dict[int, Element]:
+        if self._items is None:
+            raise ConfigError(f"the list of {self._service.id} was not read yet; call `read()` or `upload()` first")
+        return self._items
+
     async def _known(self) -> dict[int, Element]:
         if self._items is None:
             await self.read()
-        assert self._items is not None
-        return self._items
+        return self._read_before()
 
     async def _read_order(self) -> list[int]:
         report = await self._service.query(QueryElementList(), expects=ReportElementList)

@@ -36,29 +36,35 @@ class StreamDecoder:
         self._buffer = bytearray()
         self._has_compression = False
 
-    def feed(self, data: bytes) -> list[bytes]:
-        """Take bytes as they come; returns the packets they complete. `ProtocolError` is the end of the stream."""
+    def feed(self, data: bytes) -> tuple[list[bytes], ProtocolError | None]:
+        """Take bytes as they come; returns the packets they complete, and the error that is the end of the stream."""
         self._buffer += data
-        if self.version is None and self._buffer:
-            if self._buffer[0] not in _HEAD_SIZES:
-                raise ProtocolError("stream_version", f"the stream begins with version {self._buffer[0]}")
-            self.version = self._buffer.pop(0)
         datagrams: list[bytes] = []
         start = 0
-        while self.version is not None and len(self._buffer) - start >= _HEAD_SIZES[self.version]:
-            head, body, end = self._current(start) if self.version == header.VERSION else self._old(start)
-            if end > len(self._buffer):
-                break
-            datagrams.append(head + self._buffer[body:end])
-            start = end
+        try:
+            self._greet()
+            while self.version is not None and len(self._buffer) - start >= _HEAD_SIZES[self.version]:
+                head, body, end = self._current(start) if self.version == header.VERSION else self._old(start)
+                if end > len(self._buffer):
+                    break
+                datagrams.append(head + self._buffer[body:end])
+                start = end
+        except ProtocolError as error:
+            return datagrams, error
         del self._buffer[:start]
-        return datagrams
+        return datagrams, None
 
     def frame(self, datagram: bytes) -> bytes:
         """A checked datagram as its bytes in the stream back to this peer."""
         if datagram[0] == legacy.V1 and not self._has_compression:
             return datagram[1 + _COMPRESSION :]
         return datagram[1:]
+
+    def _greet(self) -> None:
+        if self.version is None and self._buffer:
+            if self._buffer[0] not in _HEAD_SIZES:
+                raise ProtocolError("stream_version", f"the stream begins with version {self._buffer[0]}")
+            self.version = self._buffer.pop(0)
 
     def _current(self, start: int) -> tuple[bytes, int, int]:
         """What comes before the packet in a datagram, where the packet begins and where it ends."""

@@ -36,8 +36,8 @@ class Binder:
         self.problems: list[str] = []
 
     def states(self, root: StateNode) -> dict[StateNode, BoundState]:
-        """Everything below `root`, bound."""
-        return {node: self._state(node, root) for node in root.all() if node.path}
+        """`root`, which has the defaults of the whole machine, and everything below it, bound."""
+        return {node: self._state(node, root) for node in root.all()}
 
     def raise_problems(self) -> None:
         """Raise one `ConfigError` with everything that is missing."""
@@ -185,7 +185,7 @@ def _literals(arguments: tuple[str, ...] | list[str]) -> list[str]:
 
 def _described(transition: model.Transition) -> str:
     what = transition.parameters[0].type if transition.parameters else transition.trigger.rpartition(".")[2]
-    return f"on {what}"
+    return f"on {what or 'anything else'}"
 
 
 def _nothing() -> None:

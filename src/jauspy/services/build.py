@@ -33,8 +33,10 @@ class Built:
     """Codes of messages that are answered without a change of state."""
 
     def route(self, key: Key) -> Machine | None:
-        """The machine that a message or an internal event is for."""
-        return self.machines.get("ReceiveFSM") if isinstance(key, int) else self.events.get(key)
+        """The machine that a message or an internal event is for; default transitions are the receiving machine's."""
+        if isinstance(key, str) and key in self.events:
+            return self.events[key]
+        return self.machines.get("ReceiveFSM")
 
 
 def build(

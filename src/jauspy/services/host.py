@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import logging
-from collections import Counter, deque
+from collections import Counter
 from collections.abc import Callable, Hashable, Iterable, Mapping
 from datetime import datetime
-from typing import TYPE_CHECKING, Any, Final, TypeVar
+from typing import TYPE_CHECKING, Any, Final, Literal, TypeVar
 
 from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
@@ -14,12 +14,14 @@ from jauspy.errors import DecodeError, EncodeError
 from jauspy.ids import JausID
 from jauspy.protocol.header import Broadcast, Priority
 from jauspy.schema.model import Schema, Service as Definition
+from jauspy.services.agenda import Agenda
 from jauspy.services.build import Built, build
+from jauspy.services.completion import Completion
 from jauspy.services.core.access_control import AccessControl
 from jauspy.services.core.management import Management
 from jauspy.services.core.time import Time
 from jauspy.services.definitions import registry_for
-from jauspy.services.isolation import Attempt
+from jauspy.services.isolation import Bugs
 from jauspy.services.machine import Outcome
 from jauspy.services.outbox import Outbox, Outgoing
 from jauspy.services.presence import mask
@@ -33,8 +35,6 @@ if TYPE_CHECKING:
 S = TypeVar("S", bound=Service)
 
 _LOG: Final = logging.getLogger("jauspy.services")
-_MAX_EVENTS: Final = 256
-"""Internal events that may wait at once; more is a bug of a service, and dropped."""
 
 
 class Host:
@@ -42,7 +42,8 @@ class Host:
 
     `utc_now` is the wall clock; every other time is `now`, seconds of one monotonic clock. Core services that are
     inherited from but not given are added with their defaults. Raises `ConfigError` that names every action, predicate
-    and report a service lacks.
+    and report a service lacks. A bug in an action is logged, counted and contained; then the component goes to Failure,
+    where it stays until it is started anew, or, by default, goes on.
     """
 
     def __init__(
@@ -55,6 +56,7 @@ class Host:
         schema: Schema | None = None,
         registry: Registry | None = None,
         max_output: int = 1024,
+        on_action_error: Literal["failure", "stay"] = "stay",
     ) -> None:
         self.id = id
         self.utc_now = utc_now
@@ -65,9 +67,9 @@ class Host:
         self._outbox = Outbox(max_output, self.counters)
         self._captured: list[Outgoing] | None = None
         self._timers = Timers()
-        self._events: deque[Trigger] = deque()
-        self._busy = True
+        self._agenda = Agenda(self._dispatch, lambda trigger: self.count("event_dropped", f"{trigger.key}"))
         self._logged: set[str] = set()
+        self._contain = Bugs(self.counters, self._fail if on_action_error == "failure" else lambda: None).attempt
         given = list(services)
         self._registry = registry or registry_for(given)
         self._built: Built = build(given, schema, self._registry, self._reply, self._contain)
@@ -77,7 +79,7 @@ class Host:
             service.attached()
         for machine in self._built.machines.values():
             machine.start()
-        self._settle()
+        self._agenda.open()
 
     # --- what the shell calls -------------------------------------------------------------------------------------
 
@@ -93,7 +95,8 @@ class Host:
         message = self._decoded(payload, source)
         if message is not None:
             self.counters["received"] += 1
-            self._run(Trigger(message.CODE, message, source))
+            if self._agenda.run(Trigger(message.CODE, message, source)) is Outcome.IGNORED:
+                self.counters["ignored"] += 1
 
     def poll_output(self, now: float) -> list[Outgoing]:
         """What is to be sent, oldest first; empty afterwards."""
@@ -112,6 +115,13 @@ class Host:
             if call is not None:
                 with self._contain(f"timer {due[2]}", Trigger("timer")):
                     call()
+
+    def unreachable(self, client: JausID, now: float) -> None:
+        """Tell the services that messages to this client do not arrive any more: its events and its control end."""
+        self.now = now
+        for service in self.services:
+            with self._contain(f"{type(service).__name__}.client_lost", Trigger("client_lost", source=client)):
+                service.client_lost(client)
 
     def close(self, now: float) -> None:
         """Tell the services that nobody is in control any more: what moves stops. Twice is fine."""
@@ -204,24 +214,30 @@ class Host:
         else:
             self._outbox.put(outgoing)
 
-    def ask(self, query: Message, source: JausID) -> Outgoing | None:
+    def ask(self, query: Message, source: JausID) -> tuple[Outcome, Outgoing | None]:
         """What the component would answer `source` now; nothing is sent, and the state cannot change."""
         outer, self._captured = self._captured, []
         try:
-            self._built.machines["ReceiveFSM"].ask(Trigger(query.CODE, query, source))
-            return next((each for each in self._captured if each.destination == source), None)
+            outcome = self._built.machines["ReceiveFSM"].ask(Trigger(query.CODE, query, source))
+            return outcome, next((each for each in self._captured if each.destination == source), None)
         finally:
             self._captured = outer
 
     def fire(self, event: str, msg: Any = None, source: JausID | None = None) -> None:
         """Raise an internal event of the JSIDL; handled as soon as what happens now is done."""
-        if len(self._events) >= _MAX_EVENTS:
-            self.count("event_dropped", event)
-            return
-        self._events.append(Trigger(event, msg, source))
-        if not self._busy:
-            self._busy = True
-            self._settle()
+        self._agenda.put(Trigger(event, msg, source))
+
+    def perform(self, command: Message, source: JausID, ended: Callable[[bool], None]) -> None:
+        """Handle a command as if `source` had just sent it. `ended` is told whether it was carried out.
+
+        A command that no state takes, or that fails, was not. One that takes time ends when its service says so
+        (`begin_command`), any other one as soon as it is taken.
+        """
+        self._agenda.put(Trigger(command.CODE, command, source), Completion(ended))
+
+    def begin_command(self) -> Completion:
+        """For an action that starts something which takes time: call what this returns when it has ended."""
+        return self._agenda.begin_command()
 
     def ask_for_id(self, id: JausID) -> None:
         """Want to be the component of this id; the shell moves there as soon as what waits is sent."""
@@ -266,6 +282,11 @@ class Host:
 
     # --- inside ---------------------------------------------------------------------------------------------------
 
+    def _fail(self) -> None:
+        """Go to Failure, unless the component is there already: an action that fails there must not start over."""
+        if "Failure" not in self.path:
+            self.fire("Failure")
+
     def _decoded(self, payload: bytes, source: JausID) -> Message | None:
         if source.is_wildcard:
             self.count("bad_source", str(source))
@@ -289,23 +310,6 @@ class Host:
         self.count(f"deviating_{kind.NAME}", detail)
         return message
 
-    def _run(self, trigger: Trigger) -> None:
-        self._busy = True
-        if self._dispatch(trigger) is Outcome.IGNORED:
-            self.counters["ignored"] += 1
-        self._settle()
-
-    def _settle(self) -> None:
-        """Handle the internal events that came up, and those that these bring up."""
-        for _ in range(_MAX_EVENTS):
-            if not self._events:
-                break
-            self._dispatch(self._events.popleft())
-        else:
-            self.counters["event_dropped"] += len(self._events)
-            self._events.clear()
-        self._busy = False
-
     def _dispatch(self, trigger: Trigger) -> Outcome:
         machine = self._built.route(trigger.key)
         return machine.handle(trigger) if machine else Outcome.IGNORED
@@ -322,6 +326,3 @@ class Host:
         if isinstance(trigger.msg, Message) and not trigger.msg.IS_COMMAND:
             result = mask(result, trigger.msg)
         self.send(destination, result)
-
-    def _contain(self, name: str, trigger: Trigger) -> Attempt:
-        return Attempt(name, trigger, self.counters)

@@ -10,7 +10,7 @@ from typing import Final, Literal
 
 from jauspy.services.isolation import Containment
 from jauspy.services.tree import StateNode
-from jauspy.services.trigger import ANY_MESSAGE, STAY, Key, Trigger
+from jauspy.services.trigger import ANY_MESSAGE, ANY_TRIGGER, STAY, Key, Trigger
 
 MAX_PUSHED: Final = 32
 """States that can wait to be popped; a definition that pushes deeper loses the oldest."""
@@ -113,18 +113,20 @@ class Machine:
     def _rules(self, key: Key) -> tuple[Rule, ...]:
         found = self._candidates.get((self._active, key))
         if found is None:
-            keys = (key, ANY_MESSAGE) if isinstance(key, int) else (key,)
+            keys = (key, ANY_MESSAGE, ANY_TRIGGER) if isinstance(key, int) else (key, ANY_TRIGGER)
             found = tuple(rule for rule in self._in_order() if rule.key in keys)
             self._candidates[self._active, key] = found
         return found
 
     def _in_order(self) -> Iterable[Rule]:
         """Innermost state first; around it the defaults, which speak for the states inside, come before its own."""
-        for node in self._active.upwards():
+        node: StateNode | None = self._active
+        while node is not None:
             bound = self._states[node]
             own = node is self._active
-            yield from bound.transitions if own else bound.defaults
-            yield from bound.defaults if own else bound.transitions
+            yield from _takers(bound.transitions if own else bound.defaults)
+            yield from _takers(bound.defaults if own else bound.transitions)
+            node = node.parent
 
     def _apply(self, rule: Rule, trigger: Trigger) -> Outcome:
         stay = False
@@ -175,3 +177,8 @@ class Machine:
         for step in steps:
             with self._contain(step.name, trigger):
                 step.call(trigger)
+
+
+def _takers(rules: tuple[Rule, ...]) -> list[Rule]:
+    """In order, except that those which take what nobody else takes come last."""
+    return sorted(rules, key=lambda rule: rule.key == ANY_TRIGGER)

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, ClassVar
 
+from jauspy.ids import JausID
+
 if TYPE_CHECKING:
     from jauspy.codec.registry import Registry
     from jauspy.services.host import Host
@@ -66,6 +68,9 @@ class Service:
 
     def attached(self) -> None:
         """Called once, when `host` is there and before anything is received."""
+
+    def client_lost(self, client: JausID) -> None:
+        """Called when messages to a client do not arrive any more."""
 
     def control_lost(self) -> None:
         """Called when the controlling client lost or gave up control, or another took it. Stop what moves."""

@@ -83,6 +83,7 @@ def merge(definitions: Sequence[Service]) -> dict[str, StateNode]:
     for owner in definitions:
         for machine in owner.behavior.machines if owner.behavior else ():
             root = roots.setdefault(machine_name(machine.name), StateNode((), None))
+            root.defaults += (Owned(owner, transition) for transition in machine.default_transitions)
             _merge_machine(root, owner, machine)
     for root in roots.values():
         _check_initials(root)

@@ -14,6 +14,9 @@ Key: TypeAlias = int | str
 ANY_MESSAGE: Final = "Receive"
 """The key of transitions that take every received message (JSIDL: `Receive` without parameters)."""
 
+ANY_TRIGGER: Final = ""
+"""The key of transitions that take whatever no other transition of their state takes (JSIDL: `default_transition`)."""
+
 
 @dataclass(frozen=True, slots=True)
 class Trigger:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import asyncio
 import threading
-from collections.abc import Coroutine
+from collections.abc import AsyncGenerator, AsyncIterable, AsyncIterator, Coroutine, Iterator
 from concurrent.futures import Future, wait
+from contextlib import suppress
 from types import TracebackType
-from typing import Any, Final, Generic, Self, TypeVar
+from typing import Any, Final, Generic, Self, TypeVar, cast
 
 from jauspy.errors import TransportError
 
@@ -66,6 +67,21 @@ class Portal:
             call.interrupt()
             raise
 
+    def leave(self, coroutine: Coroutine[Any, Any, object]) -> None:
+        """Run what ends a `with` block; fine when the portal was closed inside, which has ended it already."""
+        with suppress(TransportError):
+            self.run(coroutine)
+
+    def iterate(self, iterable: AsyncIterable[T]) -> Iterator[T]:
+        """What `async for` would give; leaving the loop ends the asynchronous iterator, too."""
+        iterator = aiter(iterable)
+        try:
+            while (item := self.run(_next(iterator))) is not _END:
+                yield cast("T", item)
+        finally:
+            if isinstance(iterator, AsyncGenerator):
+                self.leave(_end(iterator))
+
     def __enter__(self) -> Self:
         self.open()
         return self
@@ -111,12 +127,26 @@ class _Call(Generic[T]):
     def _cancel(self) -> None:
         if self._task is not None:
             self._task.cancel()
+        else:  # interrupted on the way here: it was never begun
+            self._coroutine.close()
+            self.ended.set_exception(asyncio.CancelledError())
 
     async def _run(self) -> None:
         try:
             self.ended.set_result(await self._coroutine)
         except BaseException as error:  # noqa: BLE001 - it belongs to the caller in the other thread
             self.ended.set_exception(error)
+
+
+_END: Final = object()
+
+
+async def _next(iterator: AsyncIterator[T]) -> T | object:
+    return await anext(iterator, _END)
+
+
+async def _end(iterator: AsyncGenerator[Any, None]) -> None:
+    await iterator.aclose()
 
 
 def _live(ready: Future[asyncio.AbstractEventLoop]) -> None:

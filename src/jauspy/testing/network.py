@@ -13,10 +13,13 @@ from typing import Final, Self
 
 from jauspy.codec.base import Message
 from jauspy.ids import JausID
+from jauspy.modules import robots
+from jauspy.modules.robot import RobotRunner
 from jauspy.protocol.header import Packet
 from jauspy.protocol.judp import unpack_all
 from jauspy.testing.clock import VirtualClock
 from jauspy.testing.place import Place, parsed
+from jauspy.testing.robot import VirtualTime
 from jauspy.transport import LoopbackHub, LoopbackTransport
 
 HELD_BACK: Final = 0.01
@@ -56,6 +59,10 @@ class VirtualNetwork(Place):
     def transport(self, id: str | JausID) -> LoopbackTransport:
         """A way in for the component of this id."""
         return LoopbackTransport(parsed(id), self._hub)
+
+    def robot(self, name: str = "inc1") -> RobotRunner:
+        """A whole robot of this name on the `kinematic` backend, to be used with `async with`; it, too, is virtual."""
+        return RobotRunner(robots.load(name), self.transport, backend="kinematic", realtime=VirtualTime)
 
     def now(self) -> float:
         """Seconds of the event loop's clock."""

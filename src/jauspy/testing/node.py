@@ -5,13 +5,16 @@ from __future__ import annotations
 import shutil
 import tempfile
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import AsyncIterator, Callable, Mapping
+from contextlib import asynccontextmanager
 from datetime import UTC, datetime
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Self, TypeVar
 
 from jauspy.ids import JausID
+from jauspy.modules import robots
+from jauspy.modules.robot import RobotRunner
 from jauspy.node import NodeConfig, NodeManager
 from jauspy.sync.portal import Portal
 from jauspy.testing.place import Place, parsed
@@ -58,6 +61,16 @@ class LocalNode(Place):
     def transport(self, id: str | JausID) -> LocalTransport:
         """A way in for the component of this id, by local sockets."""
         return LocalTransport(parsed(id), self.root)
+
+    @asynccontextmanager
+    async def robot(self, name: str = "inc1") -> AsyncIterator[RobotRunner]:
+        """A whole robot of this name on the `kinematic` backend; it lives in the node manager's thread."""
+        runner = RobotRunner(robots.load(name), self.transport, backend="kinematic")
+        self._portal.run(runner.open())
+        try:
+            yield runner
+        finally:
+            self._portal.leave(runner.close())
 
     def now(self) -> float:
         """Seconds of the monotonic clock."""

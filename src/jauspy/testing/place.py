@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterable
+from contextlib import AbstractAsyncContextManager
 from datetime import datetime
 from typing import Any
 
 from jauspy.component import Component
 from jauspy.ids import JausID
+from jauspy.modules.robot import RobotRunner
 from jauspy.ocu import OCU
 from jauspy.services.service import Service
 from jauspy.transport import Transport
@@ -20,6 +22,10 @@ class Place(ABC):
     @abstractmethod
     def transport(self, id: str | JausID) -> Transport:
         """A way in for the component of this id."""
+
+    @abstractmethod
+    def robot(self, name: str = "inc1") -> AbstractAsyncContextManager[RobotRunner]:
+        """A whole robot of this name on the `kinematic` backend."""
 
     @abstractmethod
     def now(self) -> float:

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 if TYPE_CHECKING:
+    from jauspy.modules.robot import RobotRunner
     from jauspy.ocu import OCU
     from jauspy.testing import LocalNode, Place, VirtualNetwork
 
@@ -66,3 +67,10 @@ async def ocu(place: Place) -> AsyncIterator[OCU]:
     """An OCU, 42.1.1, on the node manager that the test uses, else on the virtual network."""
     async with place.ocu() as opened:
         yield opened
+
+
+@_asynchronous
+async def robot(place: Place) -> AsyncIterator[RobotRunner]:
+    """The robot `inc1`, subsystem 101, on the kinematic backend, where `ocu` is."""
+    async with place.robot() as running:
+        yield running

@@ -13,6 +13,8 @@ MAX_BYTES: Final = 4 << 20
 """In all; whole messages of 64 kB would be too much memory at `MAX_WAITING`."""
 PRIORITIES: Final = 4
 URGENT: Final = PRIORITIES - 1
+SHARE: Final = 16
+"""Every so many datagrams it is the turn of the least urgent: they are late, but not starved."""
 
 
 class Outbox:
@@ -23,6 +25,7 @@ class Outbox:
         self._queues: tuple[deque[bytes], ...] = tuple(deque() for _ in range(PRIORITIES))
         self._length = 0
         self._bytes = 0
+        self._turn = 0
 
     def __len__(self) -> int:
         return self._length
@@ -45,18 +48,22 @@ class Outbox:
     def pop(self) -> None:
         """Remove what `peek` showed."""
         self._take(self._next())
+        self._turn = (self._turn + 1) % SHARE
 
     def drain(self, send: Callable[[bytes], object], count: int) -> None:
         """Send the next `count`; one that raises stays the next, and its exception passes."""
         while self._length and count:
             queue = self._next()
-            for _ in range(min(count, len(queue))):
+            for _ in range(min(count, len(queue), SHARE - 1 - self._turn or 1)):
                 send(queue[0])
                 self._take(queue)
+                self._turn = (self._turn + 1) % SHARE
                 count -= 1
 
     def _next(self) -> deque[bytes]:
         low, standard, high, urgent = self._queues
+        if self._turn == SHARE - 1:
+            return low or standard or high or urgent
         return urgent or high or standard or low
 
     def _take(self, queue: deque[bytes]) -> None:

@@ -7,7 +7,6 @@ import logging
 from collections.abc import Callable
 from typing import Final, cast
 
-from jauspy.errors import ProtocolError
 from jauspy.protocol import header, jtcp
 from jauspy.protocol.address_book import Address
 from jauspy.protocol.counters import Counters
@@ -81,14 +80,12 @@ class StreamLink(asyncio.Protocol):
         """Hand up whole packets."""
         if self._transport is None or self._transport.is_closing():
             return
-        try:
-            datagrams = self._decoder.feed(data)
-        except ProtocolError as error:
-            self._counters.drop(f"malformed.{error.reason}", f"{self.peer}: {error}")
-            self.close()
-            return
+        datagrams, error = self._decoder.feed(data)
         for datagram in datagrams:
             self._took(self, datagram)
+        if error is not None:
+            self._counters.drop(f"malformed.{error.reason}", f"{self.peer}: {error}")
+            self.close()
 
     def _greet(self, transport: asyncio.Transport) -> int:
         """Say once which version is spoken here; returns it."""

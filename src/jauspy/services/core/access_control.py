@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
+from jauspy.codec.base import Message
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages.core import (
@@ -19,6 +20,8 @@ from jauspy.services.service import Service
 
 _TIMER: Final = "access control"
 _NOBODY: Final = JausID(0, 0, 0)
+_CLOSED: Final = frozenset({"Init", "Failure", "Shutdown", "Emergency"})
+"""States in which nobody can take control."""
 
 
 class AccessControl(Service, urn="urn:jaus:jss:core:AccessControl"):
@@ -36,6 +39,12 @@ class AccessControl(Service, urn="urn:jaus:jss:core:AccessControl"):
         self.timeout = timeout
         self.authority = default_authority
         self.controller: JausID | None = None
+        self._time_is_up = "Timedout"
+
+    def attached(self) -> None:
+        """A time-out is `Timedout`; in 1.0 it was `Timeout`, which in 1.1 is the end of a subscription."""
+        if self.host.definitions[self.urn].version == "1.0":
+            self._time_is_up = "Timeout"
 
     # --- actions
 
@@ -65,7 +74,12 @@ class AccessControl(Service, urn="urn:jaus:jss:core:AccessControl"):
     def _time_out(self) -> None:
         # Emergency swallows Timedout: the timer goes on, so that a dead client is dropped after the emergency.
         self.reset_timer()
-        self.host.fire("Timedout")
+        self.host.fire(self._time_is_up)
+
+    def client_lost(self, client: JausID) -> None:
+        """Who cannot be reached cannot be in control."""
+        if client == self.controller:
+            self.host.fire(self._time_is_up)
 
     def _hand_to(self, client: JausID | None) -> None:
         before, self.controller = self.controller, client
@@ -74,13 +88,13 @@ class AccessControl(Service, urn="urn:jaus:jss:core:AccessControl"):
 
     # --- predicates
 
+    def is_control_available(self) -> bool:
+        """Nothing keeps clients from taking control (1.0 asks; 1.1 has states for it)."""
+        return not _CLOSED.intersection(self.host.path)
+
     def is_controlling_client(self, source: JausID) -> bool:
         """The sender is in control."""
         return self.controller == source
-
-    def is_control_available(self) -> bool:
-        """Clients may ask for control (version 1.0); a component that is controlled in another way overrides this."""
-        return True
 
     def is_default_authority_greater(self, msg: RequestControl) -> bool:
         """The request has not even the default authority."""
@@ -100,9 +114,15 @@ class AccessControl(Service, urn="urn:jaus:jss:core:AccessControl"):
         """The answer to a request."""
         return ConfirmControl(response_code=ConfirmControl.ResponseCode[code])
 
-    def reject_control(self, code: str) -> RejectControl:
-        """Control was given up or taken away."""
-        return RejectControl(response_code=RejectControl.ResponseCode[code])
+    def reject_control(self, msg: object, source: JausID | None, code: str) -> RejectControl | None:
+        """Control was given up or taken away. Who loses it to another client is told; 1.0 says to tell the other."""
+        answer = RejectControl(response_code=RejectControl.ResponseCode[code])
+        loser = self.controller
+        if isinstance(msg, Message) and msg.CODE == RequestControl.CODE and loser not in (None, source):
+            assert loser is not None
+            self.host.send(loser, answer)
+            return None
+        return answer
 
     def report_control(self) -> ReportControl:
         """Who is in control; all zero for nobody."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Final, TypeAlias
+from typing import Any, Final, TypeAlias
 
 from jauspy.codec.base import Message
 from jauspy.errors import ConfigError
@@ -20,12 +20,21 @@ from jauspy.messages.core import (
     ReportEventTimeout,
     UpdateEvent,
 )
-from jauspy.services.core.subscriptions import Subscription, Subscriptions
-from jauspy.services.service import Service
+from jauspy.services.core.command_events import CommandEvents, encoded
+from jauspy.services.core.rates import Rates
+from jauspy.services.core.subscriptions import Entry, Subscription, Subscriptions
+from jauspy.services.machine import Outcome
 
-PERIODIC: Final = CreateEvent.EventType.PERIODIC
+PERIODIC: Final = 0
+EVERY_CHANGE: Final = 1
+FIRST_CHANGE: Final = 2
+ONE_TIME: Final = 3
+_KINDS: Final = frozenset({PERIODIC, EVERY_CHANGE})
+_MORE_KINDS: Final = frozenset({FIRST_CHANGE, ONE_TIME})
 
 # Response codes of RejectEventRequest (AS5710)
+NO_PERIODIC: Final = 1
+NO_CHANGE: Final = 2
 REFUSED: Final = 3
 INVALID_SETUP: Final = 4
 NOT_SUPPORTED: Final = 5
@@ -35,46 +44,37 @@ MAX_QUERY: Final = 4096
 """Bytes of a query that a subscription may hold."""
 
 Request: TypeAlias = CreateEvent | UpdateEvent | CancelEvent
-Refusable: TypeAlias = Request | CreateCommandEvent
+Setup: TypeAlias = CreateEvent | UpdateEvent
 
 
-class Events(Service, urn="urn:jaus:jss:core:Events", private=True):
-    """Subscriptions to any query that the component answers. Command events are refused as not supported.
+class Events(CommandEvents, urn="urn:jaus:jss:core:Events", private=True):
+    """Subscriptions to any query that the component answers, and to the end of any command that it takes.
 
-    `max_rate` (Hz) bounds periodic events, `max_change_rate` how often every-change events look for a change;
-    clients are told the rate they really get. Events end by themselves `timeout` minutes (1..255, 0: never) after they
-    were last created or updated. `limit` bounds the events of the component, `limit_per_client` those of one client.
+    `min_rate` and `max_rate` (Hz) bound periodic events, `max_change_rate` how often every-change events look for a
+    change; 0 refuses events of that kind. Clients are told the rate they really get. Events end by themselves
+    `timeout` minutes (1..255, 0: never) after they were last created or updated. `limit` bounds the events of the
+    component, `limit_per_client` those of one client. `more_kinds` also takes two kinds of event that AS5710 has no
+    numbers for: 2 reports the first change, 3 reports once, and both end with that.
     """
-
-    omits = frozenset(
-        {
-            "create_command_event",
-            "update_command_event",
-            "start_command_timer",
-            "stop_command_timer",
-            "send_command_event",
-            "send_reject_event_request",
-        }
-    )
 
     def __init__(
         self,
         *,
+        min_rate: float = 0.001,
         max_rate: float = 100.0,
         max_change_rate: float = 25.0,
         timeout: int = 1,
         limit: int = 128,
         limit_per_client: int = 32,
+        more_kinds: bool = False,
     ) -> None:
         if not 0 <= timeout <= 255:
             raise ConfigError(f"events: timeout is {timeout} minutes; it must be 0..255")
-        if not (0 < max_rate <= 1092 and 0 < max_change_rate <= 1092):
-            raise ConfigError(f"events: max_rate {max_rate} and max_change_rate {max_change_rate} must be 0..1092 Hz")
-        self.max_rate = max_rate
-        self.max_change_rate = max_change_rate
+        self.rates = Rates(min_rate, max_rate, max_change_rate)
         self.timeout = timeout
         self.subscriptions = Subscriptions(limit, limit_per_client)
-        self._current: Subscription | None = None
+        self._kinds = _KINDS | _MORE_KINDS if more_kinds else _KINDS
+        self._current: Entry | None = None
 
     def leaving(self) -> None:
         """Clients know events by the id of the component: all end, and their clients are told."""
@@ -83,42 +83,48 @@ class Events(Service, urn="urn:jaus:jss:core:Events", private=True):
 
     # --- predicates
 
-    def is_supported(self, msg: CreateEvent | UpdateEvent, source: JausID) -> bool:
+    def is_supported(self, msg: Setup, source: JausID) -> bool:
         """The event can be set up as asked for."""
         return self._refusal(msg, source) is None
 
-    def event_exists(self, msg: Request | Subscription, source: JausID) -> bool:
+    def event_exists(self, msg: Request | CreateCommandEvent | Entry, source: JausID) -> bool:
         """The client has this event."""
         return self._find(msg, source) is not None
 
-    def is_command_supported(self) -> bool:
-        """No service here tells when a command is done."""
-        return False
-
-    def _find(self, msg: object, source: JausID) -> Subscription | None:
-        if isinstance(msg, Subscription):
+    def _find(self, msg: Any, source: JausID) -> Entry | None:
+        if isinstance(msg, Entry):
             return msg if self.subscriptions.holds(msg) else None
-        if isinstance(msg, UpdateEvent | CancelEvent):
-            return self.subscriptions.find(msg.event_id, source)
-        if isinstance(msg, CreateEvent):
-            return self.subscriptions.same(source, msg.event_type, _bytes(msg.query_message))
-        return None
+        if msg.CODE == CreateEvent.CODE:
+            return self.subscriptions.same(source, msg.event_type, encoded(msg.query_message))
+        if msg.CODE == CreateCommandEvent.CODE:
+            return self._find_command(msg, source)
+        found = self.subscriptions.find(msg.event_id, source)
+        return found if msg.CODE == CancelEvent.CODE or isinstance(found, Subscription) else None
 
-    def _refusal(self, msg: CreateEvent | UpdateEvent, source: JausID) -> int | None:
+    def _refusal(self, msg: Setup, source: JausID) -> int | None:
         """Why the event cannot be set up as asked for: a response code, None when it can."""
+        if (kind := self._refused_kind(msg)) is not None:
+            return kind
         query = self.host.read(msg.query_message)
         if query is None or not self.host.is_query(query):
             return NOT_SUPPORTED
-        if msg.event_type not in tuple(CreateEvent.EventType):
-            return INVALID_SETUP
         if msg.event_type == PERIODIC and msg.requested_periodic_rate <= 0:
             return INVALID_SETUP
-        is_new = isinstance(msg, CreateEvent) and self._find(msg, source) is None
-        if len(_bytes(msg.query_message)) > MAX_QUERY or (is_new and self.subscriptions.full_for(source)):
+        is_new = msg.CODE == CreateEvent.CODE and self._find(msg, source) is None
+        if len(encoded(msg.query_message)) > MAX_QUERY or (is_new and self.subscriptions.full_for(source)):
             return REFUSED
         return None
 
-    def _query(self, msg: CreateEvent | UpdateEvent) -> Message:
+    def _refused_kind(self, msg: Setup) -> int | None:
+        if msg.event_type not in self._kinds:
+            return INVALID_SETUP
+        if msg.event_type == PERIODIC and not self.rates.highest:
+            return NO_PERIODIC
+        if msg.event_type in (EVERY_CHANGE, FIRST_CHANGE) and not self.rates.change:
+            return NO_CHANGE
+        return None
+
+    def _query(self, msg: Setup) -> Message:
         """The query of a request that `is_supported` has let through."""
         query = self.host.read(msg.query_message)
         assert query is not None
@@ -127,7 +133,7 @@ class Events(Service, urn="urn:jaus:jss:core:Events", private=True):
     # --- actions
 
     def create_event(self, msg: CreateEvent, source: JausID) -> None:
-        """A new subscription; the first report comes at once."""
+        """A new subscription; the first report comes at once, that of a first change when it is one."""
         subscription = Subscription(
             self.subscriptions.free_id(), source, msg.request_id, msg.event_type, self._query(msg), due=self.host.now
         )
@@ -136,10 +142,10 @@ class Events(Service, urn="urn:jaus:jss:core:Events", private=True):
         self._current = subscription
         self._schedule(subscription)
 
-    def update_event(self, msg: CreateEvent | UpdateEvent, source: JausID) -> None:
+    def update_event(self, msg: Setup, source: JausID) -> None:
         """Another rate, kind or query for an event that is there; an every-change event reports anew."""
         subscription = self._find(msg, source)
-        if subscription is None:
+        if not isinstance(subscription, Subscription):
             return
         subscription.request_id, subscription.kind = msg.request_id, msg.event_type
         subscription.query, subscription.last = self._query(msg), None
@@ -148,12 +154,21 @@ class Events(Service, urn="urn:jaus:jss:core:Events", private=True):
         self._current = subscription
         self._schedule(subscription)
 
-    def cancel_event(self, msg: CancelEvent | Subscription, source: JausID) -> None:
-        """The event ends."""
+    def cancel_event(self, msg: CancelEvent | Entry, source: JausID) -> None:
+        """The event ends; a command goes on, without anybody being told how it ends."""
         self._current = self._find(msg, source)
         if self._current is not None:
-            self.subscriptions.remove(self._current)
-            self.host.cancel_timer(("event", self._current.id))
+            self._end(self._current)
+
+    def client_lost(self, client: JausID) -> None:
+        """Nobody listens to these events any more."""
+        for entry in self.subscriptions.of(client):
+            self._end(entry)
+
+    def _end(self, entry: Entry) -> None:
+        self.subscriptions.remove(entry)
+        for timer in ("event", "event timeout", "command"):
+            self.host.cancel_timer((timer, entry.id))
 
     def reset_event_timer(self) -> None:
         """The event has its full time again."""
@@ -166,26 +181,33 @@ class Events(Service, urn="urn:jaus:jss:core:Events", private=True):
             )
 
     def stop_event_timer(self) -> None:
-        """The event that ended does not time out any more."""
-        if self._current is not None:
-            self.host.cancel_timer(("event timeout", self._current.id))
+        """The event that ended does not time out any more: `cancel_event` has seen to that."""
 
     def send_event(self, msg: Subscription) -> None:
         """Report to the subscriber what the component would answer it now; on change, only what is new to it."""
-        answer = self.host.ask(msg.query, msg.client)
-        if answer is None or (msg.kind != PERIODIC and answer.payload == msg.last):
+        outcome, answer = self.host.ask(msg.query, msg.client)
+        if outcome is Outcome.FAILED:
+            self.host.fire("EventError", msg, msg.client)
+        if answer is None or not _is_due(msg, answer.payload):
             return
-        msg.last = answer.payload
         self.host.send(msg.client, Event(event_id=msg.id, sequence_number=msg.sequence, report_message=answer.payload))
         msg.sequence = msg.sequence + 1 & 0xFF
+        if msg.kind in _MORE_KINDS:
+            self._end(msg)
+
+    def send_reject_event_request(self, msg: Subscription) -> None:
+        """The report has a bug, so the event ends, and its client is told that."""
+        self.host.send(msg.client, RejectEventRequest(request_id=msg.request_id, response_code=NOT_SUPPORTED))
+        self._end(msg)
 
     # --- time
 
     def _set_rate(self, subscription: Subscription, asked: float) -> None:
-        most = self.max_rate if subscription.kind == PERIODIC else self.max_change_rate
-        # An every-change event may leave the rate open; it is then told 0, and looked at as often as allowed.
-        subscription.confirmed = min(asked, most)
-        subscription.period = 1.0 / (subscription.confirmed or most)
+        if subscription.kind == PERIODIC:
+            subscription.confirmed = self.rates.periodic(asked)
+        else:
+            subscription.confirmed = self.rates.on_change(asked)
+        subscription.period = 1.0 / (subscription.confirmed or self.rates.change or self.rates.highest or 1.0)
 
     def _schedule(self, subscription: Subscription) -> None:
         self.host.set_timer(("event", subscription.id), subscription.due, lambda: self._tick(subscription))
@@ -199,30 +221,36 @@ class Events(Service, urn="urn:jaus:jss:core:Events", private=True):
 
     # --- reports
 
-    def confirm_event_request(self, msg: Request | Subscription) -> ConfirmEventRequest | None:
-        """The event as it is now, with the rate that is really kept."""
+    def confirm_event_request(self, msg: Request | CreateCommandEvent | Entry) -> ConfirmEventRequest | None:
+        """The event as it is now, with the rate that is really kept; 0 for a command, which has none."""
         current = self._current
         if current is None:
             return None
-        return ConfirmEventRequest(
-            request_id=msg.request_id, event_id=current.id, confirmed_periodic_rate=current.confirmed
-        )
+        rate = current.confirmed if isinstance(current, Subscription) else 0.0
+        return ConfirmEventRequest(request_id=msg.request_id, event_id=current.id, confirmed_periodic_rate=rate)
 
-    def reject_event_request(self, msg: Refusable, source: JausID) -> RejectEventRequest:
+    def reject_event_request(self, msg: Request | CreateCommandEvent, source: JausID) -> RejectEventRequest:
         """Why not."""
-        refusal = None
-        if isinstance(msg, UpdateEvent | CancelEvent) and self._find(msg, source) is None:
-            refusal = UNKNOWN_EVENT
-        elif isinstance(msg, CreateEvent | UpdateEvent):
-            refusal = self._refusal(msg, source)
-        return RejectEventRequest(request_id=msg.request_id, response_code=refusal or NOT_SUPPORTED)
+        return RejectEventRequest(request_id=msg.request_id, response_code=self._reason(msg, source))
+
+    def _reason(self, msg: Any, source: JausID) -> int:
+        if msg.CODE == CreateCommandEvent.CODE:
+            return NOT_SUPPORTED if self._command(msg) is None else REFUSED
+        if msg.CODE != CreateEvent.CODE and self._find(msg, source) is None:
+            return UNKNOWN_EVENT
+        return self._refusal(msg, source) or NOT_SUPPORTED
 
     def report_events(self, query: QueryEvents, source: JausID) -> ReportEvents:
-        """The client's own events: all, or by id, kind or query message."""
-        chosen = [each for each in self.subscriptions.of(source) if _matches(each, query)]
+        """The client's own events that report: all, or by id, kind or query message."""
+        chosen = [each for each in self.subscriptions.queries(source) if _matches(each, query)]
         return ReportEvents(
             event_list=[
-                ReportEvents.ReportEventRec(event_type=each.kind, event_id=each.id, query_message=each.query)
+                ReportEvents.ReportEventRec(
+                    # The report has no numbers for the other two; one is like a change that happens once.
+                    event_type=PERIODIC if each.kind == PERIODIC else EVERY_CHANGE,
+                    event_id=each.id,
+                    query_message=each.query,
+                )
                 for each in chosen[:255]
             ]
         )
@@ -232,8 +260,12 @@ class Events(Service, urn="urn:jaus:jss:core:Events", private=True):
         return ReportEventTimeout(timeout=self.timeout)
 
 
-def _bytes(message: Message | bytes) -> bytes:
-    return message.encode() if isinstance(message, Message) else message
+def _is_due(subscription: Subscription, report: bytes) -> bool:
+    """True when the subscriber wants this report; remembers what it has then."""
+    if subscription.kind in (PERIODIC, ONE_TIME):
+        return True
+    before, subscription.last = subscription.last, report
+    return report != before and not (subscription.kind == FIRST_CHANGE and before is None)
 
 
 def _matches(subscription: Subscription, query: QueryEvents) -> bool:

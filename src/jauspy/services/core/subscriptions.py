@@ -1,4 +1,4 @@
-"""The event subscriptions of a component: a bounded table, each entry known to its creator alone."""
+"""The events of a component: a bounded table, each entry known to its creator alone."""
 
 from __future__ import annotations
 
@@ -10,12 +10,18 @@ from jauspy.ids import JausID
 
 
 @dataclass(slots=True, eq=False)
-class Subscription:
-    """One event; it keeps to `due` (time) and `period` (s), and the client was told the rate `confirmed` (Hz)."""
+class Entry:
+    """What a client asked for; `request_id` is that of its last request about it."""
 
     id: int
     client: JausID
     request_id: int
+
+
+@dataclass(slots=True, eq=False)
+class Subscription(Entry):
+    """Reports of one query; keeps to `due` (time) and `period` (s). The client was told the rate `confirmed` (Hz)."""
+
     kind: int
     query: Message
     due: float
@@ -25,13 +31,21 @@ class Subscription:
     last: bytes | None = None
 
 
+@dataclass(slots=True, eq=False)
+class CommandWatch(Entry):
+    """A command under way, and whether it was carried out; None while that is open."""
+
+    command: Message
+    success: bool | None = None
+
+
 class Subscriptions:
     """By event id, 0..255, unique in the component."""
 
     def __init__(self, limit: int, limit_per_client: int) -> None:
         self._limit = min(limit, 256)
         self._limit_per_client = limit_per_client
-        self._by_id: dict[int, Subscription] = {}
+        self._by_id: dict[int, Entry] = {}
         self._next_id = 1
 
     def __len__(self) -> int:
@@ -39,7 +53,7 @@ class Subscriptions:
 
     def full_for(self, client: JausID) -> bool:
         """True when this client cannot have one more."""
-        return len(self._by_id) >= self._limit or sum(1 for _ in self.of(client)) >= self._limit_per_client
+        return len(self._by_id) >= self._limit or len(self.of(client)) >= self._limit_per_client
 
     def free_id(self) -> int:
         """An id that is not in use; ids of cancelled events come back last."""
@@ -49,32 +63,41 @@ class Subscriptions:
         self._next_id = taken + 1 & 0xFF
         return taken
 
-    def add(self, subscription: Subscription) -> None:
-        """Keep it under its id."""
-        self._by_id[subscription.id] = subscription
+    def add(self, entry: Entry) -> None:
+        """Keep it under its id, in place of what is there."""
+        self._by_id[entry.id] = entry
 
-    def remove(self, subscription: Subscription) -> None:
+    def remove(self, entry: Entry) -> None:
         """Forget it; fine when it is gone."""
-        if self.holds(subscription):
-            del self._by_id[subscription.id]
+        if self.holds(entry):
+            del self._by_id[entry.id]
 
-    def holds(self, subscription: Subscription) -> bool:
-        """True while this very subscription is in the table."""
-        return self._by_id.get(subscription.id) is subscription
+    def holds(self, entry: Entry) -> bool:
+        """True while this very entry is in the table."""
+        return self._by_id.get(entry.id) is entry
 
-    def find(self, id: int, client: JausID) -> Subscription | None:
+    def find(self, id: int, client: JausID) -> Entry | None:
         """The client's event with this id; another client's is unknown to it."""
         found = self._by_id.get(id)
         return found if found and found.client == client else None
 
     def same(self, client: JausID, kind: int, query: bytes) -> Subscription | None:
         """The client's event of this kind with this very query."""
-        return next((each for each in self.of(client) if each.kind == kind and each.query.encode() == query), None)
+        return next((each for each in self.queries(client) if each.kind == kind and each.query.encode() == query), None)
 
-    def all(self) -> tuple[Subscription, ...]:
+    def same_command(self, client: JausID, command: bytes) -> CommandWatch | None:
+        """The client's command event for this very command."""
+        watches = (each for each in self.of(client) if isinstance(each, CommandWatch))
+        return next((each for each in watches if each.command.encode() == command), None)
+
+    def all(self) -> list[Entry]:
         """Everyone's events in the order of their ids."""
-        return tuple(each for _, each in sorted(self._by_id.items()))
+        return [each for _, each in sorted(self._by_id.items())]
 
-    def of(self, client: JausID) -> Iterator[Subscription]:
+    def of(self, client: JausID) -> list[Entry]:
         """The client's events in the order of their ids."""
-        return (each for each in self.all() if each.client == client)
+        return [each for each in self.all() if each.client == client]
+
+    def queries(self, client: JausID) -> Iterator[Subscription]:
+        """Those among them that report."""
+        return (each for each in self.of(client) if isinstance(each, Subscription))

@@ -1,0 +1,28 @@
+"""What was seen of a robot after a step."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from jauspy.platform.contract import Acceleration, Pose, Robot, Twist
+from jauspy.platform.joints import JointState
+
+
+@dataclass(frozen=True, slots=True)
+class Snapshot:
+    """The robot's state at one moment; `time` is the robot's own, in seconds."""
+
+    time: float
+    pose: Pose
+    twist: Twist
+    acceleration: Acceleration
+    joints: Mapping[str, JointState]
+    """The state of its other joints, by group."""
+
+
+def look(robot: Robot) -> Snapshot:
+    """The robot's state now."""
+    drive = robot.drive
+    joints = {name: group.state() for name, group in robot.groups.items()}
+    return Snapshot(robot.time, drive.pose(), drive.twist(), drive.acceleration(), joints)

@@ -1,0 +1,75 @@
+"""What a component handles one by one: a received message, and internal events and commands that it brings up."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable
+from typing import Final
+
+from jauspy.services.completion import Completion
+from jauspy.services.machine import Outcome
+from jauspy.services.trigger import Trigger
+
+MAX_WAITING: Final = 256
+"""Internal events that may wait at once, and that may follow from one message; more is a bug of a service."""
+
+
+class Agenda:
+    """First in, first out. What comes up while something is handled waits until that is done.
+
+    Nothing is handled before `open`, which is when everything is bound.
+    """
+
+    def __init__(self, dispatch: Callable[[Trigger], Outcome], dropped: Callable[[Trigger], None]) -> None:
+        self._dispatch = dispatch
+        self._dropped = dropped
+        self._waiting: deque[tuple[Trigger, Completion]] = deque()
+        self._command = Completion()
+        self._busy = True
+
+    def open(self) -> None:
+        """Begin, with what came up so far."""
+        self._settle()
+
+    def run(self, trigger: Trigger) -> Outcome:
+        """Handle this now, and then all that follows from it."""
+        self._busy = True
+        outcome = self._handle(trigger, Completion())
+        self._settle()
+        return outcome
+
+    def put(self, trigger: Trigger, completion: Completion | None = None) -> None:
+        """Handle this as soon as what happens now is done; when too much waits, it is dropped."""
+        if len(self._waiting) >= MAX_WAITING:
+            self._drop(trigger, completion or Completion())
+            return
+        self._waiting.append((trigger, completion or Completion()))
+        if not self._busy:
+            self._busy = True
+            self._settle()
+
+    def begin_command(self) -> Completion:
+        """What is being handled takes time, and ends when this is called."""
+        self._command.claimed = True
+        return self._command
+
+    def _settle(self) -> None:
+        for _ in range(MAX_WAITING):
+            if not self._waiting:
+                break
+            self._handle(*self._waiting.popleft())
+        while self._waiting:
+            self._drop(*self._waiting.popleft())
+        self._busy = False
+
+    def _handle(self, trigger: Trigger, completion: Completion) -> Outcome:
+        self._command = completion
+        outcome = self._dispatch(trigger)
+        if not (completion.claimed and outcome is Outcome.TAKEN):
+            completion(outcome is Outcome.TAKEN)
+        self._command = Completion()
+        return outcome
+
+    def _drop(self, trigger: Trigger, completion: Completion) -> None:
+        self._dropped(trigger)
+        completion(False)

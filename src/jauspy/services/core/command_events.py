@@ -1,0 +1,87 @@
+"""Command events: a client sends a command and is told once when it has been carried out, or has not (AS5710 1.1)."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from jauspy.codec.base import Message
+from jauspy.ids import JausID
+from jauspy.messages.core import CancelEvent, CommandEvent, CreateCommandEvent, CreateEvent, UpdateEvent
+from jauspy.services.core.subscriptions import CommandWatch, Entry, Subscriptions
+from jauspy.services.service import Service
+
+_OF_EVENTS: Final = frozenset(kind.CODE for kind in (CreateEvent, UpdateEvent, CancelEvent, CreateCommandEvent))
+"""Commands of this service itself, which are answered anyway."""
+
+
+class CommandEvents(Service):
+    """The part of Events that is about commands. The command acts as if its client had sent it by itself."""
+
+    subscriptions: Subscriptions
+    _current: Entry | None
+
+    def is_command_supported(self, msg: CreateCommandEvent, source: JausID) -> bool:
+        """It is a command that the component takes, and the client may have one more event."""
+        command = self._command(msg)
+        return command is not None and not self._is_one_too_many(msg, source)
+
+    def create_command_event(self, msg: CreateCommandEvent, source: JausID) -> None:
+        """Carry out the command, right after this has been confirmed."""
+        self._watch(self.subscriptions.free_id(), msg, source)
+
+    def update_command_event(self, msg: CreateCommandEvent, source: JausID) -> None:
+        """The client sends the same command once more, while it is carried out: it has its full time again."""
+        before = self._find_command(msg, source)
+        if before is not None:
+            self._watch(before.id, msg, source)
+
+    def start_command_timer(self, msg: CreateCommandEvent) -> None:
+        """The command may take this long; 0 s only does for one that takes no time."""
+        watch = self._current
+        if isinstance(watch, CommandWatch):
+            at = self.host.now + msg.maximum_allowed_duration
+            self.host.set_timer(("command", watch.id), at, lambda: self._expired(watch))
+
+    def stop_command_timer(self, msg: CommandWatch) -> None:
+        """It has ended in time."""
+        self.host.cancel_timer(("command", msg.id))
+
+    def send_command_event(self, msg: CommandWatch) -> None:
+        """Tell the client how its command ended; that is the end of the event."""
+        result = CommandEvent.CommandResult.SUCCESSFUL if msg.success else CommandEvent.CommandResult.UNSUCCESSFUL
+        self.host.send(msg.client, CommandEvent(event_id=msg.id, command_result=result))
+        self.subscriptions.remove(msg)
+
+    def _find_command(self, msg: CreateCommandEvent, source: JausID) -> CommandWatch | None:
+        return self.subscriptions.same_command(source, encoded(msg.command_message))
+
+    def _is_one_too_many(self, msg: CreateCommandEvent, source: JausID) -> bool:
+        return self._find_command(msg, source) is None and self.subscriptions.full_for(source)
+
+    def _command(self, msg: CreateCommandEvent) -> Message | None:
+        command = self.host.read(msg.command_message)
+        takes = command is not None and not self.host.is_query(command) and command.CODE not in _OF_EVENTS
+        return command if takes else None
+
+    def _watch(self, id: int, msg: CreateCommandEvent, source: JausID) -> None:
+        command = self._command(msg)
+        assert command is not None
+        watch = CommandWatch(id, source, msg.request_id, command)
+        self.subscriptions.add(watch)
+        self._current = watch
+        self.host.perform(command, source, lambda success: self._ended(watch, success))
+
+    def _ended(self, watch: CommandWatch, success: bool) -> None:
+        if self.subscriptions.holds(watch) and watch.success is None:
+            watch.success = success
+            self.host.fire("CommandCompleted", watch, watch.client)
+
+    def _expired(self, watch: CommandWatch) -> None:
+        if self.subscriptions.holds(watch) and watch.success is None:
+            watch.success = False
+            self.host.fire("CommandExpired", watch, watch.client)
+
+
+def encoded(message: Message | bytes) -> bytes:
+    """The bytes of a message inside another one."""
+    return message.encode(strict=False) if isinstance(message, Message) else message

@@ -1,0 +1,50 @@
+"""What the generated classes have in common: an asynchronous object, and the portal to where it lives."""
+
+from __future__ import annotations
+
+from types import TracebackType
+from typing import Generic, Self, TypeVar
+
+from jauspy.ocu.client import OCU
+from jauspy.sync.portal import Portal
+
+A = TypeVar("A")
+
+
+class Facade(Generic[A]):
+    """`asynchronous` does the work, in the event loop of the portal's thread."""
+
+    def __init__(self, portal: Portal, asynchronous: A) -> None:
+        self._portal = portal
+        self._async = asynchronous
+
+    def __repr__(self) -> str:
+        return repr(self._async)
+
+
+class OpensPortal(Facade[OCU]):
+    """The OCU: its portal is open while it is."""
+
+    def open(self) -> None:
+        """Connect; raises `TransportError` that says what to do, `ConfigError` for a wrong `connect`. Twice is fine."""
+        self._portal.open()
+        try:
+            self._portal.run(self._async.open())
+        except BaseException:
+            self._portal.close()
+            raise
+
+    def close(self) -> None:
+        """Disconnect, and end what still waits. Twice is fine."""
+        if self._portal.is_open:
+            self._portal.run(self._async.close())
+            self._portal.close()
+
+    def __enter__(self) -> Self:
+        self.open()
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()

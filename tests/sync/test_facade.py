@@ -1,0 +1,205 @@
+"""The OCU without `await`, on a real node manager and from where an event loop runs already."""
+
+from __future__ import annotations
+
+import asyncio
+import signal
+import subprocess
+import sys
+import threading
+from itertools import islice
+
+import pytest
+from tests.ocu.test_elements import ROBOT, Driver, at, order, services, xs
+
+from jauspy.errors import ControlRejected, ElementRejected, ResponseTimeout, TransportError
+from jauspy.messages.core import QueryStatus, ReportStatus
+from jauspy.messages.mobility import QueryLocalPose, SetWrenchEffort
+from jauspy.ocu import Appeared, Subsystem, Vanished
+from jauspy.sync import OCU
+from jauspy.sync.portal import Portal
+from jauspy.testing import LocalNode
+
+Status = ReportStatus.Status
+FULL = SetWrenchEffort(propulsive_linear_effort_x=60.0)
+
+
+@pytest.fixture
+def ocu(node_manager: LocalNode):
+    with OCU("42.1.1", node_manager.local) as opened:
+        yield opened
+
+
+@pytest.fixture
+def listed(node_manager: LocalNode):
+    """A component with a list, in a thread of its own."""
+    driver = Driver()
+    with Portal("component") as portal:
+
+        async def make():
+            component = node_manager.component(ROBOT, services(driver))
+            await component.open()
+            return component
+
+        component = portal.run(make())
+        yield component, driver, portal
+        portal.run(component.close())
+
+
+def test_the_whole_story(robot, node_manager, ocu):
+    found = ocu.discover(subsystem=101)
+    driver = found.service("mobility:PrimitiveDriver")
+    with driver.control(authority=200) as control:
+        assert control.held
+        driver.resume()
+        driver.send(FULL)
+        for pose in found.service("LocalPoseSensor").subscribe(QueryLocalPose(0x1FF), rate=10.0):
+            if pose.x >= 0.2:
+                break
+    (mobility,) = robot.components
+    assert mobility.host.state.endswith("NotControlled.Available.Standby")
+    assert driver.status() == Status.STANDBY
+    assert ocu.query(driver.id, QueryStatus(), expects=ReportStatus).status == Status.STANDBY
+
+
+def test_each_answer_to_a_wildcard_and_subscriptions(robot, ocu):
+    assert [str(source) for source, _ in ocu.query_each("101.255.255", QueryStatus(), within=0.5)] == ["101.1.102"]
+    sensor = ocu.discover_all(timeout=0.5)[0].service("LocalPoseSensor")
+    with sensor.subscribe(QueryLocalPose(0x43), rate=20.0) as poses:
+        assert poses.confirmed_rate == pytest.approx(20, abs=0.1)
+        assert len(list(islice(poses, 3))) == 3
+        assert poses.get().x is not None
+        assert poses.lost == 0
+
+
+def test_errors_are_those_of_the_asynchronous_one(robot, node_manager, ocu):
+    with pytest.raises(ResponseTimeout, match=r"9\.9\.9 was sent QueryStatus once"):
+        ocu.query("9.9.9", QueryStatus(), timeout=0.05, retries=0)
+    mine = ocu.discover(101).service("PrimitiveDriver").control(authority=200)
+    with (
+        OCU("43.1.1", node_manager.local) as other,
+        other.discover(101).service("PrimitiveDriver").control(authority=220),
+        pytest.raises(ControlRejected, match=r"is held by 43\.1\.1 with authority 220; you asked with 200"),
+    ):
+        mine.__enter__()
+
+
+def test_an_error_in_the_block_leaves_standby(robot, ocu):
+    driver = ocu.discover(101).service("PrimitiveDriver")
+
+    def drive() -> None:
+        with driver.control():
+            driver.resume()
+            raise ValueError("a bug")
+
+    with pytest.raises(ValueError, match="a bug"):
+        drive()
+    assert driver.status() == Status.STANDBY
+
+
+def test_watching(node_manager, ocu):
+    news = ocu.watch(interval=0.1, silence=0.5)
+    with OCU("43.1.1", node_manager.local):
+        first = next(news)
+        assert isinstance(first, Appeared)
+        assert isinstance(first.now, Subsystem)
+        assert first.id.subsystem == 43
+    assert any(isinstance(each, Vanished) and isinstance(each.before, Subsystem) for each in news)
+    news.close()
+
+
+def test_lists_are_mutable_sequences(ocu, listed):
+    component, driver, portal = listed
+    client = ocu.discover(101).service("LocalWaypointListDriver")
+    with client.control():
+        client.resume()
+        waypoints = client.waypoints
+        waypoints.upload(at(1, 2, 3, 4))
+        waypoints.append(at(5)[0])
+        waypoints[0] = at(9)[0]
+        waypoints[1:3] = at(7)
+        del waypoints[-1]
+        waypoints += at(6)
+        assert round(waypoints.pop().x) == 6
+        waypoints.insert(0, at(8)[0])
+        assert order(component) == xs(waypoints) == [8, 9, 7, 4]
+        with pytest.raises(ElementRejected):
+            waypoints.append(b"what is this")
+
+        waypoints.execute(speed=1.0)
+
+        async def arrive() -> None:
+            driver.arrive(component)
+
+        seen = []
+        for index in waypoints.progress():
+            seen.append(index)
+            portal.run(arrive())
+        assert seen == [0, 1, 2, 3]
+
+
+async def test_inside_a_running_loop_as_in_a_notebook(node_manager):
+    assert asyncio.get_running_loop().is_running()
+    with OCU("42.1.1", node_manager.local) as ocu, OCU("43.1.1", node_manager.local) as other:
+        assert {each.id for each in ocu.discover_all(timeout=0.3)} == {43}
+        assert other.id.subsystem == 43
+
+
+def test_closed_it_says_so_and_may_be_opened_again(node_manager):
+    ocu = OCU("42.1.1", node_manager.local)
+    with pytest.raises(TransportError, match="not open; use it inside `with`"):
+        ocu.query("1.1.1", QueryStatus())
+    for _ in range(2):
+        with ocu:
+            assert ocu.is_open
+    ocu.close()
+    threads = [each.name for each in threading.enumerate()]
+    assert "jauspy" not in threads
+
+
+def test_closing_inside_a_block_does_not_hang(robot, node_manager):
+    with OCU("42.1.1", node_manager.local) as ocu:
+        driver = ocu.discover(101).service("PrimitiveDriver")
+        with driver.control(), driver.subscribe(QueryStatus()):
+            ocu.close()
+
+
+def test_what_cannot_be_opened_leaves_no_thread(tmp_path):
+    with pytest.raises(TransportError, match="no node manager"):
+        OCU("42.1.1", f"local:{tmp_path}").open()
+    assert "jauspy" not in [each.name for each in threading.enumerate()]
+
+
+INTERRUPTED = """
+import sys, time
+from jauspy.messages.mobility import QueryLocalPose, SetWrenchEffort
+from jauspy.sync import OCU
+
+with OCU("42.1.1", sys.argv[1]) as ocu:
+    robot = ocu.discover(101)
+    driver = robot.service("PrimitiveDriver")
+    with driver.control():
+        driver.resume()
+        driver.send(SetWrenchEffort(propulsive_linear_effort_x=60.0))
+        print("driving", flush=True)
+        WAIT
+"""
+
+
+@pytest.mark.parametrize(
+    "wait", ["time.sleep(60)", "list(robot.service('LocalPoseSensor').subscribe(QueryLocalPose(1), rate=5.0))"]
+)
+def test_ctrl_c_leaves_the_robot_in_standby(robot, node_manager, ocu, wait):
+    ocu.close()  # the program is 42.1.1
+    command = [sys.executable, "-c", INTERRUPTED.replace("WAIT", wait), node_manager.local]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    try:
+        assert process.stdout.readline() == "driving\n"
+        process.send_signal(signal.SIGINT)
+        _, problems = process.communicate(timeout=30)
+    finally:
+        process.kill()
+        process.wait()
+    assert problems.endswith("KeyboardInterrupt\n")
+    (mobility,) = robot.components
+    assert mobility.host.state.endswith("NotControlled.Available.Standby")

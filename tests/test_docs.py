@@ -1,0 +1,35 @@
+"""The programs in docs/ocu.md and docs/testing.md do what they say."""
+
+from __future__ import annotations
+
+import re
+import textwrap
+from pathlib import Path
+
+import pytest
+
+from jauspy.testing import LocalNode
+
+DOCS = Path(__file__).parents[1] / "docs"
+
+
+def program(name: str, beginning: str) -> str:
+    """The indented block of a page that begins so."""
+    blocks = (
+        textwrap.dedent(each) for each in re.findall(r"(?:^ {4}.*\n|^\n)+", (DOCS / name).read_text(), re.MULTILINE)
+    )
+    (found,) = [each.strip() for each in blocks if each.strip().startswith(beginning)]
+    return found
+
+
+def test_the_synchronous_ocu(node_manager: LocalNode, robot) -> None:
+    source = program("ocu.md", "from jauspy.sync import OCU")
+    start = "from jauspy.messages.mobility import QueryLocalPose, SetWrenchEffort\n"
+    exec(start + source.replace('OCU("42.1.1")', f'OCU("42.1.1", "{node_manager.local}")'), {})
+    assert robot.snapshot.pose.x == pytest.approx(2.0, abs=0.4)
+
+
+def test_the_first_test_of_a_component(pytester: pytest.Pytester) -> None:
+    pytester.makepyfile(program("testing.md", "from jauspy.messages.core import QueryHeartbeatPulse"))
+    result = pytester.runpytest_subprocess("-p", "jauspy.testing.plugin", "-o", "asyncio_mode=auto")
+    result.assert_outcomes(passed=1)
