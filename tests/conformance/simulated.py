@@ -21,14 +21,17 @@ Maker = Callable[..., Bench]
 def robot(part: type[Part] = Part, bench: type[Bench] = Bench, **options: object) -> Bench:
     """The whole robot; `part` and `bench` may be broken ones."""
     config = robots.load("igvc")
-    body = backends.find("kinematic").open(robot_model(config), config.world)
+    model = robot_model(config)
+    body = backends.find("kinematic").open(model, config.world)
     made: list[Bench] = []
 
     def utc_now() -> datetime:
         return START + timedelta(seconds=made[0].now() if made else 0.0)
 
     hosts = [
-        cm_mob(config.id_of(module), vehicle_of(config, body.drive), module, identities={}, utc_now=utc_now, now=0.0)
+        cm_mob(
+            config.id_of(module), vehicle_of(config, model, body.drive), module, identities={}, utc_now=utc_now, now=0.0
+        )
         for module in config.modules
     ]
     made.append(bench([part(host) for host in hosts], tick=body.advance, **options))

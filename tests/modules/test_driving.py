@@ -181,7 +181,7 @@ def test_another_client_inherits_nothing(world: World) -> None:
         SetVelocityCommand(command_type=MAX, velocity_x=0.3), SetVelocityCommand(command_type=DEFAULT, velocity_x=0.2)
     )
     world.tell(RequestControl(255), client=OTHER)
-    assert world.ask(QueryVelocityCommand(ALL, MAX)).velocity_x == pytest.approx(1.5, abs=1e-3)
+    assert world.ask(QueryVelocityCommand(ALL, MAX)).velocity_x == pytest.approx(0.95 * 1.55, abs=1e-3)
     assert world.ask(QueryVelocityCommand(ALL, DEFAULT)).velocity_x == pytest.approx(0.0, abs=1e-3)
 
 

@@ -89,6 +89,8 @@ ALL = {"Transport", "Events", "AccessControl", "Management", "ListManager", "Tim
     "LocalVectorDriver",
     "LocalWaypointDriver",
     "LocalWaypointListDriver",
+    "SkidSteerDriver",
+    "PlatformSpecifications",
 }
 GLOBAL = {"GlobalPoseSensor", "GlobalVectorDriver", "GlobalWaypointDriver", "GlobalWaypointListDriver"}
 

@@ -22,6 +22,7 @@ from jauspy.modules.config import ModuleConfig
 from jauspy.modules.description import robot_model
 from jauspy.modules.mobility import cm_mob
 from jauspy.platform.backends import find
+from jauspy.platform.chassis import chassis_of
 from jauspy.services.mobility import GlobalPose, Vehicle
 
 ME, CLIENT, OTHER = JausID(101, 1, 102), JausID(42, 1, 1), JausID(42, 2, 1)
@@ -35,9 +36,10 @@ class World:
 
     def __init__(self, backend: str, origin: GlobalPose | None = ORIGIN) -> None:
         self.backend = backend
-        self.robot = find(backend).open(robot_model(robots.load("inc1")), "empty")
+        model = robot_model(robots.load("inc1"))
+        self.robot = find(backend).open(model, "empty")
         self.now = 0.0
-        self.vehicle = Vehicle(self.robot.drive, name="inc1", origin=origin)
+        self.vehicle = Vehicle(self.robot.drive, name="inc1", chassis=chassis_of(model), origin=origin)
         config = ModuleConfig(type="CM-MOB", component=102, access_control={"timeout": 0})
         self.host = cm_mob(
             ME, self.vehicle, config, identities={}, utc_now=lambda: START + timedelta(seconds=self.now), now=self.now

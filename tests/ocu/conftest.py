@@ -1,35 +1,26 @@
-"""A robot in memory: real services on a drive that integrates what it is told, and a network that may lose packets."""
+"""A robot in memory: real services on a drive that integrates what it is told, on virtual time."""
 
 # ruff: noqa: ASYNC109 - timeouts here configure what is tested
 
 from __future__ import annotations
 
-import asyncio
-import gc
 import math
-import time
-from collections.abc import AsyncIterator, Callable, Iterable
+from collections.abc import AsyncIterator, Iterable
 from contextlib import AsyncExitStack
 from dataclasses import dataclass, field
-from datetime import UTC, datetime
-from itertools import count
+from typing import Any
 
 import pytest
 
-from jauspy.codec.base import Message
-from jauspy.codec.registry import Registry
-from jauspy.component import Shell
+from jauspy.component import Component
+from jauspy.component.shell import loop_time
 from jauspy.ids import JausID
 from jauspy.ocu import OCU
 from jauspy.platform.contract import Pose, Twist
-from jauspy.protocol.header import Packet
-from jauspy.protocol.judp import unpack_all
-from jauspy.schema import Schema
 from jauspy.services.core import AccessControl, Discovery, Events, Identity, Liveness
-from jauspy.services.host import Host
 from jauspy.services.mobility import LocalPoseSensor, PrimitiveDriver, Vehicle, VelocityStateSensor
 from jauspy.services.service import Service
-from jauspy.transport import LoopbackHub, LoopbackTransport
+from jauspy.testing import VirtualNetwork
 
 ROBOT = JausID(101, 1, 1)
 DRIVER = JausID(101, 1, 102)
@@ -44,7 +35,7 @@ class FakeDrive:
     _x: float = 0.0
     _y: float = 0.0
     _yaw: float = 0.0
-    _at: float = field(default_factory=time.monotonic)
+    _at: float = field(default_factory=loop_time)
 
     @property
     def effort(self) -> tuple[float, float]:
@@ -65,7 +56,7 @@ class FakeDrive:
         return Twist(vx=self.effort[0] * self.speed, wz=self.effort[1] * self.speed)
 
     def _advance(self) -> None:
-        now = time.monotonic()
+        now = loop_time()
         left, self._at = now - self._at, now
         while left > 0:
             dt = min(left, 0.002)
@@ -76,50 +67,19 @@ class FakeDrive:
             self._y += math.sin(self._yaw) * twist.vx * dt
 
 
-class Network(LoopbackHub):
-    """Passes on what `keeps` likes; loses the rest. `log` has every packet that was sent."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.log: list[Packet] = []
-        self.keeps: Callable[[Packet], bool] = lambda _: True
-
-    def route(self, datagram: bytes, sender: LoopbackTransport) -> None:
-        packets, _ = unpack_all(datagram)
-        self.log += packets
-        if all(map(self.keeps, packets)):
-            super().route(datagram, sender)
-
-    def sent(self, kind: type[Message], source: JausID | None = None) -> list[Packet]:
-        code = kind.CODE.to_bytes(2, "little")
-        return [each for each in self.log if each.payload[:2] == code and source in (None, each.source)]
-
-    def lose(self, kind: type[Message], times: int = 1 << 30, *, after: int = 0) -> None:
-        """Lose packets with this message: all but the first `after`, and no more than `times`."""
-        code, number = kind.CODE.to_bytes(2, "little"), count()
-        self.keeps = lambda each: each.payload[:2] != code or not after <= next(number) < after + times
-
-
 class World:
     """Starts robots, components and OCUs on one network, and ends them."""
 
-    def __init__(self, stack: AsyncExitStack) -> None:
-        self.network = Network()
+    def __init__(self, network: VirtualNetwork, stack: AsyncExitStack) -> None:
+        self.network = network
+        self.transport = network.transport
         self.drives: list[FakeDrive] = []
         self._stack = stack
 
-    def transport(self, id: JausID) -> LoopbackTransport:
-        return LoopbackTransport(id, self.network)
+    async def component(self, id: JausID, services: Iterable[Service], **definitions: Any) -> Component:
+        return await self._stack.enter_async_context(self.network.component(id, services, core=False, **definitions))
 
-    async def component(
-        self, id: JausID, services: Iterable[Service], schema: Schema | None = None, registry: Registry | None = None
-    ) -> Shell:
-        host = Host(
-            id, services, utc_now=lambda: datetime.now(UTC), now=time.monotonic(), schema=schema, registry=registry
-        )
-        return await self._stack.enter_async_context(Shell(host, self.transport(id)))
-
-    async def robot(self, id: JausID = ROBOT, *, drive: FakeDrive | None = None, timeout: int = 5) -> Shell:
+    async def robot(self, id: JausID = ROBOT, *, drive: FakeDrive | None = None, timeout: int = 5) -> Component:
         """One component with everything, subsystem 101 unless told otherwise."""
         drive = drive or FakeDrive()
         self.drives.append(drive)
@@ -138,24 +98,11 @@ class World:
             ],
         )
 
-    async def ocu(
-        self, id: str = "42.1.1", *, timeout: float = 0.1, retries: int = 3, registry: Registry | None = None
-    ) -> OCU:
-        transport = self.transport(JausID.parse(id))
-        ocu = OCU(id, transport=transport, timeout=timeout, retries=retries, registry=registry)
-        return await self._stack.enter_async_context(ocu)
+    async def ocu(self, id: str = "42.1.1", *, timeout: float = 0.1, retries: int = 3, **options: Any) -> OCU:
+        return await self._stack.enter_async_context(self.network.ocu(id, timeout=timeout, retries=retries, **options))
 
 
 @pytest.fixture
-async def world() -> AsyncIterator[World]:
-    before = asyncio.all_tasks()
-    complaints: list[dict[str, object]] = []
-    asyncio.get_running_loop().set_exception_handler(lambda _, context: complaints.append(context))
+async def world(virtual_network: VirtualNetwork) -> AsyncIterator[World]:
     async with AsyncExitStack() as stack:
-        yield World(stack)
-    for _ in range(3):
-        await asyncio.sleep(0)
-    gc.collect()
-    leaked = asyncio.all_tasks() - before - {asyncio.current_task()}
-    assert not leaked
-    assert not complaints
+        yield World(virtual_network, stack)

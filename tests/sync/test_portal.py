@@ -7,6 +7,7 @@ import threading
 import pytest
 
 from jauspy.errors import TransportError
+from jauspy.sync import portal as module
 from jauspy.sync.portal import Portal
 
 
@@ -58,6 +59,32 @@ def test_ctrl_c_waits_for_the_clean_up():
         with pytest.raises(KeyboardInterrupt):
             portal.run(interrupted())
         assert log[-1:] == ["tidied up"]
+        assert portal.run(here()) == "jauspy"
+
+
+def test_ctrl_c_before_it_could_begin(monkeypatch):
+    """The coroutine is cancelled in the same turn of the loop in which it was to start."""
+    with Portal() as portal:
+        loop_is_busy, go_on = threading.Event(), threading.Event()
+
+        def block() -> None:
+            loop_is_busy.set()
+            assert go_on.wait(20)
+
+        portal._loop.call_soon_threadsafe(block)
+        assert loop_is_busy.wait(20)
+        interrupted = []
+
+        def result(*_: object) -> None:
+            if not interrupted:
+                interrupted.append(True)
+                threading.Timer(0.0, go_on.set).start()
+                raise KeyboardInterrupt
+
+        monkeypatch.setattr(module.Future, "result", result)
+        with pytest.raises(KeyboardInterrupt):
+            portal.run(here())
+        monkeypatch.undo()
         assert portal.run(here()) == "jauspy"
 
 

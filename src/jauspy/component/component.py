@@ -11,11 +11,13 @@ from types import TracebackType
 from typing import Final, Literal, Self, TypeVar
 
 from jauspy.codec.base import Message
+from jauspy.codec.registry import Registry
 from jauspy.component.shell import Shell
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.protocol.delivery import Delivery
 from jauspy.protocol.header import Broadcast, Priority
+from jauspy.schema.model import Schema
 from jauspy.services.core.complete import with_core
 from jauspy.services.host import Host
 from jauspy.services.service import Service
@@ -34,8 +36,10 @@ class Component:
     are given; with `core=False` only those that the others inherit from. `name` is what Discovery tells. `connect` says
     where the node manager is: None (on this machine, its sockets in /tmp), or as for `OCU`; `transport` replaces it. An
     id with zeros, as in `"0.0.101"`, waits to be given the rest, see `move`. A bug in a service is logged with the
-    message that met it; then the component stays as it is, or with `on_action_error="failure"` fails. Raises
-    `ConfigError` that names every method which a service lacks.
+    message that met it; then the component stays as it is, or with `on_action_error="failure"` fails. `schema` and
+    `registry` replace the definitions and messages that are built in or that services bring along.
+
+    Raises `ConfigError` that names every method which a service lacks.
     """
 
     def __init__(
@@ -49,6 +53,8 @@ class Component:
         transport: Transport | None = None,
         delivery: Delivery | None = None,
         on_action_error: Literal["stay", "failure"] = "stay",
+        schema: Schema | None = None,
+        registry: Registry | None = None,
         clock: Callable[[], float] | None = None,
         utc_now: Callable[[], datetime] = lambda: datetime.now(UTC),
     ) -> None:
@@ -59,6 +65,8 @@ class Component:
             utc_now=utc_now,
             now=(clock or _loop_time)(),
             on_action_error=on_action_error,
+            schema=schema,
+            registry=registry,
         )
         self._connect = connect
         self._transport = transport

@@ -36,6 +36,8 @@ Service: TypeAlias = Literal[
     "GlobalVectorDriver",
     "GlobalWaypointDriver",
     "GlobalWaypointListDriver",
+    "SkidSteerDriver",
+    "PlatformSpecifications",
 ]
 GLOBAL_SERVICES: Final[frozenset[Service]] = frozenset(
     {"GlobalPoseSensor", "GlobalVectorDriver", "GlobalWaypointDriver", "GlobalWaypointListDriver"}

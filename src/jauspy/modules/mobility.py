@@ -10,7 +10,9 @@ from typing import Final
 from jauspy.ids import JausID
 from jauspy.modules.config import GLOBAL_SERVICES, ModuleConfig, RobotConfig
 from jauspy.modules.watchdog import Watchdog
+from jauspy.platform.chassis import chassis_of
 from jauspy.platform.contract import DriveBase
+from jauspy.platform.description import RobotModel
 from jauspy.services.core import AccessControl, Discovery, Events, Identity, Liveness, Management, Time, Transport
 from jauspy.services.host import Host
 from jauspy.services.mobility import (
@@ -30,6 +32,7 @@ from jauspy.services.mobility import (
     VelocityStateSensor,
 )
 from jauspy.services.service import Service
+from jauspy.services.ugv import PlatformSpecifications, SkidSteerDriver
 
 CHOICE: Final[Mapping[str, Callable[[Vehicle], Service]]] = {
     "Time": lambda _: Time(),
@@ -46,16 +49,18 @@ CHOICE: Final[Mapping[str, Callable[[Vehicle], Service]]] = {
     "GlobalVectorDriver": GlobalVectorDriver,
     "GlobalWaypointDriver": GlobalWaypointDriver,
     "GlobalWaypointListDriver": GlobalWaypointListDriver,
+    "SkidSteerDriver": SkidSteerDriver,
+    "PlatformSpecifications": PlatformSpecifications,
 }
 """What a configuration may choose from, beside Discovery."""
 
 
-def vehicle_of(config: RobotConfig, drive: DriveBase) -> Vehicle:
-    """The robot's chassis, and where its world lies on the globe, as its services share them."""
+def vehicle_of(config: RobotConfig, model: RobotModel, drive: DriveBase) -> Vehicle:
+    """The robot's chassis as it is described, and where its world lies on the globe, as its services share them."""
     place = None
     if (origin := config.origin) is not None:
         place = GlobalPose(origin.latitude, origin.longitude, origin.altitude, math.radians(origin.heading))
-    return Vehicle(drive, name=config.name, origin=place)
+    return Vehicle(drive, name=config.name, chassis=chassis_of(model), origin=place)
 
 
 def offered(config: ModuleConfig, *, has_origin: bool) -> tuple[str, ...]:

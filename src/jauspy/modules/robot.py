@@ -18,9 +18,11 @@ from jauspy.modules.mobility import cm_mob, vehicle_of
 from jauspy.modules.realtime import RealTime
 from jauspy.modules.snapshot import Snapshot
 from jauspy.platform import backends
-from jauspy.platform.contract import DriveBase, Robot
+from jauspy.platform.contract import Robot
+from jauspy.platform.description import RobotModel
 from jauspy.services.core import Identity
 from jauspy.services.host import Host
+from jauspy.services.mobility import Vehicle
 from jauspy.transport import Transport
 
 LAPSE: Final = 1.0
@@ -82,11 +84,12 @@ class RobotRunner:
         if self._components:
             return
         async with AsyncExitStack() as stack:
-            realtime = self._bring_to_life(stack)
+            model = robot_model(self.config)
+            realtime = self._bring_to_life(stack, model)
             stack.push_async_callback(_cancel, asyncio.create_task(_heartbeat(realtime)))
             components = []
             for module in self.config.modules:
-                host = _host(self.config, module, realtime.drive)
+                host = _host(self.config, module, vehicle_of(self.config, model, realtime.drive))
                 components.append(await stack.enter_async_context(Shell(host, self._transports(host.id))))
             self._realtime, self._components = realtime, tuple(components)
             self._stack = stack.pop_all()
@@ -111,13 +114,13 @@ class RobotRunner:
     ) -> None:
         await self.close()
 
-    def _bring_to_life(self, stack: AsyncExitStack) -> RealTime:
-        robot = backends.find(self.config.backend).open(robot_model(self.config), self.config.world)
+    def _bring_to_life(self, stack: AsyncExitStack, model: RobotModel) -> RealTime:
+        robot = backends.find(self.config.backend).open(model, self.config.world)
         stack.callback(robot.close)
         return stack.enter_context(self._in_time(robot))
 
 
-def _host(config: RobotConfig, module: ModuleConfig, drive: DriveBase) -> Host:
+def _host(config: RobotConfig, module: ModuleConfig, vehicle: Vehicle) -> Host:
     identities = {
         SYSTEM: Identity(config.name, _VEHICLE),
         SUBSYSTEM: Identity(config.name, _VEHICLE),
@@ -126,7 +129,7 @@ def _host(config: RobotConfig, module: ModuleConfig, drive: DriveBase) -> Host:
     }
     return cm_mob(
         config.id_of(module),
-        vehicle_of(config, drive),
+        vehicle,
         module,
         identities=identities,
         utc_now=lambda: datetime.now(UTC),

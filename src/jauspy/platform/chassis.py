@@ -3,13 +3,21 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Final
+
+from jauspy.platform.description import RobotModel
+from jauspy.platform.measures import measure
+
+ATTAINED: Final = 0.95
+"""Part of the speed that the tracks have without resistance which they keep on the ground."""
 
 
 @dataclass(frozen=True, slots=True)
 class Chassis:
-    """Metres, kilograms, m/s, m/s^2, rad/s, rad/s^2; the defaults are inc1's.
+    """Metres, kilograms, m/s, m/s^2, rad/s, rad/s^2; the defaults are those of a small tracked robot.
 
-    Sizes are distances from the base's origin, the centre of gravity is in the base's frame (x forward, y left, z up).
+    Sizes are distances from the base's origin with the arm as it starts; the centre of gravity is in the base's frame
+    (x forward, y left, z up).
     """
 
     max_speed: float = 1.5
@@ -21,8 +29,6 @@ class Chassis:
     turn_acceleration: float = 3.0
     track_separation: float = 0.46
     """From the middle of one track to that of the other."""
-    wheel_radius: float = 0.085
-    wheel_base: float = 0.52
     front: float = 0.345
     back: float = 0.345
     left: float = 0.28
@@ -31,3 +37,21 @@ class Chassis:
     bottom: float = 0.0
     mass: float = 50.3
     centre_of_gravity: tuple[float, float, float] = (0.0, 0.0, 0.16)
+
+
+def chassis_of(robot: RobotModel) -> Chassis:
+    """Size, mass, distance and speed of the tracks are those of its description; the rest are `Chassis`'s defaults."""
+    left, right = (robot.description.joint(name) for name in (robot.tracks.left[0], robot.tracks.right[0]))
+    found = measure(robot)
+    return Chassis(
+        max_speed=ATTAINED * min(left.velocity, right.velocity),
+        track_separation=abs(left.origin.y - right.origin.y),
+        front=max(0.0, found.high[0]),
+        back=max(0.0, -found.low[0]),
+        left=max(0.0, found.high[1]),
+        right=max(0.0, -found.low[1]),
+        top=max(0.0, found.high[2]),
+        bottom=max(0.0, -found.low[2]),
+        mass=found.mass,
+        centre_of_gravity=found.centre_of_gravity,
+    )

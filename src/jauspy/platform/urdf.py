@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from typing import TypeAlias
 
 from lxml import etree
@@ -109,3 +110,55 @@ def _friction(root: Element) -> dict[str, float]:
     """Gazebo's extension of URDF, `<gazebo reference="LINK"><mu1>`, is the usual place for coefficients of friction."""
     found = ((gazebo.get("reference"), gazebo.find("mu1")) for gazebo in root.findall("gazebo"))
     return {link: _numbers(mu.text or "", 1, link)[0] for link, mu in found if link and mu is not None}
+
+
+@dataclass(frozen=True, slots=True)
+class Inertial:
+    """The mass of a link, kg, and where its middle is in the link's frame."""
+
+    link: str
+    mass: float
+    origin: Pose
+
+
+@dataclass(frozen=True, slots=True)
+class Shape:
+    """A box, or the box around a cylinder or sphere, that a link collides with: metres, and where it is in the link."""
+
+    link: str
+    size: tuple[float, float, float]
+    origin: Pose
+
+
+def inertials(text: str) -> list[Inertial]:
+    """The masses of the links of a URDF that `parse` has read; `ConfigError` names the link of a wrong one."""
+    found = []
+    for link in etree.fromstring(text.encode()).findall("link"):
+        name, inertial = str(link.get("name")), link.find("inertial")
+        if inertial is not None:
+            mass = inertial.find("mass")
+            found.append(Inertial(name, 0.0 if mass is None else _number(mass, "value", name), _origin(inertial, name)))
+    return found
+
+
+def shapes(text: str) -> list[Shape]:
+    """What the links of a URDF that `parse` has read collide with, but for meshes."""
+    links = etree.fromstring(text.encode()).findall("link")
+    pairs = [(str(link.get("name")), collision) for link in links for collision in link.findall("collision")]
+    sizes = [(name, _size(collision.find("geometry"), name), _origin(collision, name)) for name, collision in pairs]
+    return [Shape(name, size, origin) for name, size, origin in sizes if size is not None]
+
+
+def _size(geometry: Element | None, link: str) -> tuple[float, float, float] | None:
+    kind = None if geometry is None or not len(geometry) else geometry[0]
+    match None if kind is None else kind.tag:
+        case "box":
+            x, y, z = _numbers("" if kind is None else kind.get("size", ""), 3, link)
+            return x, y, z
+        case "cylinder":
+            across = 2.0 * _number(kind, "radius", link)
+            return across, across, _number(kind, "length", link)
+        case "sphere":
+            across = 2.0 * _number(kind, "radius", link)
+            return across, across, across
+    return None

@@ -106,7 +106,7 @@ class _Call(Generic[T]):
         self.ended: Future[T] = Future()
         self._coroutine = coroutine
         self._loop: asyncio.AbstractEventLoop | None = None
-        self._task: asyncio.Task[None] | None = None
+        self._task: asyncio.Task[T] | None = None
 
     def hand_to(self, loop: asyncio.AbstractEventLoop) -> None:
         """Let it begin in the loop's thread."""
@@ -122,7 +122,8 @@ class _Call(Generic[T]):
             wait({self.ended}, CLEANUP)
 
     def _begin(self) -> None:
-        self._task = asyncio.create_task(self._run())
+        self._task = asyncio.create_task(self._coroutine)
+        self._task.add_done_callback(self._done)
 
     def _cancel(self) -> None:
         if self._task is not None:
@@ -131,11 +132,12 @@ class _Call(Generic[T]):
             self._coroutine.close()
             self.ended.set_exception(asyncio.CancelledError())
 
-    async def _run(self) -> None:
-        try:
-            self.ended.set_result(await self._coroutine)
-        except BaseException as error:  # noqa: BLE001 - it belongs to the caller in the other thread
+    def _done(self, task: asyncio.Task[T]) -> None:
+        error = asyncio.CancelledError() if task.cancelled() else task.exception()
+        if error is not None:
             self.ended.set_exception(error)
+        else:
+            self.ended.set_result(task.result())
 
 
 _END: Final = object()

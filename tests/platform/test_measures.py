@@ -1,0 +1,92 @@
+"""Weighing and measuring a robot: against the simulator, and against sums that can be done by hand."""
+
+from __future__ import annotations
+
+import math
+from importlib.util import find_spec
+
+import pytest
+
+from jauspy.errors import ConfigError
+from jauspy.modules.description import robot_model
+from jauspy.modules.robots import load
+from jauspy.platform.chassis import chassis_of
+from jauspy.platform.contract import Pose
+from jauspy.platform.description import Description, GroupSetup, Joint, JointKind, RobotModel, TrackSetup
+from jauspy.platform.frames3d import frame_at, frame_of
+from jauspy.platform.measures import measure
+from jauspy.platform.urdf import parse
+
+URDF = """
+<robot name="cart">
+  <link name="base">
+    <inertial><origin xyz="0 0 0.1"/><mass value="3"/></inertial>
+    <collision><origin xyz="0.1 0 0.1"/><geometry><box size="1 0.5 0.2"/></geometry></collision>
+    <collision><geometry><mesh filename="nowhere.stl"/></geometry></collision>
+  </link>
+  <link name="mast">
+    <inertial><origin xyz="0 0 0.5"/><mass value="1"/></inertial>
+    <collision><origin xyz="0 0 0.5"/><geometry><cylinder radius="0.05" length="1"/></geometry></collision>
+  </link>
+  <joint name="lean" type="revolute">
+    <parent link="base"/><child link="mast"/><origin xyz="0 0 0.2"/><axis xyz="0 1 0"/>
+    <limit lower="-2" upper="2" effort="1" velocity="1"/>
+  </joint>
+</robot>
+"""
+
+
+def cart(lean: float) -> RobotModel:
+    group = GroupSetup(("lean",), {}, "base", "mast", 100.0, (lean,))
+    return RobotModel(parse(URDF), TrackSetup((), (), 0.0), {"mast": group})
+
+
+def test_mass_middle_and_size_by_hand() -> None:
+    upright = measure(cart(0.0))
+    assert upright.mass == 4.0
+    assert upright.centre_of_gravity == pytest.approx((0.0, 0.0, (3 * 0.1 + 0.7) / 4))
+    assert upright.low == pytest.approx((-0.4, -0.25, 0.0))
+    assert upright.high == pytest.approx((0.6, 0.25, 1.2))
+
+
+def test_joints_are_where_they_start() -> None:
+    leaning = measure(cart(math.pi / 2))
+    assert leaning.centre_of_gravity == pytest.approx((0.5 / 4, 0.0, (3 * 0.1 + 0.2) / 4))
+    assert leaning.high == pytest.approx((1.0, 0.25, 0.25))
+
+
+def test_a_prismatic_joint_shifts_and_a_pose_turns() -> None:
+    lift = Joint("lift", JointKind.PRISMATIC, "a", "b", Pose(x=1.0, yaw=math.pi / 2), axis=(1.0, 0.0, 0.0))
+    assert frame_at(lift, 2.0).of((0.0, 0.0, 0.0)) == pytest.approx((1.0, 2.0, 0.0))
+    there = frame_of(Pose(roll=0.1, pitch=-0.2, yaw=0.3)).then(frame_of(Pose(x=1.0)))
+    cp, sp = math.cos(-0.2), math.sin(-0.2)
+    assert there.origin == pytest.approx((math.cos(0.3) * cp, math.sin(0.3) * cp, -sp))
+
+
+def test_a_mass_that_is_no_number_names_its_link() -> None:
+    broken = Description("x", URDF.replace('value="3"', 'value="heavy"'), parse(URDF).joints)
+    with pytest.raises(ConfigError, match="'base': 'heavy' is not 1 finite number"):
+        measure(RobotModel(broken, TrackSetup((), (), 0.0)))
+
+
+@pytest.mark.skipif(find_spec("mujoco") is None, reason="MuJoCo is not installed")
+@pytest.mark.parametrize("name", ["inc1", "inc1_pprm"])
+def test_agrees_with_the_simulator(name: str) -> None:
+    from jauspy_sim.assembly import build, prefix
+    from jauspy_sim.robot import SimulatedRobot
+
+    model = robot_model(load(name))
+    base = build(model, "empty").body(f"{prefix(model.description.name)}base_link").id
+    simulated = SimulatedRobot.open(model, "empty")
+    found = measure(model)
+    assert found.mass == pytest.approx(simulated._model.body_subtreemass[base])
+    assert found.centre_of_gravity == pytest.approx(simulated._data.subtree_com[base].tolist(), abs=2e-3)
+
+
+def test_the_chassis_of_inc1_is_that_of_its_description() -> None:
+    chassis = chassis_of(robot_model(load("inc1")))
+    assert 40.0 < chassis.mass < 60.0
+    assert chassis.track_separation == pytest.approx(0.46)
+    assert chassis.max_speed == pytest.approx(0.95 * 1.55)
+    assert (chassis.back, chassis.bottom) == (pytest.approx(0.345), pytest.approx(0.0, abs=1e-6))
+    assert chassis.top > 0.4, "its arm is folded on top"
