@@ -64,6 +64,7 @@ class Shell:
         self._errors: Counter[str] = Counter()
         self._guard = Guard(f"component {host.id}", self._errors)
         self._timer: asyncio.TimerHandle | None = None
+        self._timer_at: float | None = None
         self._continuation: asyncio.Handle | None = None
         self._loop: asyncio.AbstractEventLoop | None = None
         self._closed = asyncio.Event()
@@ -260,16 +261,19 @@ class Shell:
         self._deliveries.settle()
 
     def _schedule(self, loop: asyncio.AbstractEventLoop) -> None:
+        """Set the one timer anew; most datagrams change nothing about it."""
+        services, delivery = self.host.next_timeout(), self._endpoint.next_timeout()
+        at = services if delivery is None or (services is not None and services < delivery) else delivery
         if self._timer is not None:
+            if at == self._timer_at:
+                return
             self._timer.cancel()
             self._timer = None
-        at = min(
-            (at for at in (self.host.next_timeout(), self._endpoint.next_timeout()) if at is not None), default=None
-        )
         if at is not None:
-            self._timer = loop.call_later(max(0.0, at - self._clock()), self._timeout)
+            self._timer, self._timer_at = loop.call_later(max(0.0, at - self._clock()), self._timeout), at
 
     def _timeout(self) -> None:
+        self._timer = None
         with self._guard:
             self._endpoint.handle_timeout(self._clock())
             self.host.handle_timeout(self._clock())

@@ -35,6 +35,8 @@ if TYPE_CHECKING:
 S = TypeVar("S", bound=Service)
 
 _LOG: Final = logging.getLogger("jauspy.services")
+_SENDING: Final = {Broadcast.NONE: "Send", Broadcast.LOCAL: "BroadcastLocal", Broadcast.GLOBAL: "BroadcastGlobal"}
+"""The internal event of the Transport service for each way to send."""
 
 
 class Host:
@@ -204,15 +206,15 @@ class Host:
         except EncodeError as error:
             self.count("unencodable", f"{message.NAME}: {error}")
             return
-        event = {Broadcast.NONE: "Send", Broadcast.LOCAL: "BroadcastLocal", Broadcast.GLOBAL: "BroadcastGlobal"}
-        self._dispatch(Trigger(event[broadcast], Outgoing(destination, message, payload, priority, broadcast)))
+        outgoing = Outgoing(destination, message, payload, priority, broadcast)
+        if self._captured is not None:
+            self._captured.append(outgoing)  # it is only asked for, so the machine that sends has no part in it
+        else:
+            self._dispatch(Trigger(_SENDING[broadcast], outgoing))
 
     def output(self, outgoing: Outgoing) -> None:
         """Queue an encoded message; only the Transport service calls this."""
-        if self._captured is not None:
-            self._captured.append(outgoing)
-        else:
-            self._outbox.put(outgoing)
+        self._outbox.put(outgoing)
 
     def ask(self, query: Message, source: JausID) -> tuple[Outcome, Outgoing | None]:
         """What the component would answer `source` now; nothing is sent, and the state cannot change."""
