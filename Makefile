@@ -58,6 +58,9 @@ bench: dev
 fuzz: dev
 	$(BIN)/jauspy fuzz codec tests/golden/sae_management.hex --cases $(CASES) --jobs 2
 
+soak: dev
+	$(BIN)/python tools/soak.py --seconds $(SECONDS)
+
 format: dev
 	$(BIN)/ruff check --fix
 	$(BIN)/ruff format

@@ -69,6 +69,17 @@ class JausID:
 EVERYONE: Final = JausID(ANY_SUBSYSTEM, ANY_NODE, ANY_COMPONENT)
 
 
+def service_set(urn: str) -> str:
+    """The set of a service or type set: what stands behind `jss` in a URN, as `core` in `urn:jaus:jss:core:Time`.
+
+    URNs without `jss` have it before the last part, as `vendor` in `urn:example:vendor:Lamp`.
+    """
+    parts = urn.split(":")
+    if "jss" in parts[:-1]:
+        return parts[parts.index("jss") + 1]
+    return parts[-2] if len(parts) > 1 else parts[0]
+
+
 def is_called(urn: str, name: str) -> bool:
     """True for a whole URN or its end: `mobility:PrimitiveDriver`, `PrimitiveDriver`; case does not matter."""
     mine, wanted = urn.casefold(), name.casefold()

@@ -33,6 +33,25 @@ def test_hex_files_are_seeds(tmp_path):
     assert with_files == int(result.stdout.split()[3]) + VERSIONS
 
 
+def test_a_file_without_messages_is_left_out(tmp_path):
+    (tmp_path / "empty.hex").write_text("")
+    (tmp_path / "seeds.hex").write_text("0f0009\n")
+    with_both = run(
+        "codec", tmp_path / "empty.hex", tmp_path / "seeds.hex", "--cases", 10, "--message", "ConfirmControl"
+    )
+    assert with_both.exit_code == 0
+    assert f"there is no JAUS message in {tmp_path / 'empty.hex'}; the campaign goes on" in with_both.stderr
+    assert with_both.stdout == run("codec", tmp_path / "seeds.hex", "--cases", 10, "--message", "ConfirmControl").stdout
+
+
+def test_equal_campaigns_say_the_same():
+    one, other = (run("codec", "--cases", 1700, "--message", "ConfirmControl") for _ in range(2))
+    assert (one.stdout, one.stderr) == (other.stdout, other.stderr)
+    assert [line.split(",")[0] for line in one.stderr.splitlines()] == [
+        f"{done} of 1700 cases" for done in (0, 500, 1000, 1500, 1700)
+    ]
+
+
 def test_findings_are_saved(tmp_path, monkeypatch):
     def broken(data, nesting):
         raise ZeroDivisionError(nesting)

@@ -97,6 +97,7 @@ def test_ls_json_has_one_object_per_service():
         "name": "PrimitiveDriver",
         "version": "1.1",
         "set": "mobility",
+        "package": "mobility",
         "jsidl": "1.1",
         "inherits_from": {"urn": "urn:jaus:jss:core:Management", "version": "1.1"},
         "inputs": [{"code": "0405", "name": "SetWrenchEffort"}, {"code": "2405", "name": "QueryWrenchEffort"}],
@@ -108,7 +109,7 @@ def test_ls_json_has_one_object_per_service():
 def test_ls_of_a_set_and_of_own_files(old):
     assert {item["set"] for item in objects("ls", "--set", "Core")} == {"core"}
     assert [item["name"] for item in objects("ls", "--from", old)] == ["Thruster"]
-    message = run("ls", "--set", "cor", status=1).stderr
+    message = run("ls", "--set", "cor", status=2).stderr
     assert message.startswith("Error: there is no service set 'cor'; there is ")
     assert " core, " in message
 
@@ -186,12 +187,71 @@ def test_show_json():
     assert (service["kind"], service["urn"]) == ("service", "urn:jaus:jss:core:Time")
 
 
+def test_show_what_no_presence_bit_announces():
+    """The published CBRNDetection has fourteen optional members and a vector of eight bits."""
+    text = run("show", "CBRNDetection").stdout
+    assert "CBRNDetection  F931h, 8 to 55 bytes" in text
+    assert "8 bits for 14 optional" in text
+    [message] = objects("show", "CBRNDetection")
+    assert message["bytes"] == [8, 55]
+    rows = {row["name"]: row for row in message["layout"]}
+    assert (rows["LeftRadialLine"]["presence_bit"], rows["LeftRadialLine"]["size"]) == (7, "4")
+    for name in ("RightRadialLine", "DetectionAltitude"):
+        assert (rows[name]["presence_bit"], rows[name]["size"], rows[name]["offset"]) == (None, "0", "")
+        assert rows[name]["values"] == ["never there: no presence bit is left"]
+
+
+@pytest.mark.parametrize("name", ["core:Time{}", "urn:jaus:jss:core:Time{}", "SetTime{}", "0011{}"])
+def test_show_a_version_behind_the_name(name):
+    for sign in "@:":
+        assert objects("show", name.format(f"{sign}1.0"))[0]["version"] == "1.0"
+    assert objects("show", name.format("@1.0"), "--version", "1.0")[0]["version"] == "1.0"
+    assert objects("show", name.format(""))[0]["version"] == "1.1"
+    both = run("show", name.format("@1.0"), "--version", "1.1", status=2).stderr
+    assert "in version 1.0 and in 1.1; say one of them" in both
+
+
 def test_show_what_is_not_there():
     assert (
         "no service or message is called 'SetWrenchEffor'; did you mean SetWrenchEffort"
-        in run("show", "SetWrenchEffor", status=1).stderr
+        in run("show", "SetWrenchEffor", status=2).stderr
     )
-    assert "nothing has the version 9.9; there are 1" in run("show", "Time", "--version", "9.9", status=1).stderr
+    assert "nothing has the version 9.9; there are 1" in run("show", "Time", "--version", "9.9", status=2).stderr
+
+
+def test_sets_by_every_name():
+    def urns(name):
+        return [service["urn"] for service in objects("ls", "--set", name)]
+
+    assert urns("environmentSensing") == urns("environment_sensing") == urns("ENVIRONMENTSENSING") != []
+    assert (
+        urns("exp") == urns("aeodrs") == [f"urn:jaus:jss:exp:aeodrs:HealthMonitor{client}" for client in ("", "Client")]
+    )
+    assert {(each["set"], each["package"]) for each in objects("ls", "--set", "mission_spooler")} == {
+        ("missionSpooler", "mission_spooler")
+    }
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["ls", "--set", "nonsense"],
+        ["ls", "--from", "nowhere/*.xml"],
+        ["show", "Nonsense"],
+        ["show", "Time", "--from", "nowhere/*.xml"],
+        ["lint", "nowhere/*.xml"],
+        ["diff", "nowhere/*.xml", "Time"],
+        ["generate", "nowhere/*.xml", "-o", "nowhere"],
+    ],
+    ids=" ".join,
+)
+def test_what_cannot_be_done_has_one_exit_status(arguments):
+    assert run(*arguments, status=2).stderr.startswith("Error: ")
+
+
+def test_exit_statuses_are_documented():
+    text = " ".join(run("--help").stdout.replace("│", " ").split())
+    assert "0 done, 1 lint found something or diff a difference, 2 wrong use" in text
 
 
 # --- diff -----------------------------------------------------------------------------------------------------------

@@ -147,6 +147,15 @@ def test_generate_a_package_that_can_be_imported(lamp, tmp_path):
     assert python(USE.format(package="acme_messages"), tmp_path) == "01d00007"
 
 
+def test_collisions_of_a_generated_package_name_files(lamp, tmp_path):
+    other = tmp_path / "vendor" / "Other.xml"
+    text = lamp.read_text(encoding="utf-8").replace("SetLamp", "SetOther").replace(":Lamp", ":Other")
+    other.write_text(text.replace('name="Lamp"', 'name="Other"'), encoding="utf-8")
+    run("generate", lamp.parent, "-o", tmp_path / "acme_messages")
+    code = "from acme_messages import registry; print([c.files for c in registry.collisions if c.code == 0xD001])"
+    assert python(code, tmp_path) == str([(str(lamp), str(other))])
+
+
 @pytest.mark.parametrize("output", ["src", "src/acme/jaus"])
 def test_generate_a_package_inside_another(lamp, tmp_path, output):
     run("generate", lamp, "-o", tmp_path / output, "--package", "acme.jaus")
@@ -163,7 +172,7 @@ def test_files_of_others_are_not_overwritten(lamp, tmp_path):
     mine = tmp_path / "acme" / "__init__.py"
     mine.parent.mkdir()
     mine.write_text("mine = 1\n")
-    result = run("generate", lamp, "-o", mine.parent, status=1)
+    result = run("generate", lamp, "-o", mine.parent, status=2)
     assert result.stderr.startswith(f"Error: {mine} would be overwritten and was not generated; use --force")
     assert mine.read_text() == "mine = 1\n"
     assert list(mine.parent.iterdir()) == [mine]
@@ -174,7 +183,7 @@ def test_files_of_others_are_not_overwritten(lamp, tmp_path):
 def test_wrong_use_gets_one_sentence(lamp, tmp_path):
     assert "is no name of a Python package" in run("generate", lamp, "-o", tmp_path / "a-b", status=2).output
     (tmp_path / "file").write_text("")
-    assert "cannot be written" in run("generate", lamp, "-o", tmp_path / "file" / "acme", status=1).stderr
+    assert "cannot be written" in run("generate", lamp, "-o", tmp_path / "file" / "acme", status=2).stderr
     change(lamp, "core.TimeStamp", "core.TimeStump")
-    assert run("generate", lamp, "-o", tmp_path / "acme", status=1).stderr.startswith(f"Error: {lamp}:")
+    assert run("generate", lamp, "-o", tmp_path / "acme", status=2).stderr.startswith(f"Error: {lamp}:")
     assert not (tmp_path / "acme").exists()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from array import array
 from typing import Any
 
@@ -9,6 +10,7 @@ import pytest
 
 from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
+from jauspy.codec.streams import MOST_DEVIATIONS
 from jauspy.errors import DecodeError
 from jauspy.messages import registry
 from jauspy.messages.core import (
@@ -34,7 +36,7 @@ from jauspy.messages.mobility import ReportVelocityState, SetWrenchEffort
         ("0f00", 2, "response_code", "needs 1 byte, 0 left"),
         ("0f0003", 2, "response_code", "3 is none of 0 CONTROL_ACCEPTED"),
         ("0f000100", 3, "", "1 byte left over"),
-        ("1100", 2, "", "needs 1 byte"),
+        ("1100", 2, "presence_vector", "needs 1 byte"),
         ("110001e8", 3, "time_stamp", "needs 4 bytes, 1 left"),
         ("110001ffffffff", 3, "time_stamp.milliseconds", "1023 is none of 0..999"),
         ("000b02", 2, "service_list", "count 2 needs at least 6 bytes, 0 left"),
@@ -79,6 +81,21 @@ def test_tolerant_reads_what_is_there() -> None:
     services = RegisterServices([RegisterServices.ServiceRec("urn:a", 1, 1)] * 3).encode()
     found, _ = RegisterServices.decode(services[:-2], strict=False)
     assert [service.uri for service in found.service_list] == ["urn:a"] * 3
+
+
+def test_a_cut_presence_vector_is_named() -> None:
+    with pytest.raises(DecodeError, match=r"^byte 2: presence_vector: needs 2 bytes, 1 left$"):
+        SetWrenchEffort.decode(b"\x05\x04\x01")
+
+
+def test_deviations_beyond_a_thousand_are_a_number(folder: Any) -> None:
+    cls = registry.by_name("ReportDataDefinition")
+    data = cls.CODE.to_bytes(2, "little") + b"\xff" * 3000
+    message, deviations = cls.decode(data, strict=False)
+    assert len(deviations) == MOST_DEVIATIONS + 1
+    assert re.fullmatch(r"byte \d+: \d+ more deviations from here on", str(deviations[-1]))
+    assert deviations[-2].offset <= deviations[-1].offset <= len(data)
+    assert any(deviation.lost for deviation in deviations) or message.encode(strict=False) == data
 
 
 def test_undefined_presence_bits_are_kept() -> None:

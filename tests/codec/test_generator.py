@@ -8,7 +8,7 @@ import pytest
 
 from jauspy.codec.fast import MOST_MASKS, Masks
 from jauspy.codec.generator import generate
-from jauspy.codec.names import attribute, class_name, constant, members, service_set
+from jauspy.codec.names import attribute, class_name, constant, members, set_package
 from jauspy.errors import SchemaError
 from jauspy.schema import load_builtin, model as m
 
@@ -61,8 +61,15 @@ def test_other_names() -> None:
         "GO": 2,
     }
     assert class_name("powerPlant status") == "PowerPlant_status"
-    assert service_set("urn:jaus:jss:environmentSensing:Range") == "environment_sensing"
-    assert service_set("urn:example:vendor:Lamp") == "vendor"
+    assert set_package("urn:jaus:jss:environmentSensing:Range") == "environment_sensing"
+    assert set_package("urn:example:vendor:Lamp") == "vendor"
+    assert set_package("urn:jaus:jss:exp:aeodrs:HealthMonitor") == "exp"
+
+
+def test_letters_with_marks_become_plain_ones() -> None:
+    assert attribute("Größe") == "grosse"
+    assert attribute("Émission_Ångström") == "emission_angstrom"
+    assert constant("ŒUVRE") == "OEUVRE"
 
 
 def test_packers_of_masks_are_bounded() -> None:

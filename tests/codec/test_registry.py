@@ -13,7 +13,7 @@ import pytest
 import jauspy
 from jauspy.codec.registry import Entry, Registry
 from jauspy.errors import ConfigError, DecodeError, EncodeError
-from jauspy.messages import core, mobility, registry
+from jauspy.messages import core, exp, iop, mobility, registry
 from jauspy.messages.core import ConfirmControl, CreateEvent, QueryTime
 
 VENDOR = """<?xml version="1.0" encoding="UTF-8"?>
@@ -111,6 +111,20 @@ def test_load_own_definitions(tmp_path: Path) -> None:
     assert inside is CreateEvent
     with pytest.raises(ConfigError, match=r"no JSIDL file matches"):
         jauspy.load(tmp_path / "*.jsidl")
+
+
+def test_loading_often_leaves_one_finder(tmp_path: Path) -> None:
+    (tmp_path / "Lamp.xml").write_text(VENDOR)
+    jauspy.load(tmp_path)
+    before = list(sys.meta_path)
+    lamps = [jauspy.load(tmp_path).by_name("SetLamp") for _ in range(3)]
+    assert sys.meta_path == before
+    assert len(set(lamps)) == 3
+
+
+def test_the_profiles_package_has_their_experiments() -> None:
+    assert iop.UpdateUGVSummary is exp.UpdateUGVSummary
+    assert {"UpdateUGVSummary", "QueryUGVSummary", "ReportUGVSummary"} <= set(iop.__all__)
 
 
 def test_tracebacks_show_generated_source(tmp_path: Path) -> None:

@@ -6,7 +6,7 @@ import heapq
 from collections.abc import Callable, Collection, Iterable
 from itertools import count
 
-from jauspy.conformance.wire import PORTS, RAW
+from jauspy.conformance.wire import PORTS, RAW, Arrival
 from jauspy.ids import JausID
 from jauspy.protocol import judp
 from jauspy.protocol.header import Packet
@@ -39,10 +39,10 @@ class ScriptedWire:
                 answer = judp.pack(Packet(self.id, source, payload, number & 0xFFFF))
                 heapq.heappush(self._air, (self.time + delay, number, answer))
 
-    def receive(self, until: float) -> bytes | None:
+    def receive(self, until: float) -> Arrival | None:
         due = self._air[0][0] if self._air else until
         self.time = max(self.time, min(due, until))
-        return heapq.heappop(self._air)[2] if self._air and due <= until else None
+        return Arrival(heapq.heappop(self._air)[2]) if self._air and due <= until else None
 
     def close(self) -> None:
         pass

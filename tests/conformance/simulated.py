@@ -10,6 +10,7 @@ from jauspy.ids import JausID
 from jauspy.modules import robots
 from jauspy.modules.description import robot_model
 from jauspy.modules.mobility import cm_mob, vehicle_of
+from jauspy.modules.robot import announced
 from jauspy.platform import backends
 
 START = datetime(2026, 3, 14, 15, 9, 26, 535000, tzinfo=UTC)
@@ -18,9 +19,15 @@ TARGET = JausID(105, 1, 255)
 Maker = Callable[..., Bench]
 
 
-def robot(part: type[Part] = Part, bench: type[Bench] = Bench, **options: object) -> Bench:
-    """The whole robot; `part` and `bench` may be broken ones."""
+def robot(
+    part: type[Part] = Part, bench: type[Bench] = Bench, *, timeout: int | None = None, **options: object
+) -> Bench:
+    """The whole robot; `part` and `bench` may be broken ones, `timeout` is that of its access control."""
     config = robots.load("igvc")
+    if timeout is not None:
+        access = config.modules[0].access_control.model_copy(update={"timeout": timeout})
+        modules = tuple(each.model_copy(update={"access_control": access}) for each in config.modules)
+        config = config.model_copy(update={"modules": modules})
     model = robot_model(config)
     body = backends.find("kinematic").open(model, config.world)
     made: list[Bench] = []
@@ -28,13 +35,12 @@ def robot(part: type[Part] = Part, bench: type[Bench] = Bench, **options: object
     def utc_now() -> datetime:
         return START + timedelta(seconds=made[0].now() if made else 0.0)
 
-    hosts = [
-        cm_mob(
-            config.id_of(module), vehicle_of(config, model, body.drive), module, identities={}, utc_now=utc_now, now=0.0
-        )
-        for module in config.modules
-    ]
-    made.append(bench([part(host) for host in hosts], tick=body.advance, **options))
+    parts = []
+    for module in config.modules:
+        vehicle = vehicle_of(config, model, body.drive)
+        host = cm_mob(config.id_of(module), vehicle, module, identities={}, utc_now=utc_now, now=0.0)
+        parts.append(part(host, announced(host, module) or (lambda _: False)))
+    made.append(bench(parts, **({"tick": body.advance} | options)))
     return made[0]
 
 

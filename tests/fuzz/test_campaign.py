@@ -123,7 +123,13 @@ def test_seeds_come_from_captures(shared: Path) -> None:
     assert b"\x02\x20" in captured
 
 
-@pytest.mark.parametrize("content", [b"", b"# nothing", b"zz", b"\xff\xfe", b"\xd4\xc3\xb2\xa1"])
+@pytest.mark.parametrize("content", [b"", b"# nothing", b"00"])
+def test_files_without_messages(content: bytes, tmp_path: Path) -> None:
+    (tmp_path / "file").write_bytes(content)
+    assert file_payloads(tmp_path / "file") == []
+
+
+@pytest.mark.parametrize("content", [b"zz", b"\xff\xfe", b"\xd4\xc3\xb2\xa1"])
 def test_files_that_are_no_seeds(content: bytes, tmp_path: Path) -> None:
     (tmp_path / "file").write_bytes(content)
     with pytest.raises(ConfigError, match="file"):

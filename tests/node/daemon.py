@@ -16,6 +16,8 @@ import pytest
 from jauspy.ids import JausID
 
 PATIENCE = 20
+IP_RECVTTL = 12
+"""From linux/in.h."""
 TEN = "00010203040506070809"
 CONFIG = """
 address = "127.0.0.1"
@@ -52,14 +54,22 @@ class End:
         else:
             self.socket.sendto(bytes.fromhex(text), self._node)
 
+    def next(self) -> str:
+        return self.socket.recv(70000).hex()
+
     def hears(self, text: str) -> None:
-        assert self.socket.recv(70000).hex() == plain(text)
+        assert self.next() == plain(text)
 
     def hears_stream(self, text: str) -> None:
         arrived = b""
         while len(arrived) < len(plain(text)) // 2:
             arrived += self.socket.recv(1)
         assert arrived.hex() == plain(text)
+
+    def hears_ttl(self) -> int:
+        """How many routers the next datagram may still pass; set `IP_RECVTTL` before it comes."""
+        _, ((_, _, ttl),), _, _ = self.socket.recvmsg(70000, 100)
+        return int.from_bytes(ttl, sys.byteorder)
 
     def hears_nothing(self) -> None:
         """Until now; say before what would have come after it."""

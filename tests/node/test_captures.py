@@ -6,10 +6,11 @@ was captured, the difference is said.
 
 import os
 import select
+import socket
 import struct
 
 import pytest
-from tests.node.daemon import PATIENCE, TEN, Daemon, End, plain
+from tests.node.daemon import IP_RECVTTL, PATIENCE, TEN, Daemon, End, plain
 
 from jauspy.ids import JausID
 from jauspy.protocol.endpoint import Endpoint
@@ -55,6 +56,13 @@ def test_two_nodes_find_each_other(daemon: Daemon) -> None:
     near.hears("02000e003102016400010165000100")
     near.says(f"0200180001 01016500 02016400 {TEN} 0200")
     peer.hears(f"0200180001 01016500 02016400 {TEN} 0200")
+
+
+def test_multicasts_may_pass_16_routers(daemon: Daemon) -> None:
+    group, near = daemon.group(), daemon.component("100.1.2")
+    group.socket.setsockopt(socket.IPPROTO_IP, IP_RECVTTL, 1)
+    near.says(f"0200180009 ffffffff 02016400 {TEN} 0100")
+    assert group.hears_ttl() == 16
 
 
 def known(daemon: Daemon) -> tuple[End, End]:

@@ -3,7 +3,10 @@
 import asyncio
 import contextlib
 import logging
+import os
 import socket
+import subprocess
+import sys
 import time
 from collections.abc import AsyncIterator, Callable
 from pathlib import Path
@@ -174,3 +177,40 @@ async def test_one_component_has_any_number_of_ids(node: NodeManager, introduce:
         here.sendto(own, str(node.path))
         assert await receive(here) == own
     assert node.components == (HERE,)
+
+
+ORDINARY = """
+import asyncio, concurrent.futures.thread, os, sys
+import psutil, jauspy.node.metrics, jauspy.node.mirror, jauspy.node.status
+from jauspy.node import NodeConfig, NodeManager
+from jauspy.protocol import junior
+async def main(root):
+    if os.geteuid() == 0:
+        os.setgroups([])
+        os.setgid(65534)
+        os.setuid(65534)
+    async with NodeManager(NodeConfig(local_root=root, port=int(sys.argv[2]), tcp=True, mirror=f"{root}/x.pcapng")):
+        print("ready", os.geteuid(), flush=True)
+        await asyncio.to_thread(sys.stdin.read)
+asyncio.run(main(sys.argv[1]))
+"""
+
+
+def test_it_needs_no_root(root: Path, free_port: int) -> None:
+    """All of it: the port, the group, local sockets, TCP, status and mirror."""
+    if os.geteuid() == 0:
+        os.chown(root, 65534, 65534)
+    command = (sys.executable, "-c", ORDINARY, str(root), str(free_port))
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        said, user = process.stdout.readline().split()
+        assert said == "ready"
+        assert int(user) != 0
+        with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as component:
+            component.settimeout(20)
+            component.bind(str(root / str(int(HERE))))
+            (root / str(int(HERE))).chmod(0o777)
+            component.sendto(junior.connect(HERE), str(root / junior.SOCKET_NAME))
+            assert component.recv(100) == junior.accept(HERE)
+        process.communicate(timeout=20)
+    assert process.returncode == 0

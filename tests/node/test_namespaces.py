@@ -130,18 +130,25 @@ def test_an_interface_that_goes_and_comes_back_is_joined_again(cable: tuple[str,
         until_heard(a, near, b)
 
 
-@pytest.mark.parametrize("own", [{}, {"multicast_interfaces": ["all"]}], ids=["by route", "all"])
-def test_two_hosts_find_each_other_by_ipv6_alone(cable: tuple[str, str], root: Path, own: dict[str, list[str]]) -> None:
-    """By a multicast from a link-local address, which is answered on the interface it came by."""
+@pytest.mark.parametrize(
+    "own",
+    [{}, {"multicast_interfaces": ["all"]}, {"address6": "fd77::{}", "multicast_interfaces": ["fd77::{}"]}],
+    ids=["by route", "all", "one address"],
+)
+def test_two_hosts_find_each_other_by_ipv6_alone(cable: tuple[str, str], root: Path, own: dict[str, object]) -> None:
+    """On all addresses by multicasts from a link-local one, which is answered on the interface it came by."""
     near, far = root / "a", root / "b"
-    settings = {"address6": "::", "multicast_group6": "ff15::6a61:7573", **own}
+    settings = json.dumps({"address6": "::", "multicast_group6": "ff15::6a61:7573", **own})
     with contextlib.ExitStack() as stack:
         if not Path("/proc/sys/net/ipv6").exists():
             pytest.skip("this system has no IPv6")
-        for namespace, letter in zip(cable, "ab", strict=True):
-            run("ip", "-n", namespace, "-4", "addr", "flush", "dev", f"jv{os.getpid()}{letter}")
-        for namespace, folder in zip(cable, (near, far), strict=True):
-            stack.enter_context(node_manager(namespace, folder, **settings))
+        for number, (namespace, letter) in enumerate(zip(cable, "ab", strict=True), 1):
+            end = f"jv{os.getpid()}{letter}"
+            run("ip", "-n", namespace, "-4", "addr", "flush", "dev", end)
+            run("ip", "-n", namespace, "addr", "add", f"fd77::{number}/64", "dev", end, "nodad")
+        for number, (namespace, folder) in enumerate(zip(cable, (near, far), strict=True), 1):
+            told = json.loads(settings.replace("{}", str(number)))
+            stack.enter_context(node_manager(namespace, folder, **told))
         a = stack.enter_context(component(near, NEAR))
         b = stack.enter_context(component(far, FAR))
         until_heard(a, near, b)

@@ -12,11 +12,11 @@ from typing import Any
 import pytest
 
 from jauspy.errors import ConfigError, TransportError
-from jauspy.ids import JausID
+from jauspy.ids import EVERYONE, JausID
 from jauspy.node import NodeConfig, NodeManager
 from jauspy.node.config import SerialConfig
 from jauspy.protocol import jserial, judp
-from jauspy.protocol.header import Packet
+from jauspy.protocol.header import Broadcast, Packet
 from jauspy.transport import LocalTransport, SerialLine, serial_link
 
 HERE, FAR = JausID.parse("100.1.2"), JausID.parse("200.1.1")
@@ -105,6 +105,33 @@ async def test_several_packets_in_one_frame(node: NodeManager, here: Any, termin
     os.write(terminal.end, jserial.frame(first + second[1:]))
     async with asyncio.timeout(5):
         assert [await arrived.get(), await arrived.get()] == [first, second]
+
+
+async def test_several_lines(root: Path, terminal: Terminal) -> None:
+    """What is heard on one is answered there, broadcasts go out on both, and nothing crosses from one to the other."""
+    second = Terminal()
+    lines = tuple(SerialConfig(device=each.device) for each in (terminal, second))
+    async with NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root, serial=lines)):
+        transport, arrived = LocalTransport(HERE, root), asyncio.Queue[bytes]()
+        transport.received = arrived.put_nowait
+        await transport.open()
+        for number, (line, id) in enumerate(((terminal, FAR), (second, JausID(201, 1, 1)))):
+            query = judp.pack(Packet(id, HERE, b"\x02\x20", number))
+            os.write(line.end, jserial.frame(query))
+            async with asyncio.timeout(5):
+                assert await arrived.get() == query
+            answer = jserial.frame(judp.pack(Packet(HERE, id, b"\x02\x40", number)))
+            transport.send(judp.pack(Packet(HERE, id, b"\x02\x40", number)))
+            assert await line.receive(len(answer)) == answer.hex()
+        everybody = Packet(HERE, EVERYONE, b"\x00\x2b", 9, broadcast=Broadcast.GLOBAL)
+        transport.send(judp.pack(everybody))
+        frame = jserial.frame(judp.pack(everybody))
+        os.write(terminal.end, jserial.frame(judp.pack(Packet(FAR, EVERYONE, b"\x00\x2b", 1))))
+        transport.send(judp.pack(everybody))
+        for line in (terminal, second):
+            assert await line.receive(2 * len(frame)) == 2 * frame.hex()
+        await transport.close()
+    second.hang_up()
 
 
 async def test_noise_and_bad_checksums_harm_nobody(node: NodeManager, here: Any, terminal: Terminal) -> None:

@@ -1,6 +1,7 @@
 """JTCP of the running node manager: bytes of other implementations, several ids on a connection, faults, reconnects."""
 
 import asyncio
+import logging
 import socket
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
@@ -12,8 +13,9 @@ from jauspy.errors import TransportError
 from jauspy.ids import EVERYONE, JausID
 from jauspy.node import NodeConfig, NodeManager, tcp
 from jauspy.protocol import judp
+from jauspy.protocol.counters import Counters
 from jauspy.protocol.header import Broadcast, Packet
-from jauspy.transport import LocalTransport, TcpTransport
+from jauspy.transport import LocalTransport, TcpTransport, stream
 
 HERE, FAR, OTHER = JausID.parse("100.1.2"), JausID.parse("200.1.1"), JausID.parse("200.1.2")
 
@@ -186,6 +188,32 @@ async def test_a_peer_that_does_not_read_delays_nobody_and_gets_whole_packets(no
         assert numbers == sorted(numbers)
 
 
+async def test_ipv6_both_ways(root: Path, free_port: int) -> None:
+    try:
+        with socket.create_server(("::1", 0), family=socket.AF_INET6):
+            pass
+    except OSError:
+        pytest.skip("this system has no IPv6")
+    near = NodeConfig(address="127.0.0.1", port=free_port, local_root=root / "a", address6="::1", tcp=True)
+    book = {str(HERE): f"tcp://[::1]:{free_port}"}
+    far = NodeConfig(address="127.0.0.1", port=0, local_root=root / "b", addresses=book)
+    async with NodeManager(near) as first, NodeManager(far) as second:
+        a, b = Inbox(LocalTransport(HERE, root / "a")), Inbox(LocalTransport(FAR, root / "b"))
+        await a.transport.open()
+        await b.transport.open()
+        await until(lambda: second.counters["tcp.connected"] == 1)
+        there = judp.pack(Packet(FAR, HERE, b"\x02\x20", 1))
+        b.transport.send(there)
+        assert await a.next() == there
+        back = judp.pack(Packet(HERE, FAR, b"\x02\x40", 1))
+        a.transport.send(back)
+        assert await b.next() == back
+        (peer,) = (each["address"] for each in first.state.as_dict(0.0)["peers"])
+        assert peer.startswith("[::1]:")
+        await a.transport.close()
+        await b.transport.close()
+
+
 async def test_connections_are_bounded(node: NodeManager, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(tcp, "MAX_CONNECTIONS", 1)
     async with peer(node):
@@ -217,6 +245,31 @@ async def test_peers_of_the_address_book_are_connected_to_and_again(root: Path, 
                 assert await a.next() == back
                 await b.transport.close()
         await a.transport.close()
+
+
+async def test_pauses_between_attempts_grow_and_begin_anew_after_a_connection(
+    free_port: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pauses: list[float] = []
+    sleep = asyncio.sleep
+
+    async def noted(seconds: float) -> None:
+        pauses.append(seconds)
+        await sleep(0.001)
+
+    monkeypatch.setattr(asyncio, "sleep", noted)
+    dialer = stream.Dialer(("127.0.0.1", free_port), Counters(logging.getLogger()), lambda link, datagram: None)
+    async with asyncio.timeout(20):
+        while len(pauses) < 10:
+            await sleep(0.001)
+        assert pauses[:10] == [0.1, 0.2, 0.4, 0.8, 1.6, 3.2, 6.4, 10.0, 10.0, 10.0]
+        with socket.create_server(("127.0.0.1", free_port)):
+            await dialer.connected.wait()
+            pauses.clear()
+        while not pauses:
+            await sleep(0.001)
+    assert pauses[0] == stream.FIRST_RETRY
+    await dialer.close()
 
 
 async def test_a_component_connects_again(root: Path, free_port: int) -> None:

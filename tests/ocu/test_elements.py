@@ -11,9 +11,10 @@ from jauspy.ids import JausID
 from jauspy.messages.core import (
     ConfirmElementRequest,
     DeleteElement,
+    Event,
     SetElement,
 )
-from jauspy.messages.mobility import ReportActiveElement, SetGlobalWaypoint, SetLocalWaypoint
+from jauspy.messages.mobility import ExecuteList, ReportActiveElement, SetGlobalWaypoint, SetLocalWaypoint
 from jauspy.ocu.progress import POLL
 from jauspy.services.core import AccessControl, Discovery, Events, ListDriver, ListManager, Liveness, Management
 from jauspy.testing import LocalNode
@@ -226,6 +227,20 @@ async def test_the_list_is_carried_out_and_followed(robot, driver, client):
     assert [round(x) for x in driver.began] == [1, 2, 3]
     assert driver.speeds == [pytest.approx(1.5, abs=0.01)]
     assert await waypoints.active() is None
+
+
+async def test_a_lost_command_is_sent_again_and_a_lost_end_is_noticed(virtual_network, robot, driver, client):
+    await client.waypoints.upload(at(1, 2))
+    virtual_network.lose(ExecuteList, times=1)
+    await client.waypoints.execute(speed=1.0)
+    assert len(virtual_network.sent(ExecuteList)) == 2
+
+    virtual_network.lose(Event)
+    seen = []
+    async for index in client.waypoints.progress():
+        seen.append(index)
+        driver.arrive(robot)
+    assert seen == [0, 1]
 
 
 async def test_from_the_middle_and_at_another_speed(robot, driver, client):

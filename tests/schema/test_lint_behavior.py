@@ -88,6 +88,53 @@ def test_sends(jsidl, message, here, count):
     assert all("which is no output of the service or its ancestors" in message for message in found)
 
 
+RECEIVE = "events.transport.Receive"
+GUARD = '<guard condition="isOpen({})"/>'
+SHADOWS = {
+    "no guard": (
+        [transition("T", goes("A")), transition("T", goes("A"), HERE)],
+        "the transition on T in line N has no guard and is always taken before this one; give that one",
+    ),
+    "behind a guard": (
+        [transition("T", goes("A")), transition("T", GUARD.format("") + goes("A"), HERE)],
+        "the transition on T in line N has no guard",
+    ),
+    "the same guard": (
+        [transition("T", GUARD.format("") + goes("A")), transition("T", GUARD.format(" ") + goes("A"), HERE)],
+        "the transition on T in line N has the same guard",
+    ),
+    "the same message": (
+        [transition(RECEIVE, parameter="Msg"), transition(RECEIVE, here=HERE, parameter="Msg")],
+        "the transition on Msg in line N has no guard",
+    ),
+    "any message": (
+        [transition(RECEIVE), transition(RECEIVE, here=HERE, parameter="Msg")],
+        "the transition on Receive in line N has no guard",
+    ),
+    "two defaults": (
+        [f"<default_transition>{here}<internal/></default_transition>" for here in ("", HERE)],
+        "the transition on everything else in line N has no guard",
+    ),
+    "another trigger": ([transition("T"), transition("U")], None),
+    "another message": ([transition(RECEIVE, parameter="Msg"), transition(RECEIVE, parameter="QueryEvents")], None),
+    "another guard": (
+        [transition("T", GUARD.format("") + goes("A")), transition("T", GUARD.format("msg") + goes("A"))],
+        None,
+    ),
+    "a guard before": ([transition("T", GUARD.format("") + goes("A")), transition("T", goes("A"))], None),
+    "a default behind": ([transition("T"), "<default_transition><internal/></default_transition>"], None),
+    "another state": ([transition("T"), f'<state name="B">{transition("T")}</state>'], None),
+}
+
+
+@pytest.mark.parametrize(("inner", "message"), SHADOWS.values(), ids=SHADOWS.keys())
+def test_shadowed_transitions(jsidl, inner, message):
+    jsidl.service(behavior=machine("\n".join(inner)), references=TRANSPORT)
+    found = jsidl.lint("shadowed-transition")
+    expected = [message.replace("line N", f"line {line - 1}") for _, line in jsidl.marked()]
+    assert [each.startswith(start) for each, start in zip(found, expected, strict=True)] == [True] * len(expected)
+
+
 STATES = {
     "end state": (machine(transition("T", goes("A.B"), HERE)), "end state 'A.B' does not exist"),
     "start state": (machine("").replace(START, START.replace('"A"', '"B"') + HERE), "start state 'B' does not exist"),

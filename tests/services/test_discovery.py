@@ -23,9 +23,9 @@ from jauspy.messages.core import (
     SubsystemRec,
 )
 from jauspy.protocol.header import MAX_PAYLOAD
-from jauspy.services.core import Discovery, Identity, Liveness
+from jauspy.services.core import Discovery, Identity, Liveness, directory
 from jauspy.services.core.directory import MAX_COMPONENTS, Offer
-from jauspy.services.core.discovery import LIFETIME, MAX_REGISTRATION, MAX_REPORT, registration
+from jauspy.services.core.discovery import LIFETIME, MAX_FILTERS, MAX_REGISTRATION, MAX_REPORT, registration
 
 A = "42.1.1"
 MANIPULATOR = ServiceRec("urn:jaus:jss:manipulator:PrimitiveManipulator", 2, 0)
@@ -131,9 +131,10 @@ def test_service_list_with_search_filter(rig) -> None:
 
 
 def test_registration_replaces_and_foreign_subsystems_are_ignored(rig) -> None:
-    rig.tell("101.1.5", RegisterServices([]))
+    other = ServiceRec("urn:example:Other", 1, 0)
+    rig.tell("101.1.5", RegisterServices([other]))
     rig.tell("102.1.5", RegisterServices([MANIPULATOR]))
-    assert listed(rig.ask(A, services((1, 5)))) == {(1, 5): []}
+    assert listed(rig.ask(A, services((1, 5)))) == {(1, 5): [other.uri]}
     assert rig.host.counters["foreign_registration"] == 1
     assert len(rig.ask(A, QueryConfiguration(2)).node_list) == 2
 
@@ -236,3 +237,35 @@ def test_a_component_without_discovery_registers_what_it_has(rig, make) -> None:
     assert listed(rig.ask(A, services((1, 9)))) == {
         (1, 9): [f"urn:jaus:jss:core:{n}" for n in ("Events", "Liveness", "Transport")]
     }
+
+
+def test_a_component_that_registers_nothing_or_cannot_be_reached_goes_off_the_list(rig) -> None:
+    rig.tell("101.1.5", RegisterServices([]))
+    assert set(listed(rig.ask(A, services((255, 255))))) == {(1, 1), (2, 1)}
+    rig.host.unreachable(JausID.parse("101.2.1"), rig.now)
+    rig.host.unreachable(rig.ID, rig.now)
+    assert set(listed(rig.ask(A, services((255, 255))))) == {(1, 1)}
+
+
+def test_a_query_with_tens_of_thousands_of_wildcards_looks_each_component_up_once(rig, monkeypatch) -> None:
+    flood(rig, MAX_COMPONENTS)
+    looked_up = 0
+
+    def counted(id, _real=directory._addresses):
+        nonlocal looked_up
+        looked_up += 1
+        return _real(id)
+
+    monkeypatch.setattr(directory, "_addresses", counted)
+    rig.ask(A, QueryServices([QueryServices.NodeSeq(QueriedNodeRec(255), [QueriedComponentRec(255)] * 255)] * 255))
+    assert looked_up == MAX_COMPONENTS + 1
+
+
+def test_search_filters_add_up_and_are_bounded(rig) -> None:
+    query = service_list(101, 1, 1, "Liveness")
+    more = service_list(101, 255, 1, "Discovery").subsystem_list
+    (subsystem,) = rig.ask(A, QueryServiceList(query.subsystem_list + more)).subsystem_list
+    assert listed(subsystem)[1, 1] == ["urn:jaus:jss:core:Discovery", "urn:jaus:jss:core:Liveness"]
+    nonsense = [service_list(101, 1, 1, f"nonsense {n}").subsystem_list[0] for n in range(MAX_FILTERS)]
+    assert rig.ask(A, QueryServiceList(nonsense + query.subsystem_list)).subsystem_list == []
+    assert rig.host.counters["query_cut"] == 1

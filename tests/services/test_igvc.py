@@ -10,6 +10,9 @@ from collections import Counter
 
 import pytest
 
+from jauspy.services.core import AccessControl
+from jauspy.services.mobility import LocalPoseSensor, LocalWaypointDriver, LocalWaypointListDriver, Vehicle
+
 T, C1, C2, C3, C4 = "42.1.1", "42.2.1", "42.2.2", "42.2.3", "42.2.4"
 
 
@@ -104,6 +107,35 @@ STEPS_20_TO_48 = [
 def test_steps_20_to_48_access_control_and_management(say) -> None:
     for step, client, code, body, answers in STEPS_20_TO_48:
         assert say(client, code, body) == answers, f"step {step}"
+
+
+@pytest.fixture
+def driver(make, drive) -> Judge:
+    """A robot that goes to waypoints, too."""
+    vehicle = Vehicle(drive)
+    waypoints = (LocalWaypointDriver(vehicle), LocalWaypointListDriver(vehicle), LocalPoseSensor(vehicle))
+    return Judge(make(*waypoints, AccessControl(default_authority=1, timeout=5)))
+
+
+def test_steps_49_to_53_a_waypoint(driver) -> None:
+    (speed,) = driver(T, "240A")
+    assert speed.startswith(f"{T} 440A ")
+    assert driver(T, "000D", "dc") == [f"{T} 000F 00"]
+
+    assert driver(T, "040D", "00e2530080e2530080") == []
+    assert driver(T, "240D", "00") == [f"{T} 440D 00e2530080e2530080"]
+    assert driver(T, "000E") == [f"{T} 0010 00"]
+
+
+def test_steps_54_to_61_a_list_of_waypoints(driver) -> None:
+    assert len(driver(T, "240A")) == 1
+    assert driver(T, "000D", "dc") == [f"{T} 000F 00"]
+    assert driver(T, "041A", "2c01010000000000000b000d0400ffffff0fffffff0f") == [f"{T} 041C 2c"]
+    assert driver(T, "241C") == [f"{T} 441C 0100"]
+    assert driver(T, "241B") == [f"{T} 441B 01000100"]
+    assert driver(T, "241E") == [f"{T} 441E 0000"], "nothing is carried out yet"
+    assert driver(T, "240D", "00") == [f"{T} 440D 00ffffff0fffffff0f"]
+    assert driver(T, "000E") == [f"{T} 0010 00"]
 
 
 def test_steps_62_to_72_velocity_and_pose(say) -> None:

@@ -5,7 +5,9 @@ from __future__ import annotations
 import pytest
 
 from jauspy.messages.core import (
+    CommandEvent,
     ConfirmElementRequest,
+    CreateCommandEvent,
     DeleteElement,
     ElementRec,
     QueryElement,
@@ -203,6 +205,17 @@ def test_elements_are_carried_out_in_order_until_the_list_ends(rig, driver) -> N
     assert (active(rig), driver.begun, driver.ended) == (0, [2, 3], 1)
     driver.elements.done()
     assert driver.ended == 1
+
+
+def test_a_command_event_tells_how_the_list_ended(rig, driver) -> None:
+    rig.tell(A, put((1, 0, 2), (2, 1, 0)))
+    assert len(rig.tell(A, CreateCommandEvent(5, 600, execute(1)))) == 1
+    driver.elements.done()
+    assert rig.run(1.0) == []
+    driver.elements.done()
+    assert [message for *_, message in rig.run(1.0)] == [CommandEvent(1, 0)]
+    rig.tell(A, CreateCommandEvent(5, 600, execute(1)))
+    assert CommandEvent(2, 1) in [message for _, message in rig.tell(A, Standby())]
 
 
 def test_zero_executes_from_the_first_and_no_element_changes_the_speed(rig, driver) -> None:

@@ -170,7 +170,8 @@ class Message(Struct):
 
         With `strict=False`, read what can be read, and return it with a list of deviations; an empty one means that
         the bytes are valid. Values outside their set stay numbers, what is missing gets a default, bytes left over are
-        reported. Then only id bytes of another message raise `DecodeError`.
+        reported. Of more than 1000 deviations the rest is a number. Then only id bytes of another message raise
+        `DecodeError`.
         """
         if type(data) is not bytes:
             data = as_bytes(data)

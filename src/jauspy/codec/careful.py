@@ -21,7 +21,7 @@ def decode_tolerant(cls: type[M], data: bytes, nesting: Nesting | None = None) -
     """Tolerant: collects deviations; only a wrong message id raises."""
     reader = Reader(data, strict=False, nesting=nesting)
     message = _read(cls, reader)
-    return message, reader.deviations
+    return message, reader.deviations()
 
 
 def encode(message: Message, *, clamp: bool, strict: bool) -> bytes:

@@ -11,6 +11,7 @@ from importlib.machinery import ModuleSpec
 from itertools import count
 from pathlib import Path
 from types import ModuleType
+from typing import Final
 
 from jauspy.codec.generator import generate
 from jauspy.codec.registry import Registry
@@ -36,11 +37,10 @@ def load_schema(schema: Schema) -> Registry:
     """The messages of a model, in front of the built-in ones."""
     package = f"jauspy_loaded_{next(_numbers)}"
     sources = {_module_name(package, path): text for path, text in generate(schema, package, "jauspy.messages").items()}
-    sys.meta_path.append(_Finder(sources))
+    _FINDER.add(sources)
     registry = import_module(package).registry
     assert isinstance(registry, Registry)
     registry.schema = schema
-    registry.files.update({service.key: service.where.file for service in schema.services if service.where})
     for code in sorted({message.code for service in schema.services for message in service.messages}):
         if collision := registry.collision(code):
             _log.warning("%s; decoding needs to know the %s", collision, collision.remedy)
@@ -55,8 +55,14 @@ def _module_name(package: str, path: str) -> str:
 class _Finder(MetaPathFinder, InspectLoader):
     """Imports modules from memory; their source stays available to tracebacks and debuggers."""
 
-    def __init__(self, sources: Mapping[str, str]) -> None:
-        self._sources = sources
+    def __init__(self) -> None:
+        self._sources: dict[str, str] = {}
+
+    def add(self, sources: Mapping[str, str]) -> None:
+        """Offer more modules."""
+        self._sources.update(sources)
+        if self not in sys.meta_path:
+            sys.meta_path.append(self)
 
     def find_spec(
         self,
@@ -77,6 +83,9 @@ class _Finder(MetaPathFinder, InspectLoader):
     def exec_module(self, module: ModuleType) -> None:
         code = self.source_to_code(self.get_source(module.__name__), _origin(module.__name__))
         exec(code, module.__dict__)  # noqa: S102 - our own generator wrote this source
+
+
+_FINDER: Final = _Finder()
 
 
 def _origin(module: str) -> str:

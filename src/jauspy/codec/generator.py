@@ -24,8 +24,13 @@ def generate(schema: Schema, package: str = "jauspy.messages", base: str | None 
     files = {f"{module.name.replace('.', '/')}.py": module_source(module, package, names) for module in modules}
     files |= packages(modules, package)
     files["__init__.py"] = root(package, base)
-    files["_table.py"] = table(modules, package)
+    files["_table.py"] = table(modules, package, _files(schema) if base else None)
     return dict(sorted(files.items()))
+
+
+def _files(schema: Schema) -> dict[tuple[str, str], str]:
+    """Where the services are defined; what is built in knows that by itself, and may be anywhere."""
+    return {service.key: service.where.file for service in schema.services if service.where}
 
 
 def module_source(module: ModulePlan, package: str, names: Iterable[str]) -> str:

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from typing import Final
 
 from jauspy.codec.generator_text import indent, quote
 from jauspy.codec.plan import ModulePlan
 from jauspy.schema.model import Message
 
 NOTE = "Generated from schemas/; do not edit."
+
+
+PARTS: Final = {"exp": "iop"}
+"""Sets whose messages are offered by the package of another one, too: the profiles' experiments by the profiles'."""
 
 
 def version_key(version: str) -> tuple[int, ...]:
@@ -19,6 +24,7 @@ def version_key(version: str) -> tuple[int, ...]:
 def root(package: str, base: str | None) -> str:
     """The package itself: its registry, layered over that of `base`."""
     layers = [f"from {base} import registry as _base"] if base else []
+    names, arguments = ("FILES, TABLE", "TABLE, _base, FILES") if base else ("TABLE", "TABLE")
     return "\n".join(
         [
             f'"""Messages, one package per service set. {NOTE}"""',
@@ -29,17 +35,17 @@ def root(package: str, base: str | None) -> str:
             "",
             "from jauspy.codec.registry import Registry",
             *layers,
-            f"from {package}._table import TABLE",
+            f"from {package}._table import {names}",
             "",
-            f"registry: Final = Registry(TABLE{', _base' if base else ''})",
+            f"registry: Final = Registry({arguments})",
             '"""All messages, by name and by code; modules are imported on use."""',
             "",
         ]
     )
 
 
-def table(modules: Iterable[ModulePlan], package: str) -> str:
-    """`_table.py`: code, name, service, version and module of every message."""
+def table(modules: Iterable[ModulePlan], package: str, files: Mapping[tuple[str, str], str] | None) -> str:
+    """`_table.py`: code, name, service, version and module of every message; and the file of every service."""
     rows: list[str] = []
     for module in sorted(modules, key=lambda module: module.name):
         place = ", ".join(map(quote, (f"{package}.{module.name}", module.service, module.version)))
@@ -59,9 +65,15 @@ def table(modules: Iterable[ModulePlan], package: str) -> str:
             "TABLE: Final = (",
             *indent(rows),
             ")",
+            *([] if files is None else ["FILES: Final = {", *indent(map(_file, sorted(files.items()))), "}"]),
             "",
         ]
     )
+
+
+def _file(item: tuple[tuple[str, str], str]) -> str:
+    (service, version), file = item
+    return f"({quote(service)}, {quote(version)}): {quote(file)},"
 
 
 def _row(message: Message, cls: str) -> str:
@@ -76,6 +88,8 @@ def packages(modules: list[ModulePlan], package: str) -> dict[str, str]:
         family, version, _ = module.name.split(".")
         groups.setdefault(family, []).append(module)
         groups.setdefault(f"{family}.{version}", []).append(module)
+    for part, whole in PARTS.items():
+        groups.get(whole, []).extend(groups.get(part, []))
     return {f"{name.replace('.', '/')}/__init__.py": _lazy(name, found, package) for name, found in groups.items()}
 
 

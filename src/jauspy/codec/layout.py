@@ -49,7 +49,7 @@ class Composite(Item):
         return vector + sum(slot.item.minimum for slot in self.slots if not slot.optional)
 
     def read(self, reader: Reader, path: str) -> Struct:
-        mask = (reader.count(self.presence, path) or 0) if self.presence else 0
+        mask = (reader.count(self.presence, join(path, "presence_vector")) or 0) if self.presence else 0
         values: dict[str, Any] = {}
         bit = 1
         for slot in self.slots:

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import keyword
 import re
+import unicodedata
 from collections.abc import Callable, Iterable
+
+from jauspy.ids import service_set
 
 _WORDS = re.compile(
     r"[A-Z]+s(?![a-z])"  # IDs
@@ -14,13 +17,23 @@ _WORDS = re.compile(
     r"|\d+"
 )
 _ACRONYM_THEN_WORD = re.compile(r"([A-Z]+)([A-Z](?!s(?![a-z]))[a-z])")
+_LETTERS = str.maketrans(
+    {"ß": "ss", "ẞ": "SS", "æ": "ae", "Æ": "AE", "œ": "oe", "Œ": "OE", "ø": "o", "Ø": "O", "ł": "l", "Ł": "L"}
+)
+"""Letters that Unicode does not take apart."""
 _DIMENSIONS = re.compile(r"(?<=\d)D(?![a-z])")
 _RESERVED = frozenset({"encode", "decode", "to_dict", "from_dict", "layout", "mro", "self", "cls"})
 
 
+def plain(name: str) -> str:
+    """Latin letters without their marks: `Grosse` of `Größe`."""
+    decomposed = unicodedata.normalize("NFKD", name.translate(_LETTERS))
+    return "".join(letter for letter in decomposed if not unicodedata.combining(letter))
+
+
 def snake(name: str) -> str:
     """`PropulsiveLinearEffortX` to `propulsive_linear_effort_x`; `""` when there is no letter or digit in it."""
-    text = _ACRONYM_THEN_WORD.sub(r"\1_\2", _DIMENSIONS.sub("d_", name))
+    text = _ACRONYM_THEN_WORD.sub(r"\1_\2", _DIMENSIONS.sub("d_", plain(name)))
     return "_".join(word.lower() for word in _WORDS.findall(text))
 
 
@@ -76,12 +89,9 @@ def members(values: Iterable[tuple[int, str]]) -> dict[str, int]:
     return made
 
 
-def service_set(urn: str) -> str:
-    """The set a service or type set belongs to: `core` of `urn:jaus:jss:core:AccessControl`."""
-    parts = urn.split(":")
-    if "jss" in parts[:-1]:
-        return snake(parts[parts.index("jss") + 1]) or "unnamed"
-    return snake(parts[-2] if len(parts) > 1 else parts[0]) or "unnamed"
+def set_package(urn: str) -> str:
+    """The package of the set of a service or type set: `environment_sensing` of `...:environmentSensing:Range`."""
+    return snake(service_set(urn)) or "unnamed"
 
 
 def version_package(version: str) -> str:

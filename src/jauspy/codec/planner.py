@@ -13,7 +13,7 @@ from jauspy.codec.names import (
     class_name,
     members,
     module_alias,
-    service_set,
+    set_package,
     unique,
     version_package,
 )
@@ -88,7 +88,7 @@ def plan(schema: Schema) -> list[ModulePlan]:
 
 
 def _module_name(service: Service) -> str:
-    return f"{service_set(service.id)}.{version_package(service.version)}.{attribute(service.name)}"
+    return f"{set_package(service.id)}.{version_package(service.version)}.{attribute(service.name)}"
 
 
 def _service_module(service: Service, name: str, shared: SharedTypes) -> ModulePlan:
@@ -144,7 +144,7 @@ class SharedTypes:
         """The class of a declared node."""
         assert node.declared is not None
         key = _bare(replace(node, name=node.declared.name))
-        name = f"{service_set(node.declared.set_id)}.{version_package(node.declared.version)}.types"
+        name = f"{set_package(node.declared.set_id)}.{version_package(node.declared.version)}.types"
         module = self._modules.setdefault(name, ModulePlan(name, "Declared types that several messages share."))
         if key not in self._classes:
             taken = {plan.name for plan in module.classes}

@@ -29,13 +29,15 @@ class Registry:
     `collisions`.
     """
 
-    def __init__(self, entries: Iterable[Entry], base: Registry | None = None) -> None:
+    def __init__(
+        self, entries: Iterable[Entry], base: Registry | None = None, files: Mapping[tuple[str, str], str] | None = None
+    ) -> None:
         self._base = base
         self._own: tuple[Entry, ...] = tuple(sorted(entries, key=lambda entry: entry.order, reverse=True))
         replaced = {(entry.service, entry.version) for entry in self._own}
         kept = (entry for entry in (base.entries if base else ()) if (entry.service, entry.version) not in replaced)
         self._entries: tuple[Entry, ...] = (*self._own, *kept)
-        self.files: dict[tuple[str, str], str] = {}
+        self.files = dict(files or {})
         """Which file defines a service (URN and version), as far as it is known; for reports only."""
         self.schema: Schema | None = None
         """The definitions that `jauspy.load` made these messages from: with it a component can run their services."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import struct
 from functools import lru_cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from jauspy.codec.base import MAX_NESTING, Deviation, Message, counted
 from jauspy.codec.wire import SIZES
@@ -12,6 +12,10 @@ from jauspy.errors import DecodeError, EncodeError
 
 if TYPE_CHECKING:
     from jauspy.codec.nesting import Nesting
+
+
+MOST_DEVIATIONS: Final = 1000
+"""Deviations of one message that are listed; a hostile one may have one in every byte."""
 
 
 @lru_cache(maxsize=32)
@@ -27,15 +31,28 @@ class Reader:
     inside; None stands for those of the registry the class that is read is of.
     """
 
-    __slots__ = ("at", "data", "deviations", "nesting", "stopped", "strict")
+    __slots__ = (
+        "_first_omitted",
+        "_lost_omitted",
+        "_omitted",
+        "_reported",
+        "at",
+        "data",
+        "nesting",
+        "stopped",
+        "strict",
+    )
 
     def __init__(self, data: bytes, *, strict: bool, nesting: Nesting | None = None) -> None:
         self.data = data
         self.nesting = nesting
         self.at = 2
         self.strict = strict
-        self.deviations: list[Deviation] = []
         self.stopped = False
+        self._reported: list[Deviation] = []
+        self._omitted = 0
+        self._first_omitted = 0
+        self._lost_omitted = False
 
     @property
     def left(self) -> int:
@@ -47,7 +64,19 @@ class Reader:
         where = self.at if offset is None else offset
         if self.strict:
             raise DecodeError(reason, offset=where, path=path)
-        self.deviations.append(Deviation(where, path, reason, lost))
+        if len(self._reported) < MOST_DEVIATIONS:
+            self._reported.append(Deviation(where, path, reason, lost))
+            return
+        self._first_omitted = self._first_omitted or where
+        self._omitted += 1
+        self._lost_omitted |= lost
+
+    def deviations(self) -> list[Deviation]:
+        """What was put up with; beyond `MOST_DEVIATIONS` only how much."""
+        if not self._omitted:
+            return self._reported
+        reason = f"{counted(self._omitted, 'more deviation')} from here on"
+        return [*self._reported, Deviation(self._first_omitted, "", reason, self._lost_omitted)]
 
     def stop(self, reason: str, path: str, offset: int | None = None) -> None:
         """Report, and give up on the rest."""

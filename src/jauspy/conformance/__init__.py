@@ -4,6 +4,7 @@ from jauspy.conformance.bench import Bench, Part
 from jauspy.conformance.checks import Check, carries, carries_only, has, near, that
 from jauspy.conformance.outcome import Failed, Late, Malformed, Outcome, Silent, Skipped
 from jauspy.conformance.profile import Profile, Step, ask, find, known, tell
+from jauspy.conformance.pytest_steps import offers_of, pytest_steps
 from jauspy.conformance.results import Report, Result, Verdict
 from jauspy.conformance.runner import Settings, run
 from jauspy.conformance.tester import Client, Tester
@@ -35,6 +36,8 @@ __all__ = [
     "has",
     "known",
     "near",
+    "offers_of",
+    "pytest_steps",
     "run",
     "tell",
     "that",

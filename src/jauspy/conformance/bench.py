@@ -11,10 +11,11 @@ from collections.abc import Callable, Collection, Iterable
 from itertools import count
 from typing import Final
 
-from jauspy.conformance.wire import PORTS, RAW
+from jauspy.conformance.wire import PORTS, RAW, Arrival
 from jauspy.ids import JausID
 from jauspy.protocol import judp
 from jauspy.protocol.endpoint import Endpoint
+from jauspy.protocol.header import Packet
 from jauspy.protocol.node import NodeCore
 from jauspy.protocol.ports import GroupPort, LocalPort, Port, UdpPort
 from jauspy.services.host import Host
@@ -25,6 +26,7 @@ USUAL: Final = UdpPort("192.0.2.42", judp.PORT)
 STRANGE: Final = UdpPort("192.0.2.42", 49152)
 """Where the tester speaks from: documentation addresses (RFC 5737)."""
 
+Intercept = Callable[[Packet], bool]
 Tick = Callable[[float], None]
 """Lets so many seconds pass for something outside of the components, such as a robot."""
 
@@ -32,8 +34,10 @@ Tick = Callable[[float], None]
 class Part:
     """One component: its services and its endpoint. Made to be broken: a subclass may mangle what it hears and says."""
 
-    def __init__(self, host: Host) -> None:
+    def __init__(self, host: Host, intercept: Intercept = lambda _: False) -> None:
         self.host = host
+        self.intercept = intercept
+        """Sees every packet first; what it returns true for does not reach the services."""
         self.endpoint = Endpoint(host.id, first_sequence=1)
 
     def hear(self, payload: bytes, source: JausID, now: float) -> None:
@@ -58,7 +62,8 @@ class Part:
         """Do what is due; the datagrams to send."""
         self.endpoint.handle_timeout(now)
         while (packet := self.endpoint.next_event()) is not None:
-            self.hear(packet.payload, packet.source, now)
+            if not self.intercept(packet):
+                self.hear(packet.payload, packet.source, now)
         self.host.handle_timeout(now)
         for outgoing in self.host.poll_output(now):
             self.say(outgoing, now)
@@ -98,7 +103,7 @@ class Bench:
         self._now = now
         self._order = count()
         self._air: list[tuple[float, int, bytes, UdpPort]] = []
-        self._arrived: deque[bytes] = deque()
+        self._arrived: deque[Arrival] = deque()
         self._listening: set[UdpPort] = {USUAL}
         for id, part in self.parts.items():
             self.node.components.register(int(id), LocalPort(f"{ROOT}/{int(id)}"))
@@ -134,7 +139,7 @@ class Bench:
         for each in self.inbound(datagram):
             heapq.heappush(self._air, (self._now + self._delay, next(self._order), each, port))
 
-    def receive(self, until: float) -> bytes | None:
+    def receive(self, until: float) -> Arrival | None:
         """What comes next; time passes until then, or until the time is over."""
         while not self._arrived and self._now < until:
             self._advance(min(until, self._next_event()))
@@ -182,5 +187,7 @@ class Bench:
             part = self.parts[JausID.from_int(int(port.path.rpartition("/")[2]))]
             part.handle(datagram, self._now)
             self._transmit(part)
-        elif isinstance(port, GroupPort) or (isinstance(port, UdpPort) and self.way_back(port) in self._listening):
-            self._arrived += self.outbound(datagram)
+        elif isinstance(port, GroupPort | UdpPort):
+            back = self.way_back(port) if isinstance(port, UdpPort) else USUAL
+            if back in self._listening:
+                self._arrived += (Arrival(each, back == STRANGE) for each in self.outbound(datagram))

@@ -51,9 +51,12 @@ Point = tuple[float, float]
 def square(client: Client, robot: JausID) -> None:
     """Four waypoints around where the robot is, by a list; the robot is left in Standby and free."""
     start = client.ask(QueryLocalPose(XY), ReportLocalPose, carries("x", "y"), to=robot)
-    x, y = start.x or 0.0, start.y or 0.0
-    corners = [(x + SIDE, y), (x + SIDE, y + SIDE), (x, y + SIDE), (x, y)]
-    run(client, robot, corners)
+    run(client, robot, corners(start.x or 0.0, start.y or 0.0))
+
+
+def corners(x: float, y: float) -> list[Point]:
+    """A square whose last corner is where it begins."""
+    return [(x + SIDE, y), (x + SIDE, y + SIDE), (x, y + SIDE), (x, y)]
 
 
 def run(client: Client, robot: JausID, points: list[Point]) -> None:

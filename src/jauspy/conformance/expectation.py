@@ -64,7 +64,7 @@ class Expectation(Generic[M]):
         if heard.code != self._kind.CODE or not self._tester.target.matches(heard.source):
             return None
         try:
-            message = self._kind.decode(heard.payload)
+            message = self._tester.registry.decode_as(self._kind, heard.payload)
         except DecodeError:
             return None
         return message if self._where(message) else None
@@ -81,7 +81,7 @@ class Expectation(Generic[M]):
     def _judge(self, heard: Heard) -> None:
         reads = f"{named(self._kind)} is as its definition says"
         try:
-            message = self._kind.decode(heard.payload)
+            message = self._tester.registry.decode_as(self._kind, heard.payload)
         except DecodeError as error:
             self._client.pending.remove(heard)
             problem = f"{named(self._kind)} from {heard.source} is malformed: {error}"

@@ -8,7 +8,7 @@ from collections.abc import Collection
 from typing import Final
 
 from jauspy.conformance.udp import UdpWire
-from jauspy.conformance.wire import Wire
+from jauspy.conformance.wire import Arrival, Wire
 from jauspy.ids import JausID
 from jauspy.ocu import connect as connecting
 from jauspy.transport import Transport
@@ -37,7 +37,7 @@ class LinkWire:
     def __init__(self, connect: str) -> None:
         self._connect = connect
         self._loop = asyncio.new_event_loop()
-        self._arrived: asyncio.Queue[bytes] = asyncio.Queue(MAX_WAITING)
+        self._arrived: asyncio.Queue[Arrival] = asyncio.Queue(MAX_WAITING)
         self._transports: dict[JausID, Transport] = {}
         self.dropped = 0
 
@@ -54,7 +54,7 @@ class LinkWire:
         assert not strange_port, "a step that needs this wants PORTS"
         self._transports[source].send(datagram)
 
-    def receive(self, until: float) -> bytes | None:
+    def receive(self, until: float) -> Arrival | None:
         """What comes next to any of the clients."""
         return self._loop.run_until_complete(self._next(until - time.monotonic()))
 
@@ -73,11 +73,11 @@ class LinkWire:
 
     def _take(self, datagram: bytes) -> None:
         try:
-            self._arrived.put_nowait(datagram)
+            self._arrived.put_nowait(Arrival(datagram))
         except asyncio.QueueFull:
             self.dropped += 1
 
-    async def _next(self, seconds: float) -> bytes | None:
+    async def _next(self, seconds: float) -> Arrival | None:
         try:
             return await asyncio.wait_for(self._arrived.get(), max(0.0, seconds))
         except TimeoutError:

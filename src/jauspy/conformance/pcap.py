@@ -14,6 +14,7 @@ from jauspy.node import pcapng
 from jauspy.protocol import judp
 
 TESTER: Final = ("192.0.2.42", judp.PORT)
+STRANGE: Final = ("192.0.2.42", 49152)
 TARGET: Final = ("192.0.2.1", judp.PORT)
 
 
@@ -21,7 +22,8 @@ def capture(report: Report) -> bytes:
     """The file."""
     blocks = [pcapng.preamble()]
     for entry in report.entries:
-        source, destination = (TESTER, TARGET) if entry.direction is Direction.SENT else (TARGET, TESTER)
+        tester = STRANGE if entry.strange_port else TESTER
+        source, destination = (tester, TARGET) if entry.direction is Direction.SENT else (TARGET, tester)
         nanoseconds = int((report.began + entry.at) * 1e9)
         blocks.append(pcapng.packet(source, destination, entry.data, nanoseconds))
     return b"".join(blocks)

@@ -18,6 +18,13 @@ GROUP: Final = "jauspy.conformance"
 """Entry points of profiles: a name, and where the `Profile` is."""
 
 BUILT_IN: Final = {
+    "core-1.1": "service_sets:CORE",
+    "mobility-1.1": "service_sets:MOBILITY",
+    "manipulator-2.0": "service_sets:MANIPULATOR",
+    "sensing-2.0": "service_sets:SENSING",
+    "ugv-1.0": "service_sets:UGV",
+    "transport": "transport:PROFILE",
+    "igvc-2011": "igvc_2011:PROFILE",
     "igvc-2015": "igvc_2015:PROFILE",
 }
 """Where the shipped ones are; loaded when they are run."""

@@ -57,7 +57,7 @@ def run(
         for step in _chosen(profile.plan(_offers(profile, tester)), settings.only):
             results.append(run_step(step, tester, settings))
             watch(results[-1])
-            if results[-1].verdict is Verdict.SILENT and not tester.answered:
+            if results[-1].verdict is Verdict.SILENT and tester.entries and not tester.answered:
                 problem = DEAF.format(target=target)
                 break
     except ConfigError as error:

@@ -9,6 +9,7 @@ from typing import Final
 from jauspy.codec.base import Message
 from jauspy.conformance.checks import has, near
 from jauspy.conformance.tester import Client, Tester
+from jauspy.errors import DecodeError
 from jauspy.ids import JausID
 from jauspy.messages.core import CancelEvent, ConfirmEventRequest, CreateEvent, Event
 
@@ -61,8 +62,19 @@ def judge(tester: Tester, arrivals: Arrivals, rate: float, report: type[Message]
     tester.check(
         f"the sequence number of {name} grows by one", "" if steps == {1} else f"the sequence numbers are {numbers}"
     )
-    others = [event for _, event in arrivals if code(event) != report.CODE]
-    tester.check(f"the events carry {report.NAME}", f"an event carries {code(others[0]):04X}h" if others else "")
+    wrong = next((problem for _, event in arrivals if (problem := _content(event, report))), "")
+    tester.check(f"the events carry {report.NAME}, as its definition says", wrong)
+
+
+def _content(event: Event, report: type[Message]) -> str:
+    """What is wrong with the message in an event."""
+    inside = event.report_message
+    payload = inside.encode(strict=False) if isinstance(inside, Message) else inside
+    try:
+        report.decode(payload)
+    except DecodeError as error:
+        return f"an event carries {payload.hex()}: {error}"
+    return ""
 
 
 def pace(arrivals: Arrivals, rate: float) -> str:
@@ -73,12 +85,6 @@ def pace(arrivals: Arrivals, rate: float) -> str:
     intervals = [after - before for before, after in pairwise(times)]
     wrong = [each for each in intervals if abs(each * rate - 1.0) > TOLERANCE]
     return f"{len(times)} events, {wrong[0]:.3f} s apart, which is not {rate:.2g} Hz" if wrong else ""
-
-
-def code(event: Event) -> int:
-    """The message id of what an event carries."""
-    report = event.report_message
-    return report.CODE if isinstance(report, Message) else int.from_bytes(report[:2], "little")
 
 
 def stopped(client: Client, event: int, seconds: float) -> None:

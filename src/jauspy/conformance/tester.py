@@ -13,8 +13,9 @@ from jauspy.conformance.expectation import Expectation
 from jauspy.conformance.outcome import Failed, Skipped
 from jauspy.conformance.results import Looked
 from jauspy.conformance.trace import Direction, Entry, Heard, named
-from jauspy.conformance.wire import Wire
+from jauspy.conformance.wire import Arrival, Wire
 from jauspy.ids import EVERYONE, JausID
+from jauspy.messages.core import CommandEvent, Event
 from jauspy.protocol import judp
 from jauspy.protocol.endpoint import Endpoint
 from jauspy.protocol.header import Ack
@@ -23,6 +24,8 @@ M = TypeVar("M", bound=Message)
 
 TIMEOUT: Final = 1.5
 """Seconds that a judge of the public tests waits for an answer."""
+EVENTS: Final = frozenset({Event.CODE, CommandEvent.CODE})
+"""These come whenever they like."""
 MAX_PENDING: Final = 1024
 """Messages of one client that nobody has looked at; the oldest go first. A target that floods is no news."""
 MAX_ENTRIES: Final = 200_000
@@ -103,19 +106,20 @@ class Tester:
     def pump(self, until: float, done: Callable[[], bool]) -> bool:
         """Take what comes until `done`, or until the time is over; says whether it was done."""
         while not done():
-            datagram = self.wire.receive(self._start + until)
-            if datagram is None:
+            arrival = self.wire.receive(self._start + until)
+            if arrival is None:
                 return done()
-            self._take(datagram)
+            self._take(arrival)
         return True
 
     def transmit(self, datagram: bytes, source: JausID, *, strange_port: bool = False) -> None:
         """Send these very bytes."""
-        self._record(Direction.SENT, datagram)
+        self._record(Direction.SENT, datagram, strange_port=strange_port)
         self.wire.send(datagram, source, strange_port=strange_port)
 
-    def _take(self, datagram: bytes) -> None:
-        self._record(Direction.RECEIVED, datagram)
+    def _take(self, arrival: Arrival) -> None:
+        datagram = arrival.data
+        self._record(Direction.RECEIVED, datagram, strange_port=arrival.strange_port)
         packets, errors = judp.unpack_all(datagram)
         for client in self._clients.values():
             if errors or any(each.destination.matches(client.id) for each in packets):
@@ -126,9 +130,9 @@ class Tester:
                 return
             self.memory["component"] = next(each.source for each in packets if self.target.matches(each.source))
 
-    def _record(self, direction: Direction, datagram: bytes) -> None:
+    def _record(self, direction: Direction, datagram: bytes, *, strange_port: bool) -> None:
         if len(self.entries) < MAX_ENTRIES:
-            self.entries.append(Entry(self.now, direction, datagram, self.registry))
+            self.entries.append(Entry(self.now, direction, datagram, self.registry, strange_port))
         else:
             self.left_out += 1
 
@@ -208,9 +212,9 @@ class Client:
         self.tester.check("there is no answer", f"{came} came, where nothing should" if came else "")
 
     def unasked(self, besides: Collection[int] = ()) -> list[str]:
-        """The names of what waits to be looked at, events and these message ids left aside."""
+        """The names of what waits to be looked at; events, queries of the target and these ids left aside."""
         waiting = [each for each in self.pending if self.tester.target.matches(each.source)]
-        return [self.name_of(each) for each in waiting if each.code != EVENT and each.code not in besides]
+        return [self.name_of(each) for each in waiting if _is_answer(each.code) and each.code not in besides]
 
     def name_of(self, heard: Heard) -> str:
         """`ReportStatus 4002h`."""
@@ -233,5 +237,6 @@ class Client:
             self.raw(datagram)
 
 
-EVENT: Final = 0x41F1
-"""Event (AS5710): comes whenever it likes."""
+def _is_answer(code: int) -> bool:
+    """True for what comes because something was sent: no event, and no query (2000h to 3FFFh)."""
+    return code not in EVENTS and not 0x2000 <= code < 0x4000

@@ -29,6 +29,8 @@ class Entry:
     direction: Direction
     data: bytes
     registry: Registry
+    strange_port: bool = False
+    """It went through the tester's other UDP port."""
 
     @cached_property
     def packets(self) -> tuple[Packet, ...]:

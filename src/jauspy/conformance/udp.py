@@ -9,7 +9,7 @@ from collections import OrderedDict
 from collections.abc import Collection
 from typing import Final
 
-from jauspy.conformance.wire import PORTS, RAW
+from jauspy.conformance.wire import PORTS, RAW, Arrival
 from jauspy.errors import ProtocolError, TransportError
 from jauspy.ids import JausID
 from jauspy.protocol import judp
@@ -50,8 +50,7 @@ class UdpWire:
         """What did not work as it should, for the report."""
         if self.port != port:
             self.notes.append(f"UDP port {port} is taken on this machine; port {self.port} was used instead")
-        if peer is None:
-            self._listen(interface)
+        self._listen(interface)
 
     @property
     def port(self) -> int:
@@ -76,14 +75,14 @@ class UdpWire:
         except OSError as error:
             raise TransportError(f"cannot send to UDP {address[0]}:{address[1]}: {error.strerror}") from error
 
-    def receive(self, until: float) -> bytes | None:
+    def receive(self, until: float) -> Arrival | None:
         """The next datagram that is not one of the tester's own."""
         while True:
             left = max(0.0, until - time.monotonic())
             ready, _, _ = select.select(self._sockets, [], [], left)
             for sock in ready:
                 if (datagram := self._read(sock)) is not None:
-                    return datagram
+                    return Arrival(datagram, sock is self._strange)
             if not ready or time.monotonic() >= until:
                 return None
 

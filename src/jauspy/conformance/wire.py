@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from typing import Final, Protocol
+from typing import Final, NamedTuple, Protocol
 
 from jauspy.ids import JausID
 
@@ -11,6 +11,13 @@ RAW: Final = "raw"
 """The bytes of a datagram reach the target as they are, several packets and garbage included."""
 PORTS: Final = "ports"
 """A client can speak from another UDP port."""
+
+
+class Arrival(NamedTuple):
+    """A datagram, and whether it came to the strange port."""
+
+    data: bytes
+    strange_port: bool = False
 
 
 class Wire(Protocol):
@@ -29,7 +36,7 @@ class Wire(Protocol):
     def send(self, datagram: bytes, source: JausID, *, strange_port: bool = False) -> None:
         """Send as `source`; with `strange_port` from another UDP port than usual, and what comes there is heard."""
 
-    def receive(self, until: float) -> bytes | None:
+    def receive(self, until: float) -> Arrival | None:
         """The next datagram; None when none came before the time was `until`."""
 
     def close(self) -> None:

@@ -30,7 +30,7 @@ class Seed:
 
 
 def file_payloads(path: Path) -> list[bytes]:
-    """The messages in a pcap, pcapng or hex file; `ConfigError` when it is none of these or has none."""
+    """The messages in a pcap, pcapng or hex file, perhaps none; `ConfigError` when it is none of these."""
     try:
         with path.open("rb") as file:
             if is_capture(file.peek(4)):
@@ -44,8 +44,6 @@ def file_payloads(path: Path) -> list[bytes]:
     except (UnicodeDecodeError, ConfigError) as error:
         reason = f": {error}" if isinstance(error, ConfigError) else ""
         raise ConfigError(f"{path} is neither a pcap or pcapng file nor hex text{reason}") from None
-    if not any(len(payload) >= 2 for payload in found):
-        raise ConfigError(f"there is no JAUS message in {path}")
     return list(dict.fromkeys(payload for payload in found if len(payload) >= 2))
 
 

@@ -7,6 +7,7 @@ from typing import Annotated, Final, Literal, Self, TypeAlias
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, model_validator
 
+from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.modules.config_joints import Groups, TracksConfig
 
@@ -17,6 +18,16 @@ def _on_the_wire(name: str) -> str:
     except UnicodeEncodeError as error:
         raise ValueError(f"name: {name!r}: JAUS sends names in Latin-1, which has no {name[error.start]!r}") from None
     return name
+
+
+def _one_component(text: str) -> str:
+    try:
+        wildcard = JausID.parse(text).is_wildcard
+    except ConfigError as error:
+        raise ValueError(f"announce_to: {error}") from None
+    if wildcard:
+        raise ValueError(f"announce_to: {text} stands for many; give the id of one console, as in 42.1.1")
+    return text
 
 
 Name: TypeAlias = Annotated[str, Field(min_length=1, max_length=64)]
@@ -69,6 +80,8 @@ class ModuleConfig(_Strict):
     services: tuple[Service, ...] | None = None
     """Beside Transport, Events, AccessControl and Management; all that the type offers when left out."""
     access_control: AccessControlConfig = AccessControlConfig()
+    announce_to: Annotated[str, AfterValidator(_one_component)] | None = None
+    """The id of a console that the module asks who it is, again and again until it answers, so as to be found."""
 
     def offers(self, service: Service) -> bool:
         """True when the module has the service."""

@@ -10,8 +10,9 @@ from types import TracebackType
 from typing import Final, Self
 
 from jauspy.component import Shell
-from jauspy.component.shell import loop_time
+from jauspy.component.shell import Intercept, loop_time
 from jauspy.ids import JausID
+from jauspy.modules.announcement import Announcement
 from jauspy.modules.config import ModuleConfig, RobotConfig
 from jauspy.modules.description import robot_model
 from jauspy.modules.mobility import cm_mob, vehicle_of
@@ -90,7 +91,8 @@ class RobotRunner:
             components = []
             for module in self.config.modules:
                 host = _host(self.config, module, vehicle_of(self.config, model, realtime.drive))
-                components.append(await stack.enter_async_context(Shell(host, self._transports(host.id))))
+                component = Shell(host, self._transports(host.id), intercept=announced(host, module))
+                components.append(await stack.enter_async_context(component))
             self._realtime, self._components = realtime, tuple(components)
             self._stack = stack.pop_all()
 
@@ -135,6 +137,11 @@ def _host(config: RobotConfig, module: ModuleConfig, vehicle: Vehicle) -> Host:
         utc_now=lambda: datetime.now(UTC),
         now=loop_time(),
     )
+
+
+def announced(host: Host, module: ModuleConfig) -> Intercept | None:
+    """Has the component make itself known, when it is to, and sees the answers."""
+    return Announcement(host, JausID.parse(module.announce_to)).intercept if module.announce_to else None
 
 
 async def _heartbeat(realtime: RealTime) -> None:

@@ -160,7 +160,7 @@ class NodeConfig(NetworkConfig):
     tcp: bool = False
     """Take JTCP connections. TCP peers among the addresses are connected to in any case."""
     tcp_port: int | None = Field(default=None, ge=0, le=65535, examples=[3794])
-    """TCP port; left out: the same as `port`."""
+    """TCP port on `address` and `address6`; left out: the same as `port`."""
     serial: tuple[SerialConfig, ...] = Field(default=(), examples=[SerialConfig(device="/dev/ttyUSB0")])
     """Serial lines that speak JSerial; needs the extra `serial`. They and JTCP belong to the first network."""
     addresses: Addresses = Field(default_factory=dict)

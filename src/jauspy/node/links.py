@@ -41,11 +41,11 @@ class Links:
         peers = {port for port in known if isinstance(port, TcpPort)}
         if config.key_file is not None and (config.tcp or config.serial or peers):
             raise ConfigError("key_file: JTCP and serial lines cannot be authenticated; use either them or a key")
-        listen = (config.address, udp_port if config.tcp_port is None else config.tcp_port) if config.tcp else None
+        hosts = (config.address, *([config.address6] if config.address6 else ())) if config.tcp else ()
         try:
             for serial in config.serial:
                 self._open_line(serial.line)
-            await self._tcp.open(listen, peers)
+            await self._tcp.open(hosts, udp_port if config.tcp_port is None else config.tcp_port, peers)
         except BaseException:
             await self.close()
             raise

@@ -49,6 +49,8 @@ def _group6(text: str) -> str:
 
 
 def _interface(text: str) -> str:
+    if ":" in text:
+        return _ipv6(text)
     return text if text and not text[0].isdigit() else _ipv4(text)
 
 

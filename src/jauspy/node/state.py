@@ -11,6 +11,7 @@ from jauspy.ids import JausID
 from jauspy.node.config import NodeConfig
 from jauspy.node.network import Network
 from jauspy.protocol.node import NodeCore
+from jauspy.protocol.ports import NetworkPort
 from jauspy.protocol.reports import place
 
 
@@ -53,10 +54,10 @@ class NodeState:
     def _component(self, id: int, path: str) -> dict[str, Any]:
         return {"id": str(JausID.from_int(id)), "path": path, "waiting": self.waiting.get(path, 0)}
 
-    def _peer(self, id: int, port: Any, heard: float | None) -> dict[str, Any]:
+    def _peer(self, id: int, port: NetworkPort, heard: float | None) -> dict[str, Any]:
         return {
             "id": str(JausID.from_int(id)),
-            "address": f"{port.host}:{port.port}",
+            "address": place(port),
             "network": port.network,
             "heard": None if heard is None else round(self.now - heard, 3),
         }

@@ -5,11 +5,10 @@ from __future__ import annotations
 import asyncio
 import errno
 import logging
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from typing import Final
 
 from jauspy.errors import TransportError
-from jauspy.protocol.address_book import Address
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.ports import TcpPort
 from jauspy.transport.stream import Dialer, StreamLink
@@ -40,17 +39,17 @@ class TcpPeers:
 
     @property
     def port(self) -> int | None:
-        """The TCP port in use."""
+        """The TCP port in use; with 0 in the configuration, that of the first address."""
         return self._server.sockets[0].getsockname()[1] if self._server and self._server.sockets else None
 
-    async def open(self, listen: Address | None, peers: Iterable[TcpPort]) -> None:
-        """Listen, and begin to connect; raises `TransportError` when the port is taken."""
-        if listen is not None:
+    async def open(self, hosts: Sequence[str], number: int, peers: Iterable[TcpPort]) -> None:
+        """Listen on these addresses, and begin to connect; raises `TransportError` when the port is taken."""
+        if hosts:
             try:
-                self._server = await asyncio.get_running_loop().create_server(self._accept, *listen)
+                self._server = await asyncio.get_running_loop().create_server(self._accept, hosts, number)
             except OSError as error:
                 what = "used by another process" if error.errno == errno.EADDRINUSE else error.strerror
-                raise TransportError(f"TCP {listen[0]}:{listen[1]} is {what}; choose another tcp_port") from error
+                raise TransportError(f"TCP {hosts[0]}:{number} is {what}; choose another tcp_port") from error
         for port in peers:
             self._dialers[port] = Dialer((port.host, port.port), self._counters, self._receive_from(port))
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import AsyncIterator, Callable, Iterable, Sequence
 from functools import partial
 from itertools import pairwise
-from typing import TYPE_CHECKING, Final, TypeAlias, overload
+from typing import TYPE_CHECKING, Any, Final, TypeAlias, overload
 
 from jauspy.codec.base import Message
 from jauspy.errors import ConfigError, DecodeError, ElementRejected, RequestError, ResponseTimeout
@@ -135,12 +135,16 @@ class Elements(Sequence[Element]):
     async def execute(self, speed: float | None = None, *, start: int = 0) -> None:
         """Carry out the list from the element at `start`; `speed` in m/s, for drivers that have one.
 
-        Raises `RequestError` when the component is not Ready, for then it ignores this.
+        Raises `RequestError` when the component is not Ready, for then it ignores this. It is sent again while no
+        element is active, as often as queries are; a list may be over at once, so none at all is no error.
         """
         (uid,) = await self._at(start)
         command = self._service.message("ExecuteList")
-        await self._service.send(command(element_uid=uid, **_speed(command, speed)))
-        await self._check_ready(command.NAME)
+        for _ in range(self._link.patience.retries + 1):
+            await self._service.send(command(element_uid=uid, **_speed(command, speed)))
+            await self._check_ready(command.NAME)
+            if (await self._report_active()).element_uid:
+                return
 
     async def set_speed(self, speed: float) -> None:
         """Go on at another speed, in m/s."""
@@ -149,8 +153,7 @@ class Elements(Sequence[Element]):
 
     async def active(self) -> int | None:
         """The index of the element that is being carried out, None when there is none."""
-        report = await self._service.query(self._service.message("QueryActiveElement")())
-        return await self._index(report.element_uid)
+        return await self._index((await self._report_active()).element_uid)
 
     async def progress(self, *, rate: float | None = None, grace: float = 2.0) -> AsyncIterator[int]:
         """The index of each element as it becomes the active one, until there is none any more.
@@ -187,6 +190,9 @@ class Elements(Sequence[Element]):
         if not -len(uids) <= index < len(uids):
             raise IndexError(f"there is no element {index}; the list has {len(uids)}")
         return [uids[index]]
+
+    async def _report_active(self) -> Any:
+        return await self._service.query(self._service.message("QueryActiveElement")())
 
     async def _index(self, uid: int) -> int | None:
         if not uid:

@@ -12,9 +12,12 @@ from jauspy.errors import EventRejected
 
 if TYPE_CHECKING:
     from jauspy.ocu.service import ServiceClient
+    from jauspy.ocu.subscription import Subscription
 
 POLL: Final = 0.2
 """Seconds between two questions to a component that does not tell by itself."""
+RECHECK: Final = 1.0
+"""Seconds without an event after which one may have been lost, perhaps the last one: then it is asked."""
 
 
 async def progress(service: ServiceClient, query: Message, rate: float | None, grace: float) -> AsyncIterator[int]:
@@ -45,6 +48,16 @@ async def _reports(service: ServiceClient, query: Message, rate: float | None) -
             await asyncio.sleep(POLL)
     try:
         while True:
-            yield await subscription.get()
+            yield await _next(service, query, subscription)
     finally:
         await subscription.__aexit__(None, None, None)
+
+
+async def _next(service: ServiceClient, query: Message, subscription: Subscription[Any]) -> Any:
+    try:
+        async with asyncio.timeout(RECHECK) as limit:
+            return await subscription.get()
+    except TimeoutError:
+        if not limit.expired():
+            raise
+        return await service.query(query)

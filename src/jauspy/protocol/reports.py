@@ -45,5 +45,6 @@ class Reports:
 
 
 def place(port: Port) -> str:
-    """A port as people read it."""
-    return ":".join(str(part) for part in port[:2])
+    """A port as people read it; the host of an IPv6 address is in brackets."""
+    host, *rest = port[:2]
+    return ":".join([f"[{host}]" if rest and ":" in host else host, *map(str, rest)])

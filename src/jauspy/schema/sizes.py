@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable, Iterator
 
 from jauspy.schema.model import (
     Array,
@@ -70,6 +71,16 @@ def _counted(count: Count, item: Sizes) -> Sizes:
 
 def _container(presence: Scalar | None, members: tuple[Node, ...]) -> Sizes:
     vector = scalar_size(presence) if presence else 0
-    found = [(member.optional, *sizes(member)) for member in members]
+    there = zip(members, can_be_there(presence, members), strict=True)
+    found = [(member.optional, *sizes(member)) for member, possible in there if possible]
     low = sum(low for optional, low, _ in found if not optional)
     return vector + low, vector + sum(high for _, _, high in found)
+
+
+def can_be_there(presence: Scalar | None, members: Iterable[Node]) -> Iterator[bool]:
+    """For each member of a container, false when it is optional and the presence vector has no bit left for it."""
+    bits = 8 * scalar_size(presence) if presence else 0
+    for member in members:
+        counts = member.optional and presence is not None
+        yield bits > 0 or not counts
+        bits -= counts

@@ -199,7 +199,8 @@ class Elements(Facade[_Elements], MutableSequence[Element]):
     def execute(self, speed: float | None = None, *, start: int = 0) -> None:
         """Carry out the list from the element at `start`; `speed` in m/s, for drivers that have one.
 
-        Raises `RequestError` when the component is not Ready, for then it ignores this.
+        Raises `RequestError` when the component is not Ready, for then it ignores this. It is sent again while no
+        element is active, as often as queries are; a list may be over at once, so none at all is no error.
         """
         self._portal.run(self._async.execute(speed, start=start))
 

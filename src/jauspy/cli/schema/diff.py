@@ -61,17 +61,11 @@ def diff(
 
 
 def _schema(what: str, beside: list[str]) -> Schema:
-    """The services of an argument; exit status 2 when there are none, for 1 means that something differs."""
-    from jauspy.cli import console
-    from jauspy.errors import JausError
+    """The services of an argument."""
+    from jauspy.cli.schema.lookup import split_version
     from jauspy.schema.own import load_own
 
-    name, _, version = what.partition("@")
-    try:
-        return (None if _is_file(what) else _builtin(name, version)) or load_own([what], beside)
-    except JausError as error:
-        console.error(str(error))
-        raise typer.Exit(2) from None
+    return (None if _is_file(what) else _builtin(*split_version(what))) or load_own([what], beside)
 
 
 def _is_file(what: str) -> bool:
@@ -80,10 +74,11 @@ def _is_file(what: str) -> bool:
     return Path(what).exists()
 
 
-def _builtin(name: str, version: str) -> Schema | None:
+def _builtin(name: str, version: str | None) -> Schema | None:
     """The built-in services of this name, URN, end of a URN, or set; None when nothing is called so."""
-    from jauspy.cli.schema.options import set_of
+    from jauspy.cli.schema.options import is_set
     from jauspy.errors import ConfigError
+    from jauspy.ids import is_called
     from jauspy.schema import load_builtin
     from jauspy.schema.model import Schema
     from jauspy.schema.services import version_key
@@ -92,8 +87,7 @@ def _builtin(name: str, version: str) -> Schema | None:
     called = [
         service
         for service in load_builtin().services
-        if wanted in (service.name.casefold(), set_of(service).casefold())
-        or f":{service.id}".casefold().endswith(f":{wanted}")
+        if wanted == service.name.casefold() or is_set(service, wanted) or is_called(service.id, wanted)
     ]
     if not called:
         return None

@@ -8,10 +8,12 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 
 from jauspy.errors import ConfigError
+from jauspy.ids import is_called
 from jauspy.schema.model import Message, Schema, Service
 from jauspy.schema.services import version_key
 from jauspy.schema.wire import same_wire
 
+_VERSIONED = re.compile(r"(.+)[@:](\d+(?:\.\d+)*)")
 _CODE = re.compile(r"(?:0[xX])?([0-9A-Fa-f]{4})[hH]?")
 
 
@@ -24,11 +26,21 @@ class Match:
     others: tuple[Service, ...] = ()
 
 
+def split_version(text: str) -> tuple[str, str | None]:
+    """Name and version of `mobility:PrimitiveDriver@1.0`, or of `urn:jaus:jss:mobility:PrimitiveDriver:1.0`."""
+    found = _VERSIONED.fullmatch(text)
+    return (found[1], found[2]) if found else (text, None)
+
+
 def find(schema: Schema, name: str, version: str | None = None) -> list[Match]:
     """Every service and message of this name, newest version of each service; `ConfigError` when there is none.
 
     Messages that are the same in several services are one match.
     """
+    name, written = split_version(name)
+    if written and version not in (None, written):
+        raise ConfigError(f"{name} is wanted in version {written} and in {version}; say one of them")
+    version = version or written
     services = [service for service in schema.services if version in (None, service.version)]
     if not services:
         known = ", ".join(sorted({service.version for service in schema.services}))
@@ -45,7 +57,7 @@ def find(schema: Schema, name: str, version: str | None = None) -> list[Match]:
 
 def _names(service: Service, name: str) -> bool:
     """True for the service's name, its URN, and the end of its URN, as in `mobility:PrimitiveDriver`."""
-    return name.casefold() == service.name.casefold() or f":{service.id}".casefold().endswith(f":{name}".casefold())
+    return name.casefold() == service.name.casefold() or is_called(service.id, name)
 
 
 def _messages(newest: dict[str, list[Service]], name: str) -> Iterator[Match]:

@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from jauspy.cli.options import Json
-from jauspy.cli.schema.options import From, definitions, set_of, set_of_urn
+from jauspy.cli.schema.options import From, definitions, is_set, set_of
+from jauspy.codec.names import set_package
+from jauspy.ids import service_set
 
 if TYPE_CHECKING:
     from jauspy.schema.model import Message, Service
@@ -17,7 +19,12 @@ if TYPE_CHECKING:
 def ls(
     *,
     set_name: Annotated[
-        str | None, typer.Option("--set", metavar="SET", help="Only this service set, such as core or mobility.")
+        str | None,
+        typer.Option(
+            "--set",
+            metavar="SET",
+            help="Only this service set, such as core; also environment_sensing, aeodrs.",
+        ),
     ] = None,
     sources: From = None,
     as_json: Json = False,
@@ -45,7 +52,7 @@ def ls(
 def _of_set(services: Sequence[Service], set_name: str | None) -> list[Service]:
     from jauspy.errors import ConfigError
 
-    found = [service for service in services if set_name is None or set_of(service).lower() == set_name.lower()]
+    found = [service for service in services if set_name is None or is_set(service, set_name)]
     if not found:
         known = ", ".join(sorted({set_of(service) for service in services}))
         raise ConfigError(f"there is no service set '{set_name}'; there is {known or 'none'}")
@@ -55,8 +62,8 @@ def _of_set(services: Sequence[Service], set_name: str | None) -> list[Service]:
 def _row(service: Service) -> tuple[str, ...]:
     parent = service.inherits_from
     inherited = f"{parent.id.rpartition(':')[2]} {parent.version}" if parent else ""
-    if parent and set_of_urn(parent.id) != set_of(service):
-        inherited = f"{set_of_urn(parent.id)} {inherited}"
+    if parent and service_set(parent.id) != set_of(service):
+        inherited = f"{service_set(parent.id)} {inherited}"
     counts = f"{len(service.inputs)} in, {len(service.outputs)} out"
     return set_of(service), service.name, service.version, inherited, counts
 
@@ -69,6 +76,7 @@ def as_object(service: Service) -> dict[str, Any]:
         "name": service.name,
         "version": service.version,
         "set": set_of(service),
+        "package": set_package(service.id),
         "jsidl": service.jsidl,
         "inherits_from": {"urn": parent.id, "version": parent.version} if parent else None,
         "inputs": [_message(message) for message in service.inputs],

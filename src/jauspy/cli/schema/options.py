@@ -6,6 +6,9 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from jauspy.codec.names import set_package
+from jauspy.ids import service_set
+
 if TYPE_CHECKING:
     from jauspy.schema.model import Schema, Service
 
@@ -25,9 +28,10 @@ def definitions(sources: list[str] | None) -> Schema:
 
 def set_of(service: Service) -> str:
     """The set of a service: `core` of `urn:jaus:jss:core:Time`."""
-    return set_of_urn(service.id)
+    return service_set(service.id)
 
 
-def set_of_urn(urn: str) -> str:
-    """The last part of a URN but one."""
-    return urn.rpartition(":")[0].rpartition(":")[2]
+def is_set(service: Service, name: str) -> bool:
+    """True for the set's name, that of its Python package, and the part of the URN before the service's name."""
+    parts = service.id.split(":")
+    return name.casefold() in {each.casefold() for each in (set_of(service), set_package(service.id), *parts[-2:-1])}

@@ -8,7 +8,7 @@ from typing import Any
 
 from jauspy.cli.render import unit_symbol
 from jauspy.schema import model as m
-from jauspy.schema.sizes import Sizes, scalar_size, sizes
+from jauspy.schema.sizes import Sizes, can_be_there, scalar_size, sizes
 from jauspy.schema.values import BITS
 
 _LARGE = 100_000
@@ -82,11 +82,15 @@ def _members(node: m.Record | m.Sequence, depth: int, place: Place) -> Iterator[
     if node.presence:
         size = scalar_size(node.presence)
         optional = sum(member.optional for member in members)
-        yield Row(depth, "presence vector", str(place), str(size), node.presence, notes=(f"{optional} optional",))
+        notes = (f"{optional} optional" if optional <= 8 * size else f"{8 * size} bits for {optional} optional",)
+        yield Row(depth, "presence vector", str(place), str(size), node.presence, notes=notes)
         place = place.behind(size)
     bit = 0
-    for member in members:
+    for member, possible in zip(members, can_be_there(node.presence, members), strict=True):
         has_bit = member.optional and node.presence is not None
+        if not possible:
+            yield Row(depth, member.name, "", "0", _type(member), notes=("never there: no presence bit is left",))
+            continue
         yield from _row(member, depth, place, bit if has_bit else None)
         place = place.after(member, optional=has_bit)
         bit += has_bit

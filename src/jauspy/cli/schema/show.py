@@ -26,7 +26,11 @@ _WIDEST_VALUES = 36
 def show(
     *,
     name: Annotated[
-        str, typer.Argument(metavar="NAME", help="A message or a service: its name, its URN, or a message id (0x4405).")
+        str,
+        typer.Argument(
+            metavar="NAME",
+            help="A message or a service: its name, its URN, or a message id (0x4405); also NAME@1.0 or URN:1.0.",
+        ),
     ],
     version: Annotated[
         str | None, typer.Option("--version", metavar="V", help="Of the service; else the newest.")
@@ -43,7 +47,7 @@ def show(
     Examples:
       jauspy schema show SetWrenchEffort
       jauspy schema show 4403h --docs
-      jauspy schema show mobility:PrimitiveDriver --version 1.1
+      jauspy schema show mobility:PrimitiveDriver@1.1
     """
     import json
 

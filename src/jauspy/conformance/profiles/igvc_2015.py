@@ -6,7 +6,6 @@ or after 1.5 s. What is sent is, byte for byte, what a judge's console of 2015 s
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from typing import Final
 
 from jauspy.codec.base import Message
@@ -146,7 +145,7 @@ def events_are(*, listed: bool) -> Action:
 # --- the services of a component: 2 ---------------------------------------------------------------------------------
 
 
-def _of(uris: Iterable[str]) -> Check:
+def _of(*uris: str) -> Check:
     def listed(report: ReportServices) -> bool:
         found = {each.uri for node in report.node_list for part in node.component_list for each in part.service_list}
         return found >= set(uris)
@@ -157,7 +156,7 @@ def _of(uris: Iterable[str]) -> Check:
 SERVICES: Final = (
     that("lists a node", lambda report: bool(report.node_list)),
     that("lists a component of each node", lambda report: all(node.component_list for node in report.node_list)),
-    _of(f"urn:jaus:jss:core:{name}" for name in ("Transport", "Events", "AccessControl", "Management", "Discovery")),
+    _of(*(f"urn:jaus:jss:core:{name}" for name in ("Transport", "Events", "AccessControl", "Management", "Discovery"))),
 )
 CONFIGURATION: Final = that(
     "lists nodes with components",

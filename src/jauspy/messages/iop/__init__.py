@@ -7,6 +7,15 @@ from typing import TYPE_CHECKING
 from jauspy.codec.lazy import exports, load
 
 if TYPE_CHECKING:
+    from jauspy.messages.exp.v1_0.types import (
+        SeverityRec as SeverityRec,
+        UGVSeverityRec as UGVSeverityRec,
+    )
+    from jauspy.messages.exp.v1_4.health_monitor import (
+        QueryUGVSummary as QueryUGVSummary,
+        ReportUGVSummary as ReportUGVSummary,
+        UpdateUGVSummary as UpdateUGVSummary,
+    )
     from jauspy.messages.iop.v1_0.types import (
         CostAndConfidenceDataRec as CostAndConfidenceDataRec,
         CostDataRec as CostDataRec,
@@ -102,6 +111,8 @@ if TYPE_CHECKING:
     )
 
 _MODULES = exports({
+    "jauspy.messages.exp.v1_0.types": "SeverityRec UGVSeverityRec",
+    "jauspy.messages.exp.v1_4.health_monitor": "QueryUGVSummary ReportUGVSummary UpdateUGVSummary",
     "jauspy.messages.iop.v1_0.types": "CostAndConfidenceDataRec CostDataRec CostMap2DGlobalPoseRec CostMap2DLocalPoseRec CostMap2DRec DeviceRec DigitalResourceEndpointRec GlobalPoseRec GlobalVertexRec LocalVertexRec PathReporterCapabilitiesRec QueryCostMap2DRec ReadingRec ReleaseControlRec RunLengthEncodedDataRec TimestampRec ValueRec",
     "jauspy.messages.iop.v1_1.cbrn_sensor": "CBDetailedMeasurement CBRN4 CBRNCommand CBRNConfigurationCommand CBRNConfigurationState CBRNDetection CBRNDisplayConfigurationCommand CBRNOperatingState CBRNScanWindowConfigurationCommand CBRNScanWindowOperatingState QueryCBDetailedMeasurement QueryCBRN4 QueryCBRNConfiguration QueryCBRNDetection QueryCBRNOperatingState QueryCBRNScanWindowOperatingState QueryRNDetailedMeasurement RNDetailedMeasurement",
     "jauspy.messages.iop.v1_1.cost_map2d": "AddNoGoZone AddNoGoZoneResponse QueryCostMap2D QueryNoGoZones RemoveNoGoZone ReportCostMap2D ReportNoGoZones",

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from jauspy.errors import SchemaError
 from jauspy.schema.behavior import read_behavior
-from jauspy.schema.lint import behavior, fields, messages, references
+from jauspy.schema.lint import behavior, fields, messages, references, shadows
 from jauspy.schema.lint.finding import Problem, Rule
 from jauspy.schema.lint.references import placed
 from jauspy.schema.lint.world import World
@@ -47,6 +47,9 @@ RULES: tuple[Rule, ...] = (
     Rule("duplicate-index", "error", "two alternatives with one index", fields.duplicate_index),
     Rule("dead-trigger", "error", "a transition that no input can fire", behavior.dead_trigger),
     Rule("output-trigger", "warning", "a transition on a message that is only sent", behavior.output_trigger),
+    Rule(
+        "shadowed-transition", "warning", "a transition that another one always precedes", shadows.shadowed_transition
+    ),
     Rule("unknown-send", "error", "a Send of a message that is no output", behavior.unknown_send),
     Rule("unknown-state", "error", "a start, initial or end state that does not exist", behavior.unknown_state),
     Rule("unreachable-state", "warning", "a state that nothing leads to", behavior.unreachable_state),

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Set as AbstractSet
 from dataclasses import dataclass
-from typing import Final, NamedTuple
+from itertools import product
+from typing import Final, NamedTuple, TypeAlias
 
 from jauspy.ids import ANY_COMPONENT, ANY_NODE, ANY_SUBSYSTEM, JausID
 
@@ -13,6 +14,12 @@ MAX_COMPONENTS: Final = 256
 """Other components that may be registered at once."""
 MAX_SERVICES: Final = 64
 """Services of one component that are kept; the wire allows 255, which no component comes near."""
+
+
+Where: TypeAlias = tuple[int, int, int]
+"""Subsystem, node and component; each may be a wildcard."""
+Filters: TypeAlias = AbstractSet[str]
+"""Parts of URIs."""
 
 
 class Offer(NamedTuple):
@@ -58,16 +65,31 @@ class Directory:
         """Forget those whose time is over."""
         self._entries = {id: entry for id, entry in self._entries.items() if entry.until > now}
 
-    def matching(self, subsystem: int, node: int, component: int) -> Iterator[tuple[JausID, tuple[Offer, ...]]]:
-        """The components that an id addresses, wildcards understood; those known for the longest time come first."""
-        wanted = JausID(subsystem, node, component)
+    def forget(self, id: JausID) -> None:
+        """Take a component off; fine when it is not there."""
+        self._entries.pop(id, None)
+
+    def matching(self, wanted: Mapping[Where, Filters]) -> dict[JausID, tuple[Offer, ...]]:
+        """What the components addressed offer, wildcards understood; those known for the longest time come first.
+
+        A service is offered when one of the filters for its component is part of its URI; the empty one always is.
+        However much is asked for, each component is looked up eight times.
+        """
+        found: dict[JausID, tuple[Offer, ...]] = {}
         for id, entry in self._entries.items():
-            if wanted.matches(id):
-                yield id, entry.offers
+            filters = set().union(*(wanted.get(where, ()) for where in _addresses(id)))
+            if filters:
+                found[id] = tuple(offer for offer in entry.offers if any(each in offer.uri for each in filters))
+        return found
 
     def all(self) -> Mapping[JausID, tuple[Offer, ...]]:
         """Everything, in order of the ids."""
-        return dict(sorted(self.matching(ANY_SUBSYSTEM, ANY_NODE, ANY_COMPONENT)))
+        return {id: entry.offers for id, entry in sorted(self._entries.items())}
+
+
+def _addresses(id: JausID) -> Iterator[Where]:
+    """Everything that addresses a component, from its own id to all wildcards."""
+    return product((id.subsystem, ANY_SUBSYSTEM), (id.node, ANY_NODE), (id.component, ANY_COMPONENT))
 
 
 def within(offers: Iterable[Offer], size: int) -> tuple[Offer, ...]:

@@ -25,7 +25,7 @@ from jauspy.messages.core import (
     ServiceRec,
     SubsystemRec,
 )
-from jauspy.services.core.directory import Directory, Offer, within
+from jauspy.services.core.directory import Directory, Filters, Offer, Where, within
 from jauspy.services.service import Service
 
 if TYPE_CHECKING:
@@ -41,6 +41,9 @@ MAX_REGISTRATION: Final = 2048
 """Bytes of services that one component may register."""
 MAX_REPORT: Final = 4000
 """Bytes of services in one report: it fits one packet (4079), also inside an Event, so that every client takes it."""
+MAX_FILTERS: Final = 64
+"""Search filters of one query that are looked at."""
+_ALL: Final = frozenset({""})
 _RECORDS: Final = 8
 """Bytes around the services of a component: the records of subsystem, node and component with their counts."""
 
@@ -94,17 +97,25 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
         self.directory.register(self.host.id, own_offers(self.host))
 
     def publish_services(self, msg: RegisterServices, source: JausID) -> None:
-        """Take up another component of this subsystem."""
+        """Take up another component of this subsystem; one that registers no services goes off the list."""
         if source.subsystem != self.host.id.subsystem or source == self.host.id:
             self.host.count("foreign_registration", str(source))
             return
         self._heard(source)
+        if not msg.service_list:
+            self.directory.forget(source)
+            return
         offers = [Offer(each.uri, each.major_version_number, each.minor_version_number) for each in msg.service_list]
         kept = within(offers, MAX_REGISTRATION)
         if len(kept) < len(offers):
             self.host.count("registration_cut", f"{source} with {len(offers)} services")
         if not self.directory.register(source, kept, self.host.now + LIFETIME):
             self.host.count("registration_dropped", str(source))
+
+    def client_lost(self, client: JausID) -> None:
+        """It is not there any more, unless it is this very component."""
+        if client != self.host.id:
+            self.directory.forget(client)
 
     def _heard(self, source: JausID) -> None:
         self.directory.renew(source, self.host.now + LIFETIME)
@@ -149,26 +160,18 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
     def report_services(self, query: QueryServices, source: JausID) -> ReportServices:
         """The services of every component asked for that is known; wildcards (255) are understood."""
         self._heard(source)
-        found: dict[JausID, tuple[Offer, ...]] = {}
-        for node in query.node_list:
-            for component in node.component_list:
-                found |= self.directory.matching(self.host.id.subsystem, node.node_rec.node_id, component.component_id)
-        return ReportServices(node_list=_nodes(ReportServices, self._fitting(found)))
+        wanted = {
+            (self.host.id.subsystem, node.node_rec.node_id, component.component_id): _ALL
+            for node in query.node_list
+            for component in node.component_list
+        }
+        return ReportServices(node_list=_nodes(ReportServices, self._fitting(self.directory.matching(wanted))))
 
     def report_service_list(self, query: QueryServiceList, source: JausID) -> ReportServiceList:
         """As `report_services`, over subsystems; a search filter keeps the services whose URI contains it."""
         self._heard(source)
-        found: dict[JausID, tuple[Offer, ...]] = {}
-        for subsystem in query.subsystem_list:
-            for node in subsystem.node_list:
-                for component in node.component_list:
-                    matching = self.directory.matching(
-                        subsystem.subsystem_rec.subsystem_id, node.node_rec.node_id, component.component_id
-                    )
-                    for each, offers in matching:
-                        wanted = _filtered(offers, component.search_filter)
-                        found[each] = tuple(dict.fromkeys(found.get(each, ()) + wanted))
-        found = self._fitting({each: offers for each, offers in found.items() if offers})
+        matching = self.directory.matching(self._wanted(query))
+        found = self._fitting({each: offers for each, offers in matching.items() if offers})
         subsystems = groupby(sorted(found), key=attrgetter("subsystem"))
         return ReportServiceList(
             subsystem_list=[
@@ -179,6 +182,23 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
                 for number, ids in subsystems
             ]
         )
+
+    def _wanted(self, query: QueryServiceList) -> dict[Where, Filters]:
+        wanted: dict[Where, set[str]] = {}
+        filters = 0
+        for subsystem in query.subsystem_list:
+            for node in subsystem.node_list:
+                for each in node.component_list:
+                    where = (subsystem.subsystem_rec.subsystem_id, node.node_rec.node_id, each.component_id)
+                    known = wanted.setdefault(where, set())
+                    if each.search_filter and each.search_filter not in known:
+                        filters += 1
+                        if filters > MAX_FILTERS:
+                            continue
+                    known.add(each.search_filter or "")
+        if filters > MAX_FILTERS:
+            self.host.count("query_cut", f"{filters} search filters")
+        return {where: known for where, known in wanted.items() if known}
 
     def _fitting(self, found: Mapping[JausID, tuple[Offer, ...]]) -> dict[JausID, tuple[Offer, ...]]:
         """What fits `MAX_REPORT`: this component as far as possible, others with all of their services or not."""
@@ -209,10 +229,6 @@ def own_offers(host: Host) -> list[Offer]:
 
 def _service(offer: Offer) -> ServiceRec:
     return ServiceRec(uri=offer.uri, major_version_number=offer.major, minor_version_number=offer.minor)
-
-
-def _filtered(offers: tuple[Offer, ...], wanted: str | None) -> tuple[Offer, ...]:
-    return offers if not wanted else tuple(offer for offer in offers if wanted in offer.uri)
 
 
 def _nodes(report: Any, found: Mapping[JausID, Iterable[Offer]]) -> list[Any]:

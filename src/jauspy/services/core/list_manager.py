@@ -18,6 +18,7 @@ from jauspy.messages.core import (
     ReportElementList,
     SetElement,
 )
+from jauspy.services.completion import Completion
 from jauspy.services.core.element_list import Code, ElementList
 from jauspy.services.service import Service
 
@@ -49,6 +50,7 @@ class ListManager(Service, urn="urn:jaus:jss:core:ListManager"):
 
     Without any driver the list takes every message that the component takes. `active` is the element that is being
     carried out, 0 for none. Deleting it, losing control and `stop` end the execution; replacing it begins it anew.
+    The command that started the list has been carried out when the last element is done.
     """
 
     def __init__(self, *, max_elements: int = MAX_ELEMENTS, max_bytes: int = MAX_BYTES) -> None:
@@ -56,6 +58,7 @@ class ListManager(Service, urn="urn:jaus:jss:core:ListManager"):
         self._max_bytes = max_bytes
         self._drivers: list[ListDriver] = []
         self._elements: dict[int, Element] = {}
+        self._command = Completion()
         self.list = ElementList()
         self.active = 0
 
@@ -74,6 +77,8 @@ class ListManager(Service, urn="urn:jaus:jss:core:ListManager"):
         """Start with this element, or with the first one for 0; fine when there is none."""
         uid = uid or next(iter(self.list.order), 0)
         if uid in self._elements:
+            self._command(False)
+            self._command = self.host.begin_command()
             self._begin(uid)
 
     def done(self) -> None:
@@ -85,11 +90,15 @@ class ListManager(Service, urn="urn:jaus:jss:core:ListManager"):
 
     def stop(self) -> None:
         """Carry out nothing any more; the list stays. Twice is fine."""
+        self._end(success=False)
+
+    def _end(self, *, success: bool) -> None:
         self.host.cancel_timer(_TIMER)
         driver = self._driver(self.active)
         self.active = 0
         if driver is not None:
             driver.end_elements()
+        self._command(success)
 
     def control_lost(self) -> None:
         """What one client started must not go on under another."""
@@ -100,7 +109,7 @@ class ListManager(Service, urn="urn:jaus:jss:core:ListManager"):
         if following:
             self._begin(following)
         else:
-            self.stop()
+            self._end(success=True)
 
     def _begin(self, uid: int) -> None:
         self.host.cancel_timer(_TIMER)

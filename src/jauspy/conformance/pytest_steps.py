@@ -1,0 +1,84 @@
+"""The steps of a profile as tests of pytest."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
+
+from jauspy.conformance.bench import Bench
+from jauspy.conformance.offers import Offers
+from jauspy.conformance.profile import Profile, Step, find
+from jauspy.conformance.results import Result, Verdict
+from jauspy.conformance.runner import Settings, run_step
+from jauspy.conformance.tester import Tester
+from jauspy.conformance.wire import Wire
+from jauspy.errors import ConfigError
+from jauspy.ids import JausID
+from jauspy.messages import registry
+
+if TYPE_CHECKING:
+    import pytest
+
+
+def offers_of(bench: Bench) -> Offers:
+    """What the components of a bench offer, without asking them."""
+    return Offers(
+        {id: frozenset(each.key for each in part.host.definitions.values()) for id, part in bench.parts.items()}
+    )
+
+
+def pytest_steps(
+    profile: str | Profile,
+    wire: Callable[[], Wire],
+    target: str,
+    *,
+    offers: Offers | None = None,
+    settings: Settings | None = None,
+) -> pytest.MarkDecorator:
+    """Parametrises a test with `step`, one for each step of a profile: call it, and it passes, fails or skips.
+
+    `wire` makes the way to the target; one is made when the first step is called, and all run in order on it.
+    Profiles whose steps depend on the target need `offers`: its services, by component.
+    Raises `ConfigError` for an unknown profile, and when `offers` has nothing for it.
+    """
+    import pytest  # noqa: PLC0415 - jauspy does not need it otherwise
+
+    chosen = find(profile) if isinstance(profile, str) else profile
+    if chosen.asks_for_services and offers is None:
+        raise ConfigError(f"the steps of {chosen.name} depend on what the target offers; say it with offers=")
+    session = _Session(wire, JausID.parse(target), settings or Settings(), chosen.plan(offers or Offers({})))
+    tests = [pytest.param(session.test_of(number), id=step.id) for number, step in enumerate(session.steps)]
+    return pytest.mark.parametrize("step", tests)
+
+
+class _Session:
+    """One target for all steps. Those before a step are run first, in whatever order pytest calls them."""
+
+    def __init__(self, wire: Callable[[], Wire], target: JausID, settings: Settings, steps: Sequence[Step]) -> None:
+        self.steps = steps
+        self._wire = wire
+        self._target = target
+        self._settings = settings
+        self._tester: Tester | None = None
+        self._results: list[Result] = []
+
+    def test_of(self, number: int) -> Callable[[], None]:
+        """What the test calls."""
+
+        def test() -> None:
+            import pytest  # noqa: PLC0415 - jauspy does not need it otherwise
+
+            result = self._result(number)
+            if result.verdict is Verdict.SKIPPED:
+                pytest.skip(result.reason)
+            if result.verdict is not Verdict.PASS:
+                pytest.fail(f"{result.verdict}: {result.reason}\nfrom {result.why}", pytrace=False)
+
+        return test
+
+    def _result(self, number: int) -> Result:
+        if self._tester is None:
+            self._tester = Tester(self._wire(), self._target, registry=registry, timeout=self._settings.timeout)
+        for step in self.steps[len(self._results) : number + 1]:
+            self._results.append(run_step(step, self._tester, self._settings))
+        return self._results[number]

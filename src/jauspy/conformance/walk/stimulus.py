@@ -1,0 +1,64 @@
+"""An input for a component: who sends what, and what the tester knows about the predicates that will judge it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Final, TypeAlias
+
+from jauspy.codec.base import Message
+from jauspy.conformance.checks import Check
+from jauspy.conformance.walk.machine import Judge, Situation, Truth
+from jauspy.conformance.walk.walker import Walker
+from jauspy.schema import guards
+
+Make: TypeAlias = Callable[[Walker], Message]
+Prepare: TypeAlias = Callable[[Walker, str], None]
+"""Takes the role of the sender, too."""
+
+SENDER: Final = frozenset({"isControllingClient"})
+SETTER: Final = frozenset({"isIDStored"})
+"""Predicates about who sends."""
+
+
+def nothing(walker: Walker, role: str) -> None:
+    """The usual preparation."""
+
+
+@dataclass(frozen=True, slots=True)
+class Stimulus:
+    """One kind of input. `message` is its name in the JSIDL, `make` None for an event that comes by itself."""
+
+    message: str
+    make: Make | None
+    variant: str = ""
+    truths: Mapping[str, Truth] = field(default_factory=dict)
+    """What is known of predicates, by name."""
+    before: Prepare = nothing
+    after: Prepare = nothing
+    checks: Mapping[str, tuple[Check, ...]] = field(default_factory=dict)
+    """What to look at in outputs, by message name."""
+    verify: Callable[[Walker, bool], None] | None = None
+    """Looks at the effect; hears whether the input was taken."""
+    by_controller: bool = False
+    """Can only be prepared by the client in control."""
+    seconds: Callable[[Walker], float] | None = None
+    """How long to wait for an event that comes by itself."""
+
+    def judge(self, role: str) -> Judge:
+        """Decides predicates for this input from this sender."""
+
+        def decide(call: guards.Call, situation: Situation) -> Truth:
+            name = call.name.rpartition(".")[2]
+            if name in SENDER:
+                return situation.controller == role
+            if name in SETTER:
+                return role in situation.emergencies
+            return self.truths.get(name)
+
+        return decide
+
+
+def cases(message: str, *variants: Stimulus) -> tuple[str, tuple[Stimulus, ...]]:
+    """A row of a table."""
+    return message, variants

@@ -1,0 +1,168 @@
+"""One step made from JSIDL: a situation, an input, and whether what follows is one of the right outcomes."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass
+
+from jauspy.codec.base import Message
+from jauspy.codec.registry import Registry
+from jauspy.conformance.checks import Check, has
+from jauspy.conformance.outcome import Failed
+from jauspy.conformance.tester import EVENTS, Tester
+from jauspy.conformance.trace import Heard, named
+from jauspy.conformance.walk.machine import Machine, Output, Prediction, Situation
+from jauspy.conformance.walk.stimulus import Stimulus
+from jauspy.conformance.walk.walker import CLIENTS, Walker
+from jauspy.errors import DecodeError
+from jauspy.ids import JausID
+from jauspy.schema import model
+
+
+@dataclass(frozen=True)
+class Subject:
+    """The component under test, as its definitions say it is."""
+
+    component: JausID
+    definitions: tuple[model.Service, ...]
+    machine: Machine
+    registry: Registry
+
+    def walker(self, tester: Tester) -> Walker:
+        """The one walker of this component in this run."""
+        known: dict[JausID, Walker] = tester.memory.setdefault("walkers", {})
+        if self.component not in known:
+            services = frozenset(each.id for each in self.definitions)
+            known[self.component] = Walker(tester, self.component, services, self.machine.start)
+        return known[self.component]
+
+    def kind(self, name: str) -> type[Message]:
+        """The class of an output, of the version that the component runs."""
+        for definition in self.definitions:
+            for message in (*definition.outputs, *definition.inputs):
+                if message.name == name:
+                    for kind in self.registry.by_code(message.code):
+                        if definition.key == (kind.SERVICE, kind.VERSION):
+                            return kind
+        return self.registry.by_name(name)
+
+
+@dataclass(frozen=True)
+class Trial:
+    """Callable as the action of a step."""
+
+    subject: Subject
+    situation: Situation
+    path: tuple[tuple[str, str], ...]
+    stimulus: Stimulus
+    role: str
+
+    @property
+    def predictions(self) -> tuple[Prediction, ...]:
+        """All right outcomes."""
+        judge = self.stimulus.judge(self.role)
+        return self.subject.machine.predict(self.situation, self.stimulus.message, self.role, judge)
+
+    def __call__(self, tester: Tester) -> None:
+        """Bring the component there, send, and look."""
+        walker = self.subject.walker(tester)
+        walker.reach(self.situation, self.path)
+        self.stimulus.before(walker, self.role)
+        seconds = self.stimulus.seconds(walker) if self.stimulus.seconds else 0.0
+        made = self.stimulus.make(walker) if self.stimulus.make else None
+        walker.quiet()
+        nothing = f"{self.situation}: nothing takes {self.stimulus.message}"
+        tester.why += [each.rule or nothing for each in self.predictions]
+        if made is not None:
+            walker.client(self.role).send(made, to=self.subject.component)
+        try:
+            walker.where = self._look(walker, seconds)
+        finally:
+            self.stimulus.after(walker, self.role)
+
+    def _look(self, walker: Walker, seconds: float) -> Situation | None:
+        """Where the component is afterwards, when that is known."""
+        predictions = self.predictions
+        if len(predictions) == 1:
+            self._expect(walker, predictions[0], seconds)
+            fitting = list(predictions)
+        else:
+            walker.look()
+            fitting = self._compare(walker)
+        self._end(walker, fitting, seconds)
+        return fitting[0].after if len(fitting) == 1 else None
+
+    def _expect(self, walker: Walker, prediction: Prediction, seconds: float) -> None:
+        """The outputs that were declared, and no others."""
+        if not prediction.outputs and seconds:
+            walker.tester.wait(seconds * 1.05)
+        within = 1.0 + seconds / walker.tester.timeout
+        for output in prediction.outputs:
+            kind = self.subject.kind(output.message)
+            walker.client(output.to).expect(kind, self._checks(kind, output), within=within)
+        walker.look()
+        extra = [name for role in CLIENTS for name in walker.client(role).unasked()]
+        rule = "nothing else comes" if prediction.outputs else "there is no answer"
+        walker.tester.expected.append(rule)
+        walker.tester.check(rule, f"{', '.join(extra)} came, which is not declared here" if extra else "")
+
+    def _checks(self, kind: type[Message], output: Output) -> list[Check]:
+        checks = list(self.stimulus.checks.get(output.message, ()))
+        codes = getattr(kind, "ResponseCode", None)
+        if output.code and codes is not None and output.code in codes.__members__:
+            checks += has(response_code=codes[output.code])
+        return checks
+
+    def _compare(self, walker: Walker) -> list[Prediction]:
+        """The outcomes that fit what came, when the tester cannot know which one is right."""
+        tester = walker.tester
+        came = Counter((role, heard.code) for role in CLIENTS for heard in self._heard(walker, role))
+        fitting = [each for each in self.predictions if self._wanted(each) == came]
+        alternatives = " or ".join(
+            dict.fromkeys(", ".join(out.message for out in each.outputs) or "no answer" for each in self.predictions)
+        )
+        tester.expected.append(alternatives)
+        names = [walker.client(role).name_of(heard) for role in CLIENTS for heard in self._heard(walker, role)]
+        problem = "" if fitting else f"{', '.join(names) or 'nothing'} came, and not {alternatives}"
+        tester.check(f"what comes is {alternatives}", problem)
+        for role in CLIENTS:
+            for heard in self._heard(walker, role):
+                self._readable(walker, heard)
+        return fitting
+
+    def _wanted(self, prediction: Prediction) -> Counter[tuple[str, int]]:
+        return Counter((output.to, self.subject.kind(output.message).CODE) for output in prediction.outputs)
+
+    def _readable(self, walker: Walker, heard: Heard) -> None:
+        kind = next(
+            self.subject.kind(output.message)
+            for each in self.predictions
+            for output in each.outputs
+            if heard.code == self.subject.kind(output.message).CODE
+        )
+        try:
+            message = kind.decode(heard.payload)
+        except DecodeError as error:
+            walker.tester.look(f"{named(kind)} is as its definition says", str(error))
+            raise Failed(f"{named(kind)} from {heard.source} is malformed: {error}") from error
+        for check in self.stimulus.checks.get(kind.NAME, ()):
+            walker.tester.check(f"{named(kind)} {check.name}", check.problem(message))
+
+    def _heard(self, walker: Walker, role: str) -> list[Heard]:
+        return [
+            each
+            for each in walker.client(role).pending
+            if each.source == self.subject.component and each.code not in EVENTS
+        ]
+
+    def _end(self, walker: Walker, fitting: list[Prediction], seconds: float) -> None:
+        """The state afterwards; and the effect, where it can be seen."""
+        after = [each.after for each in fitting]
+        seen = walker.settle(after[0])
+        name = "the state is " + " or ".join(dict.fromkeys(map(str, after)))
+        walker.tester.expected.append(name)
+        right = any(walker.agrees(seen, each) for each in after)
+        walker.tester.check(name, "" if right else f"afterwards the component reports {seen}; {name} was expected")
+        still_there = self.situation.controller and after[0].controller == self.situation.controller
+        if self.stimulus.verify is not None and still_there and not seconds:
+            self.stimulus.verify(walker, fitting[0].acts)

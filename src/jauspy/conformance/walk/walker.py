@@ -1,0 +1,224 @@
+"""Leads a component from state to state, and looks at where it is."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Final
+
+from jauspy.codec.base import Message
+from jauspy.conformance.outcome import Failed, Outcome, Skipped
+from jauspy.conformance.tester import Client, Tester
+from jauspy.conformance.walk.machine import Situation
+from jauspy.ids import JausID
+from jauspy.messages.core import (
+    AllEventsRec,
+    ClearEmergency,
+    ConfirmControl,
+    QueryAuthority,
+    QueryControl,
+    QueryEvents,
+    QueryStatus,
+    QueryTimeout,
+    ReleaseControl,
+    ReportAuthority,
+    ReportControl,
+    ReportEvents,
+    ReportStatus,
+    ReportTimeout,
+    RequestControl,
+    Reset,
+    Resume,
+    SetEmergency,
+    Shutdown,
+    Standby,
+)
+
+PILOT, RIVAL, MEDIC, OBSERVER = "pilot", "rival", "medic", "observer"
+CLIENTS: Final[Mapping[str, str]] = {PILOT: "42.2.1", RIVAL: "42.2.2", MEDIC: "42.2.4", OBSERVER: "42.2.9"}
+"""Who controls, who does not, who sets emergencies, and who only looks."""
+
+STOP: Final = SetEmergency.EmergencyCode.STOP
+AUTHORITY: Final = 200
+"""Of the pilot, when the default authority of the component is less."""
+STATUS: Final[Mapping[str, ReportStatus.Status]] = {
+    "Init": ReportStatus.Status.INITIALIZE,
+    "Ready": ReportStatus.Status.READY,
+    "Standby": ReportStatus.Status.STANDBY,
+    "Shutdown": ReportStatus.Status.SHUTDOWN,
+    "Failure": ReportStatus.Status.FAILURE,
+    "Emergency": ReportStatus.Status.EMERGENCY,
+}
+"""What Management reports in a state, by the state's name (AS5710)."""
+MANAGEMENT, ACCESS_CONTROL = "urn:jaus:jss:core:Management", "urn:jaus:jss:core:AccessControl"
+
+STEERING: Final[tuple[tuple[str, str], ...]] = (
+    ("RequestControl", PILOT),
+    ("Resume", PILOT),
+    ("Standby", PILOT),
+    ("SetEmergency", MEDIC),
+    ("ClearEmergency", MEDIC),
+    ("ReleaseControl", PILOT),
+    ("Reset", PILOT),
+    ("Shutdown", PILOT),
+)
+"""The inputs that lead from state to state."""
+
+
+@dataclass(frozen=True, slots=True)
+class Seen:
+    """What the component says of itself; None where it has no service that tells."""
+
+    status: ReportStatus.Status | int | None
+    controller: JausID | None
+
+    def __str__(self) -> str:
+        name = getattr(self.status, "name", self.status)
+        return f"status {name}, " + (f"controlled by {self.controller}" if self.controller else "not controlled")
+
+
+class Walker:
+    """One component of the target, with the tester's clients in their roles."""
+
+    def __init__(self, tester: Tester, component: JausID, services: frozenset[str], start: Situation) -> None:
+        self.tester = tester
+        self.component = component
+        self.start = start
+        self._services = services
+        self._measured = False
+        self.where: Situation | None = None
+        """Where the last step has left it."""
+        self.default_authority = 0
+        self.timeout = 0
+        """Seconds after which control ends; 0: never."""
+
+    @property
+    def authority(self) -> int:
+        """Of the pilot."""
+        return min(254, max(AUTHORITY, self.default_authority + 2))
+
+    def client(self, role: str) -> Client:
+        """The client in this role."""
+        return self.tester.client(CLIENTS[role])
+
+    def reach(self, goal: Situation, path: tuple[tuple[str, str], ...]) -> None:
+        """Be in this situation, by steering along `path` from the start; the step is skipped when that fails."""
+        try:
+            self._measure()
+            where, self.where = self.where, None
+            seen = self.look()
+            if where != goal or not self.agrees(seen, goal):
+                seen = self._travel(path)
+            if goal.controller == PILOT and "Emergency" not in goal.state:
+                self.steer("RequestControl", PILOT)
+        except Outcome as outcome:
+            raise Skipped(f"the component cannot be brought to {goal}: {outcome}") from outcome
+        if not self.agrees(seen, goal):
+            raise Skipped(f"the component cannot be brought to {goal}: it reports {seen}")
+        self.quiet()
+
+    def _travel(self, path: tuple[tuple[str, str], ...]) -> Seen:
+        seen = self._go_home()
+        if self.agrees(seen, self.start):
+            for message, role in path:
+                self.steer(message, role)
+            return self.look()
+        return seen  # some states are never left, and may be the goal
+
+    def steer(self, message: str, role: str) -> None:
+        """One input on the way."""
+        made = self.steering(message)
+        client = self.client(role)
+        if isinstance(made, RequestControl):
+            client.ask(made, ConfirmControl, to=self.component)
+        else:
+            client.send(made, to=self.component)
+
+    def steering(self, message: str) -> Message:
+        """The message for `STEERING`."""
+        made: Mapping[str, Message] = {
+            "RequestControl": RequestControl(self.authority),
+            "Resume": Resume(),
+            "Standby": Standby(),
+            "SetEmergency": SetEmergency(STOP),
+            "ClearEmergency": ClearEmergency(STOP),
+            "ReleaseControl": ReleaseControl(),
+            "Reset": Reset(),
+            "Shutdown": Shutdown(),
+        }
+        return made[message]
+
+    def look(self) -> Seen:
+        """Ask the component where it is; what it was told before, it has heard when it answers."""
+        tester = self.tester
+        notes = list(tester.why), list(tester.expected), list(tester.looked)
+        seen = self._ask()
+        tester.why, tester.expected, tester.looked = notes
+        return seen
+
+    def _ask(self) -> Seen:
+        observer = self.client(OBSERVER)
+        status: ReportStatus.Status | int | None = None
+        controller: JausID | None = None
+        if MANAGEMENT in self._services:
+            status = observer.ask(QueryStatus(), ReportStatus, to=self.component).status
+        if ACCESS_CONTROL in self._services:
+            report = observer.ask(QueryControl(), ReportControl, to=self.component)
+            id = JausID(report.subsystem_id, report.node_id, report.component_id)
+            controller = id if int(id) else None
+        if not self._services & {MANAGEMENT, ACCESS_CONTROL}:
+            observer.ask(QueryEvents(AllEventsRec(0)), ReportEvents, to=self.component)
+        return Seen(status, controller)
+
+    def agrees(self, seen: Seen, situation: Situation) -> bool:
+        """True when what the component says fits a situation; initialization may be over at once."""
+        wanted = status_of(situation)
+        client = JausID.parse(CLIENTS[situation.controller]) if situation.controller else None
+        fits = seen.status in (wanted, STATUS["Standby"]) if wanted == STATUS["Init"] else seen.status == wanted
+        return (MANAGEMENT not in self._services or wanted is None or fits) and (
+            ACCESS_CONTROL not in self._services or seen.controller == client
+        )
+
+    def settle(self, situation: Situation) -> Seen:
+        """As `look`, and wait while the component initializes."""
+        end = self.tester.now + self.tester.timeout
+        seen = self.look()
+        while seen.status == STATUS["Init"] and "Init" in situation.state and self.tester.now < end:
+            self.tester.wait(0.05 * self.tester.timeout)
+            seen = self.look()
+        return seen
+
+    def quiet(self) -> None:
+        """What has come so far belongs to the way here."""
+        for role in CLIENTS:
+            self.client(role).pending.clear()
+        self.tester.why.clear()
+        self.tester.looked.clear()
+        self.tester.expected.clear()
+
+    def _go_home(self) -> Seen:
+        """Undo everything that the tester may have done."""
+        if MANAGEMENT in self._services:
+            for role in CLIENTS:
+                self.client(role).send(ClearEmergency(STOP), to=self.component)
+        if ACCESS_CONTROL in self._services:
+            for role in CLIENTS:
+                self.client(role).send(ReleaseControl(), to=self.component)
+        return self.settle(self.start)
+
+    def _measure(self) -> None:
+        """Once, before anybody is in control: what only the component knows."""
+        if self._measured or ACCESS_CONTROL not in self._services:
+            return
+        seen = self._go_home()
+        if not self.agrees(seen, self.start):
+            raise Failed(f"it reports {seen}, and is not at its start {self.start}")
+        observer = self.client(OBSERVER)
+        self.default_authority = observer.ask(QueryAuthority(), ReportAuthority, to=self.component).authority_code
+        self.timeout = int(observer.ask(QueryTimeout(), ReportTimeout, to=self.component).timeout)
+        self._measured = True
+
+
+def status_of(situation: Situation) -> ReportStatus.Status | None:
+    """What Management reports: the innermost state that it names, below `Receiving.Ready`, which everything has."""
+    return next((STATUS[name] for name in reversed(situation.state[2:]) if name in STATUS), None)

@@ -1,0 +1,53 @@
+"""A robot that makes itself known to a console."""
+
+from __future__ import annotations
+
+from datetime import UTC, datetime
+
+import pytest
+
+from jauspy.errors import ConfigError
+from jauspy.ids import JausID
+from jauspy.messages.core import QueryIdentification, ReportIdentification
+from jauspy.modules import robots
+from jauspy.modules.announcement import PERIOD, Announcement
+from jauspy.protocol.header import Packet
+from jauspy.services.core import Discovery
+from jauspy.services.host import Host
+
+ME, CONSOLE, OTHER = JausID(105, 1, 1), JausID(42, 1, 1), JausID(42, 1, 2)
+ANSWER = ReportIdentification(2, 10001, "console").encode()
+
+
+@pytest.fixture
+def host():
+    return Host(ME, [Discovery()], utc_now=lambda: datetime(2026, 1, 1, tzinfo=UTC))
+
+
+def asked(host, seconds):
+    """When the console was asked, within a time."""
+    times, end = [], host.now + seconds
+    while (due := host.next_timeout()) is not None and due <= end:
+        host.handle_timeout(due)
+        times += [due for each in host.poll_output(due) if each.destination == CONSOLE]
+    return times
+
+
+def test_it_asks_until_it_is_answered(host):
+    announcement = Announcement(host, CONSOLE)
+    (first,) = host.poll_output(0.0)
+    assert (first.destination, first.message.CODE) == (CONSOLE, QueryIdentification.CODE)
+    assert asked(host, 3 * PERIOD) == [PERIOD, 2 * PERIOD, 3 * PERIOD]
+    assert not announcement.intercept(Packet(OTHER, ME, ANSWER))
+    assert not announcement.intercept(Packet(CONSOLE, ME, QueryIdentification(2).encode()))
+    assert asked(host, PERIOD) == [4 * PERIOD]
+    assert announcement.intercept(Packet(CONSOLE, ME, ANSWER))
+    assert asked(host, 10 * PERIOD) == []
+
+
+@pytest.mark.parametrize(("id", "problem"), [("42", "is not a JAUS id"), ("42.1.255", "stands for many")])
+def test_a_console_is_one_component(tmp_path, id, problem):
+    path = tmp_path / "mine.toml"
+    path.write_text(f'extends = "igvc"\n[[modules]]\ntype = "CM-MOB"\ncomponent = 1\nannounce_to = "{id}"\n')
+    with pytest.raises(ConfigError, match=problem):
+        robots.load(path)

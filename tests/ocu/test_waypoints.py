@@ -1,0 +1,63 @@
+"""Lists of waypoints with the real drivers: the robot goes where it is sent, one after the other."""
+
+from __future__ import annotations
+
+import asyncio
+import math
+
+import pytest
+
+from jauspy.messages.mobility import QueryGlobalPose, SetGlobalWaypoint, SetLocalWaypoint
+
+SQUARE = ((4.0, 0.0), (4.0, 3.0), (1.0, 4.0), (0.0, 1.0))
+
+
+async def drive(robot, driver) -> list[tuple[float, float]]:
+    """Where the robot was when each element but the first began, and when the list was over: JAUS's x and y."""
+
+    def place() -> tuple[float, float]:
+        return (robot.snapshot.pose.x, -robot.snapshot.pose.y)
+
+    async with asyncio.timeout(600):
+        await driver.waypoints.execute(speed=1.0)
+        reached = [place() async for _ in driver.waypoints.progress()]
+    return [*reached[1:], place()]
+
+
+@pytest.mark.parametrize("loss", [0.0, 0.1])
+async def test_four_local_waypoints_in_order(virtual_network, robot, ocu, loss):
+    virtual_network.loss = loss
+    virtual_network.delay = 0.05
+    driver = (await ocu.discover(101)).service("LocalWaypointListDriver")
+    async with driver.control():
+        await driver.resume()
+        await driver.waypoints.upload(SetLocalWaypoint(x=x, y=y, waypoint_tolerance=0.3) for x, y in SQUARE)
+        reached = await drive(robot, driver)
+    assert len(reached) == len(SQUARE)
+    assert all(math.dist(*pair) < 0.5 for pair in zip(reached, SQUARE, strict=True)), reached
+
+
+async def test_four_global_waypoints_in_order(virtual_network, robot, ocu):
+    found = await ocu.discover(101)
+    driver = found.service("GlobalWaypointListDriver")
+    here = await found.service("GlobalPoseSensor").query(QueryGlobalPose(0x3))
+    metre = 180.0 / math.pi / 6_371_000.0
+
+    def waypoint(x: float, y: float) -> SetGlobalWaypoint:
+        east = y * metre / math.cos(math.radians(here.latitude))
+        return SetGlobalWaypoint(here.latitude + x * metre, here.longitude + east, waypoint_tolerance=0.3)
+
+    async with driver.control():
+        await driver.resume()
+        await driver.waypoints.upload(waypoint(x, y) for x, y in SQUARE)
+        reached = await drive(robot, driver)
+    assert all(math.dist(*pair) < 0.5 for pair in zip(reached, SQUARE, strict=True)), reached
+
+
+async def test_on_a_real_node_manager(node_manager, robot, ocu):
+    driver = (await ocu.discover(101)).service("LocalWaypointListDriver")
+    async with driver.control():
+        await driver.resume()
+        await driver.waypoints.upload(SetLocalWaypoint(x=x, y=0.0, waypoint_tolerance=0.2) for x in (0.4, 0.8))
+        (_, end) = await drive(robot, driver)
+    assert end[0] == pytest.approx(0.8, abs=0.3)
