@@ -97,7 +97,7 @@ class Rig:
         self.machine = Machine(
             bound,
             start_of(root, "ReceiveFSM", definitions),
-            Bugs(self.counters).attempt,
+            Bugs(self.counters),
         )
 
     def get(self, what: str) -> Outcome:

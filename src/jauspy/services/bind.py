@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable, Iterator, Mapping
+from operator import attrgetter
 from typing import Final, TypeAlias
 
 from jauspy.codec.base import Message
@@ -20,9 +21,9 @@ Reply: TypeAlias = Callable[[object, Trigger, bool], None]
 """Sends (what a report method returned, the trigger, whether to its source or else to the controlling client)."""
 
 _GETTERS: Final[Mapping[str, Callable[[Trigger], object]]] = {
-    "msg": lambda trigger: trigger.msg,
-    "query": lambda trigger: trigger.msg,
-    "source": lambda trigger: trigger.source,
+    "msg": attrgetter("msg"),
+    "query": attrgetter("msg"),
+    "source": attrgetter("source"),
 }
 
 
@@ -174,8 +175,13 @@ class Binder:
             elif parameter.default is parameter.empty:
                 known = ", ".join((*_GETTERS, "code"))
                 self.problems.append(f"{what}: parameter `{parameter.name}` is not one of {known}")
-        if not getters:
-            return lambda _: method()
+        match getters:
+            case []:
+                return lambda _: method()
+            case [only]:
+                return lambda trigger: method(only(trigger))
+            case [first, second]:
+                return lambda trigger: method(first(trigger), second(trigger))
         return lambda trigger: method(*[get(trigger) for get in getters])
 
 

@@ -12,7 +12,7 @@ from jauspy.schema.model import Schema, Service as Definition
 from jauspy.services.bind import Binder, Reply
 from jauspy.services.core.defaults import DEFAULTS
 from jauspy.services.definitions import schema_for
-from jauspy.services.isolation import Containment
+from jauspy.services.isolation import Bugs
 from jauspy.services.lineage import definitions_of
 from jauspy.services.machine import BoundState, Machine, Rule
 from jauspy.services.service import Service
@@ -39,9 +39,7 @@ class Built:
         return self.machines.get("ReceiveFSM")
 
 
-def build(
-    services: Iterable[Service], schema: Schema | None, registry: Registry, reply: Reply, contain: Containment
-) -> Built:
+def build(services: Iterable[Service], schema: Schema | None, registry: Registry, reply: Reply, bugs: Bugs) -> Built:
     """Everything bound and checked; raises `ConfigError` with all that is missing."""
     given = _by_urn(services)
     if schema is None:
@@ -53,7 +51,7 @@ def build(
     bound = {name: binder.states(root) for name, root in roots.items()}
     binder.raise_problems()
     starts = {name: start_of(root, name, list(definitions.values())) for name, root in roots.items()}
-    machines = {name: Machine(states, starts[name], contain) for name, states in bound.items()}
+    machines = {name: Machine(states, starts[name], bugs) for name, states in bound.items()}
     rules = [(rule, name) for name, states in bound.items() for rule in _rules(states.values())]
     events = {rule.key: machines[name] for rule, name in rules if isinstance(rule.key, str)}
     received = {rule.key for rule, _ in rules if isinstance(rule.key, int)}

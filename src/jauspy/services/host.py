@@ -36,7 +36,7 @@ S = TypeVar("S", bound=Service)
 
 _LOG: Final = logging.getLogger("jauspy.services")
 _SENDING: Final = {Broadcast.NONE: "Send", Broadcast.LOCAL: "BroadcastLocal", Broadcast.GLOBAL: "BroadcastGlobal"}
-"""The internal event of the Transport service for each way to send."""
+"""The internal events of Transport."""
 
 
 class Host:
@@ -71,10 +71,11 @@ class Host:
         self._timers = Timers()
         self._agenda = Agenda(self._dispatch, lambda trigger: self.count("event_dropped", f"{trigger.key}"))
         self._logged: set[str] = set()
-        self._contain = Bugs(self.counters, self._fail if on_action_error == "failure" else lambda: None).attempt
+        self._bugs = Bugs(self.counters, self._fail if on_action_error == "failure" else lambda: None)
+        self._found: dict[type[Service], Service | None] = {}
         given = list(services)
         self._registry = registry or registry_for(given)
-        self._built: Built = build(given, schema, self._registry, self._reply, self._contain)
+        self._built: Built = build(given, schema, self._registry, self._reply, self._bugs)
         for service in self.services:
             service.host = self
         for service in self.services:
@@ -115,15 +116,15 @@ class Host:
         for due in self._timers.due(now):
             call = self._timers.take(due)
             if call is not None:
-                with self._contain(f"timer {due[2]}", Trigger("timer")):
+                try:
                     call()
+                except Exception as error:  # noqa: BLE001 - any bug of a service
+                    self._bugs.met(f"timer {due[2]}", Trigger("timer"), error)
 
     def unreachable(self, client: JausID, now: float) -> None:
         """Tell the services that messages to this client do not arrive any more: its events and its control end."""
         self.now = now
-        for service in self.services:
-            with self._contain(f"{type(service).__name__}.client_lost", Trigger("client_lost", source=client)):
-                service.client_lost(client)
+        self._tell_all(Trigger("client_lost", source=client), lambda service: service.client_lost(client))
 
     def close(self, now: float) -> None:
         """Tell the services that nobody is in control any more: what moves stops. Twice is fine."""
@@ -133,17 +134,13 @@ class Host:
     def leave(self, now: float) -> None:
         """Say goodbye under the id that is given up: the services end what clients know under it."""
         self.now = now
-        for service in self.services:
-            with self._contain(f"{type(service).__name__}.leaving", Trigger("leaving")):
-                service.leaving()
+        self._tell_all(Trigger("leaving"), lambda service: service.leaving())
 
     def take_id(self, id: JausID, now: float) -> None:
         """Have this id from now on."""
         self.now = now
         self.id, self.wanted_id = id, None
-        for service in self.services:
-            with self._contain(f"{type(service).__name__}.arrived", Trigger("arrived")):
-                service.arrived()
+        self._tell_all(Trigger("arrived"), lambda service: service.arrived())
 
     # --- what may be asked ----------------------------------------------------------------------------------------
 
@@ -188,7 +185,9 @@ class Host:
 
     def service(self, kind: type[S]) -> S | None:
         """The service of this class, if the component has one."""
-        return next((service for service in self.services if isinstance(service, kind)), None)
+        if kind not in self._found:
+            self._found[kind] = next((each for each in self.services if isinstance(each, kind)), None)
+        return self._found[kind]  # type: ignore[return-value]  # kept by its class
 
     # --- what services call ---------------------------------------------------------------------------------------
 
@@ -255,9 +254,7 @@ class Host:
 
     def control_lost(self) -> None:
         """Tell every service that the controlling client is gone, or is another one now."""
-        for service in self.services:
-            with self._contain(f"{type(service).__name__}.control_lost", Trigger("control_lost")):
-                service.control_lost()
+        self._tell_all(Trigger("control_lost"), lambda service: service.control_lost())
 
     def read(self, content: Message | bytes) -> Message | None:
         """A message inside another one as an input of this component; None when it is not one."""
@@ -283,6 +280,13 @@ class Host:
             _LOG.debug("%s: first %s: %s", self.id, reason, detail)
 
     # --- inside ---------------------------------------------------------------------------------------------------
+
+    def _tell_all(self, what: Trigger, tell: Callable[[Service], None]) -> None:
+        for service in self.services:
+            try:
+                tell(service)
+            except Exception as error:  # noqa: BLE001 - any bug of a service
+                self._bugs.met(f"{type(service).__name__}.{what.key}", what, error)
 
     def _fail(self) -> None:
         """Go to Failure, unless the component is there already: an action that fails there must not start over."""
