@@ -226,7 +226,7 @@ class Component:
         self._deliveries.settle()
 
     def _unreachable(self, client: JausID) -> None:
-        """Somebody did not acknowledge: what is done for it ends; what services say to that is sent in the next turn."""
+        """Somebody did not acknowledge: what is done for it ends; what services say to that goes out next turn."""
         self.host.unreachable(client, self._clock())
         if self._loop is not None:
             self._loop.call_soon(self._flush)
