@@ -81,7 +81,7 @@ def test_an_ack_of_somebody_else_or_of_another_number_does_not_count() -> None:
         endpoint.receive(judp.pack(packet), 0.01)
     assert endpoint.next_outcome() is None
     endpoint.receive(judp.pack(Packet(B, A, b"", 9, ack=Ack.ACK)), 0.01)
-    assert endpoint.next_outcome() == (1, True, B)
+    assert endpoint.next_outcome() == (1, True, None)
 
 
 def test_broadcasts_ask_for_no_ack_and_have_no_ticket() -> None:

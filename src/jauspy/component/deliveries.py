@@ -37,8 +37,8 @@ class Deliveries:
             future = self._futures.get(outcome.ticket)
             if future is not None and not future.done():
                 future.set_result(outcome.delivered)
-            if not outcome.delivered:
-                self._lost(outcome.destination)
+            if outcome.silent is not None:
+                self._lost(outcome.silent)
 
     def fail(self, error: JausError) -> None:
         """End all waiting with this error."""

@@ -49,4 +49,5 @@ class Outcome(NamedTuple):
 
     ticket: int
     delivered: bool
-    destination: JausID
+    silent: JausID | None = None
+    """Who did not acknowledge after all resends; None when it was given up for another reason."""
