@@ -8,7 +8,7 @@ from datetime import UTC, datetime
 import pytest
 
 from jauspy.codec.base import Message
-from jauspy.component import Component
+from jauspy.component import Shell
 from jauspy.component.shell import MAX_PER_WAKEUP
 from jauspy.errors import EncodeError, ProtocolError, ResponseTimeout, TransportError
 from jauspy.ids import EVERYONE, JausID
@@ -32,9 +32,9 @@ from jauspy.transport import LoopbackHub, LoopbackTransport
 ME, PEER = JausID(1, 1, 1), JausID(2, 1, 1)
 
 
-def component(hub: LoopbackHub, id: JausID = ME, **options) -> Component:
+def component(hub: LoopbackHub, id: JausID = ME, **options) -> Shell:
     host = Host(id, [Liveness(), AccessControl(timeout=1)], utc_now=lambda: datetime.now(UTC), now=time.monotonic())
-    return Component(host, LoopbackTransport(id, hub), **options)
+    return Shell(host, LoopbackTransport(id, hub), **options)
 
 
 class Peer:

@@ -41,7 +41,7 @@ def current(world: World) -> SetVelocityCommand:
 
 
 @pytest.mark.parametrize(
-    ("speed", "yaw_rate"), [(0.5, 0.0), (-0.5, 0.0), (0.2, 0.0), (1.4, 0.0), (0.0, 0.5), (0.0, -0.3), (0.6, 0.4)]
+    ("speed", "yaw_rate"), [(0.5, 0.0), (-0.5, 0.0), (0.2, 0.0), (1.45, 0.0), (0.0, 0.5), (0.0, -0.3), (0.6, 0.4)]
 )
 def test_velocities_are_reached_and_kept(world: World, speed: float, yaw_rate: float) -> None:
     world.tell(drive(speed, yaw_rate))

@@ -12,7 +12,15 @@ from jauspy.errors import ConfigError, TransportError
 from jauspy.ids import JausID
 from jauspy.messages import registry
 from jauspy.messages.core import QueryIdentification, RequestControl, Resume
-from jauspy.messages.mobility import QueryLocalPose, ReportLocalPose, SetWrenchEffort
+from jauspy.messages.mobility import (
+    QueryLocalPose,
+    QueryTravelSpeed,
+    ReportLocalPose,
+    ReportTravelSpeed,
+    SetLocalWaypoint,
+    SetTravelSpeed,
+    SetWrenchEffort,
+)
 from jauspy.modules.robot import RobotRunner
 from jauspy.modules.robots import load
 from jauspy.platform import backends
@@ -162,3 +170,18 @@ async def test_unknown_names_are_configuration_errors(hub, options, said):
         pytest.importorskip("mujoco", reason="MuJoCo is not installed")
     with pytest.raises(ConfigError, match=said):
         await RobotRunner(load("inc1"), lambda me: LoopbackTransport(me, hub), **options).open()
+
+
+async def test_drives_to_a_waypoint_in_real_time(runner, client):
+    async with runner:
+        client.tell(RequestControl(authority_code=100), Resume())
+        client.tell(SetLocalWaypoint(x=0.7, y=0.0), SetTravelSpeed(speed=1.0))
+        report = await client.drive_past(0.5)
+        assert abs(report.y) < 0.1
+        async with asyncio.timeout(30.0):
+            while True:
+                client.tell(QueryTravelSpeed())
+                answer = await client.answer()
+                if isinstance(answer, ReportTravelSpeed) and answer.speed == 0.0:
+                    break
+        assert runner.snapshot.pose.x == pytest.approx(0.7, abs=0.2)

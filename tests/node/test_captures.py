@@ -128,6 +128,18 @@ def test_version_1_of_a_component(daemon: Daemon) -> None:
     peer.hears(old)
 
 
+def test_version_1_without_a_command_code_is_as5669a_in_old_clothes(daemon: Daemon) -> None:
+    near, peer = daemon.component("100.1.2"), daemon.peer()
+    peer.says("01 0000 0012 06 02 0000 02016400 01016500 0200 0100 0220")
+    near.hears("02 001000 01 02016400 01016500 0220 0100")
+
+
+def test_rubbish_behind_a_whole_packet_does_not_hide_it(daemon: Daemon) -> None:
+    near, peer = daemon.component("100.1.2"), daemon.peer()
+    peer.says("02 001000 01 02016400 0101c800 0a0b 0600 ffff")
+    near.hears("02 001000 01 02016400 0101c800 0a0b 0600")
+
+
 def test_a_peer_that_speaks_opc_is_answered_in_opc(daemon: Daemon) -> None:
     near, peer = daemon.component("100.1.1"), daemon.peer()
     peer.says("4a41555330312e30 06 02 3412 01016400 0101c800 0200 2300 0102")

@@ -31,6 +31,9 @@ class Socket:
             raise BlockingIOError
         return self.datagrams.pop(0), ("10.0.0.1", 3794)
 
+    def setsockopt(self, *_: object) -> None:
+        raise OSError("this kernel has no filters")
+
 
 @pytest.fixture
 def counters() -> Counters:
@@ -75,6 +78,32 @@ async def test_among_too_many_the_lowest_go_first(counters: Counters) -> None:
     low = [packet(n, Priority.LOW) for n in range(ingress.MAX_WAITING)]
     routed = await run(Socket(*low, *high), counters)
     assert [data for data in routed if peek_priority(data) == Priority.HIGH] == high
+
+
+async def test_the_kernel_drops_a_flood_until_what_was_read_is_routed(udp, counters: Counters) -> None:
+    receiver, sender = udp(), udp()
+    receiver.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 1 << 22)
+    routed: list[bytes] = []
+    reader = Ingress(lambda data, _: routed.append(data), counters)
+    low, urgent = packet(1, Priority.LOW), packet(2, Priority.SAFETY_CRITICAL)
+    where = receiver.getsockname()
+    while not counters["held_back"]:
+        for _ in range(ingress.READ_BURST):
+            sender.sendto(low, where)
+        reader._wake(receiver, "lan", 0, {}, lambda error: None)
+    for _ in range(3):
+        sender.sendto(low, where)
+        sender.sendto(urgent, where)
+    waiting = len(reader)
+    reader._wake(receiver, "lan", 0, {}, lambda error: None)
+    assert len(reader) == waiting + 3
+    async with asyncio.timeout(20):
+        while len(reader):
+            await asyncio.sleep(0)
+    assert routed.count(urgent) == 3
+    sender.sendto(low, where)
+    assert receiver.recv(100) == low
+    assert not counters["dropped.overload"]
 
 
 async def test_while_the_urgent_fill_every_turn_the_least_urgent_are_late_but_not_starved(counters: Counters) -> None:

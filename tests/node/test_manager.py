@@ -79,31 +79,6 @@ async def receive(sock: socket.socket) -> bytes:
         return await asyncio.get_running_loop().sock_recv(sock, 70000)
 
 
-async def test_a_conversation_of_two_real_components(node: NodeManager, component: Make) -> None:
-    """Management and its OCU, as two components of another stack were seen to talk through their node manager."""
-    management, ocu = component(MANAGEMENT), component(OCU)
-    for who, connect, accept in (
-        (management, "010000001006020100000000000b017e0000000000", "0100000010060202000b017e000000000000000000"),
-        (ocu, "0100000010060201000000000014017e0000000000", "01000000100602020014017e000000000000000000"),
-    ):
-        who.send(bytes.fromhex(connect))
-        assert (await who.receive()).hex() == accept
-    for sender, text, receiver in (
-        (ocu, "02001100010b017e0014017e000d00c80100", management),
-        (management, "020011000114017e000b017e000f00000100", ocu),
-        (ocu, "02001000010b017e0014017e0004000200", management),
-        (ocu, "02001000010b017e0014017e0002200400", management),
-        (management, "020015000114017e000b017e00024002000000000200", ocu),
-        (management, "02001000010b017e000b017e0000000600", management),
-    ):
-        sender.send(bytes.fromhex(text))
-        assert (await receiver.receive()).hex() == text
-    management.send(bytes.fromhex("010000001006020300000000000b017e0000000000"))
-    ocu.send(bytes.fromhex("020010000114017e0014017e0000000700"))
-    await ocu.receive()
-    assert node.components == (OCU,)
-
-
 async def test_udp_in_and_out_by_the_port_that_was_heard(
     node: NodeManager, component: Make, remote: socket.socket
 ) -> None:

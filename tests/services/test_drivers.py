@@ -218,6 +218,16 @@ def test_a_velocity_outside_of_the_limits_is_ignored(ready, speed) -> None:
     assert ready.host.counters["velocity_out_of_range"] == 1
 
 
+@pytest.mark.parametrize("sign", [-1.0, 1.0])
+def test_what_is_reported_as_the_limit_may_be_commanded(ready, drive, sign) -> None:
+    limit = ready.ask(B, QueryVelocityCommand(ALL, MAX if sign > 0 else MIN))
+    ready.tell(A, SetVelocityCommand(command_type=CURRENT, velocity_x=limit.velocity_x, yaw_rate=limit.yaw_rate))
+    ready.run(1.0)
+    assert drive.effort[0] * sign > 0.3
+    assert drive.effort[1] * sign < -0.3
+    assert ready.host.counters["velocity_out_of_range"] == 0
+
+
 def test_limits_may_be_set_in_standby_but_not_by_others(rig) -> None:
     rig.tell(A, SetVelocityCommand(command_type=MAX, velocity_x=0.8))
     assert rig.ask(B, QueryVelocityCommand(ALL, MAX)).velocity_x == near(1.5)

@@ -190,7 +190,7 @@ class Pair:
         binder.raise_problems()
         start = start_of(roots[name], name, list(found.values()))
         self.plain = Plain(definitions, name, self.plain_script)
-        self.machine = Machine(bound[name], start, Bugs(Counter()).attempt)
+        self.machine = Machine(bound[name], start, Bugs(Counter()))
         self.plain.active = str(start)
         self.codes = {m.name: m.code for each in reversed(definitions) for m in each.outputs}
         self.codes |= {m.name: m.code for each in reversed(definitions) for m in each.inputs}

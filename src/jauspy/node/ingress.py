@@ -8,8 +8,10 @@ from collections import deque
 from collections.abc import Callable, Iterable
 from typing import Any, Final
 
+from jauspy.node import sieve
 from jauspy.protocol import wire
 from jauspy.protocol.counters import Counters
+from jauspy.protocol.header import Priority
 from jauspy.protocol.ports import UdpPort
 
 READ_BURST: Final = 384
@@ -21,6 +23,10 @@ SHARE: Final = 8
 """Of these, for the least urgent: while more urgent ones fill every turn, they are late, but not starved."""
 MAX_WAITING: Final = 4096
 """Datagrams that wait in all; what comes beyond drops the oldest of the lowest priority."""
+CROWDED: Final = 1024
+"""With more than this waiting, the kernel is asked to drop what most of it is."""
+CALM: Final = 256
+"""With no more than this waiting, everything may come again."""
 _BUFFER: Final = 65536
 _PRIORITIES: Final = 4
 
@@ -31,7 +37,8 @@ _Queue = deque[tuple[bytes, UdpPort]]
 class Ingress:
     """`take(datagram, port)` gets the datagrams of all attached sockets, the most urgent of those that wait first.
 
-    Within one priority they keep their order.
+    Within one priority they keep their order. In a flood the kernel drops what is no more urgent than most of it is;
+    what is safety-critical is always read.
     """
 
     def __init__(self, take: Take, counters: Counters) -> None:
@@ -42,6 +49,7 @@ class Ingress:
         self._waiting = 0
         self._scheduled = False
         self._attached: list[socket.socket] = []
+        self._held_back: list[socket.socket] = []
 
     def __len__(self) -> int:
         return self._waiting
@@ -60,6 +68,7 @@ class Ingress:
         for sock in self._attached:
             self._loop.remove_reader(sock)
         self._attached.clear()
+        self._held_back.clear()
         for queue in self._queues:
             queue.clear()
         self._counters["dropped.closed"] += self._waiting
@@ -90,10 +99,26 @@ class Ingress:
         except OSError as error:
             failed(error)
         self._waiting += count
+        if self._waiting > CROWDED and count == READ_BURST and sock not in self._held_back:
+            self._hold_back(sock, skip)
         if self._waiting > MAX_WAITING:
             self._drop(self._waiting - MAX_WAITING)
         if not self._scheduled:
             self._route()
+
+    def _hold_back(self, sock: socket.socket, skip: int) -> None:
+        below = 0
+        for priority in (Priority.LOW, Priority.STANDARD, Priority.HIGH):
+            below += len(self._queues[priority])
+            if 2 * below > self._waiting and sieve.hold_back(sock, priority, skip):
+                self._held_back.append(sock)
+                self._counters["held_back"] += 1
+                return
+
+    def _let_through(self) -> None:
+        for sock in self._held_back:
+            sieve.let_through(sock)
+        self._held_back.clear()
 
     def _drop(self, count: int) -> None:
         self._waiting -= count
@@ -109,6 +134,8 @@ class Ingress:
         left = self._route_from(reversed(self._queues), ROUTE_BURST - SHARE) + SHARE
         left = self._route_from(self._queues, left)
         self._waiting -= ROUTE_BURST - left
+        if self._held_back and self._waiting <= CALM:
+            self._let_through()
         if self._waiting:
             self._scheduled = True
             self._loop.call_soon(self._route)

@@ -31,7 +31,7 @@ class SkidSteerParameters:
     """Time constant with which a track follows its effort (drag against drive force)."""
     friction: float = 0.2
     """Deceleration by friction in the drive, whatever the speed."""
-    brake: float = 2.0
+    brake: float = 4.0
     """Deceleration that the brake adds at zero effort."""
     slip_width: float = 1.1
     """Distance of two wheels that would turn as the tracks do; slip makes it larger than their real distance."""

@@ -23,8 +23,8 @@ class Agenda:
     def __init__(self, dispatch: Callable[[Trigger], Outcome], dropped: Callable[[Trigger], None]) -> None:
         self._dispatch = dispatch
         self._dropped = dropped
-        self._waiting: deque[tuple[Trigger, Completion]] = deque()
-        self._command = Completion()
+        self._waiting: deque[tuple[Trigger, Completion | None]] = deque()
+        self._command: Completion | None = None
         self._busy = True
 
     def open(self) -> None:
@@ -34,24 +34,25 @@ class Agenda:
     def run(self, trigger: Trigger) -> Outcome:
         """Handle this now, and then all that follows from it."""
         self._busy = True
-        outcome = self._handle(trigger, Completion())
+        outcome = self._handle(trigger, None)
         self._settle()
         return outcome
 
     def put(self, trigger: Trigger, completion: Completion | None = None) -> None:
         """Handle this as soon as what happens now is done; when too much waits, it is dropped."""
         if len(self._waiting) >= MAX_WAITING:
-            self._drop(trigger, completion or Completion())
+            self._drop(trigger, completion)
             return
-        self._waiting.append((trigger, completion or Completion()))
+        self._waiting.append((trigger, completion))
         if not self._busy:
             self._busy = True
             self._settle()
 
     def begin_command(self) -> Completion:
-        """What is being handled takes time, and ends when this is called."""
-        self._command.claimed = True
-        return self._command
+        """What is being handled takes time, and ends when this is called; nobody may wait for that."""
+        command = self._command or Completion()
+        command.claimed = True
+        return command
 
     def _settle(self) -> None:
         for _ in range(MAX_WAITING):
@@ -62,14 +63,15 @@ class Agenda:
             self._drop(*self._waiting.popleft())
         self._busy = False
 
-    def _handle(self, trigger: Trigger, completion: Completion) -> Outcome:
+    def _handle(self, trigger: Trigger, completion: Completion | None) -> Outcome:
         self._command = completion
         outcome = self._dispatch(trigger)
-        if not (completion.claimed and outcome is Outcome.TAKEN):
+        self._command = None
+        if completion is not None and not (completion.claimed and outcome is Outcome.TAKEN):
             completion(outcome is Outcome.TAKEN)
-        self._command = Completion()
         return outcome
 
-    def _drop(self, trigger: Trigger, completion: Completion) -> None:
+    def _drop(self, trigger: Trigger, completion: Completion | None) -> None:
         self._dropped(trigger)
-        completion(False)
+        if completion is not None:
+            completion(False)

@@ -5,15 +5,14 @@ from __future__ import annotations
 from collections.abc import Container, Iterable, Mapping
 from dataclasses import dataclass
 
-from jauspy import messages
 from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
 from jauspy.schema.model import Schema, Service as Definition
-from jauspy.schema.needed import load_needed
 from jauspy.services.bind import Binder, Reply
 from jauspy.services.core.defaults import DEFAULTS
-from jauspy.services.isolation import Containment
+from jauspy.services.definitions import schema_for
+from jauspy.services.isolation import Bugs
 from jauspy.services.lineage import definitions_of
 from jauspy.services.machine import BoundState, Machine, Rule
 from jauspy.services.service import Service
@@ -40,13 +39,11 @@ class Built:
         return self.machines.get("ReceiveFSM")
 
 
-def build(
-    services: Iterable[Service], schema: Schema | None, registry: Registry | None, reply: Reply, contain: Containment
-) -> Built:
+def build(services: Iterable[Service], schema: Schema | None, registry: Registry, reply: Reply, bugs: Bugs) -> Built:
     """Everything bound and checked; raises `ConfigError` with all that is missing."""
     given = _by_urn(services)
     if schema is None:
-        schema = load_needed(frozenset((service.urn, service.version) for service in given.values()))
+        schema = schema_for(given.values())
     definitions = definitions_of(given.values(), schema)
     all_services = {urn: given.get(urn) or _default(urn) for urn in definitions}
     binder = Binder(definitions, all_services, reply)
@@ -54,12 +51,12 @@ def build(
     bound = {name: binder.states(root) for name, root in roots.items()}
     binder.raise_problems()
     starts = {name: start_of(root, name, list(definitions.values())) for name, root in roots.items()}
-    machines = {name: Machine(states, starts[name], contain) for name, states in bound.items()}
+    machines = {name: Machine(states, starts[name], bugs) for name, states in bound.items()}
     rules = [(rule, name) for name, states in bound.items() for rule in _rules(states.values())]
     events = {rule.key: machines[name] for rule, name in rules if isinstance(rule.key, str)}
     received = {rule.key for rule, _ in rules if isinstance(rule.key, int)}
     queries = frozenset(rule.key for rule, _ in rules if isinstance(rule.key, int) and _answers(rule))
-    inputs = _inputs(definitions.values(), received, registry or messages.registry)
+    inputs = _inputs(definitions.values(), received, registry)
     return Built(all_services, definitions, machines, inputs, events, queries)
 
 

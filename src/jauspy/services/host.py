@@ -8,7 +8,6 @@ from collections.abc import Callable, Hashable, Iterable, Mapping
 from datetime import datetime
 from typing import TYPE_CHECKING, Any, Final, Literal, TypeVar
 
-from jauspy import messages
 from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
 from jauspy.errors import DecodeError, EncodeError
@@ -21,6 +20,7 @@ from jauspy.services.completion import Completion
 from jauspy.services.core.access_control import AccessControl
 from jauspy.services.core.management import Management
 from jauspy.services.core.time import Time
+from jauspy.services.definitions import registry_for
 from jauspy.services.isolation import Bugs
 from jauspy.services.machine import Outcome
 from jauspy.services.outbox import Outbox, Outgoing
@@ -35,6 +35,8 @@ if TYPE_CHECKING:
 S = TypeVar("S", bound=Service)
 
 _LOG: Final = logging.getLogger("jauspy.services")
+_SENDING: Final = {Broadcast.NONE: "Send", Broadcast.LOCAL: "BroadcastLocal", Broadcast.GLOBAL: "BroadcastGlobal"}
+"""The internal events of Transport."""
 
 
 class Host:
@@ -61,15 +63,19 @@ class Host:
         self.id = id
         self.utc_now = utc_now
         self.now = now
+        self.wanted_id: JausID | None = None
+        """The id that the component asks its shell for."""
         self.counters: Counter[str] = Counter()
         self._outbox = Outbox(max_output, self.counters)
         self._captured: list[Outgoing] | None = None
         self._timers = Timers()
         self._agenda = Agenda(self._dispatch, lambda trigger: self.count("event_dropped", f"{trigger.key}"))
         self._logged: set[str] = set()
-        self._contain = Bugs(self.counters, self._fail if on_action_error == "failure" else lambda: None).attempt
-        self._registry = registry or messages.registry
-        self._built: Built = build(services, schema, self._registry, self._reply, self._contain)
+        self._bugs = Bugs(self.counters, self._fail if on_action_error == "failure" else lambda: None)
+        self._found: dict[type[Service], Service | None] = {}
+        given = list(services)
+        self._registry = registry or registry_for(given)
+        self._built: Built = build(given, schema, self._registry, self._reply, self._bugs)
         for service in self.services:
             service.host = self
         for service in self.services:
@@ -110,20 +116,31 @@ class Host:
         for due in self._timers.due(now):
             call = self._timers.take(due)
             if call is not None:
-                with self._contain(f"timer {due[2]}", Trigger("timer")):
+                try:
                     call()
+                except Exception as error:  # noqa: BLE001 - any bug of a service
+                    self._bugs.met(f"timer {due[2]}", Trigger("timer"), error)
 
     def unreachable(self, client: JausID, now: float) -> None:
         """Tell the services that messages to this client do not arrive any more: its events and its control end."""
         self.now = now
-        for service in self.services:
-            with self._contain(f"{type(service).__name__}.client_lost", Trigger("client_lost", source=client)):
-                service.client_lost(client)
+        self._tell_all(Trigger("client_lost", source=client), lambda service: service.client_lost(client))
 
     def close(self, now: float) -> None:
         """Tell the services that nobody is in control any more: what moves stops. Twice is fine."""
         self.now = now
         self.control_lost()
+
+    def leave(self, now: float) -> None:
+        """Say goodbye under the id that is given up: the services end what clients know under it."""
+        self.now = now
+        self._tell_all(Trigger("leaving"), lambda service: service.leaving())
+
+    def take_id(self, id: JausID, now: float) -> None:
+        """Have this id from now on."""
+        self.now = now
+        self.id, self.wanted_id = id, None
+        self._tell_all(Trigger("arrived"), lambda service: service.arrived())
 
     # --- what may be asked ----------------------------------------------------------------------------------------
 
@@ -168,7 +185,9 @@ class Host:
 
     def service(self, kind: type[S]) -> S | None:
         """The service of this class, if the component has one."""
-        return next((service for service in self.services if isinstance(service, kind)), None)
+        if kind not in self._found:
+            self._found[kind] = next((each for each in self.services if isinstance(each, kind)), None)
+        return self._found[kind]  # type: ignore[return-value]  # kept by its class
 
     # --- what services call ---------------------------------------------------------------------------------------
 
@@ -186,15 +205,15 @@ class Host:
         except EncodeError as error:
             self.count("unencodable", f"{message.NAME}: {error}")
             return
-        event = {Broadcast.NONE: "Send", Broadcast.LOCAL: "BroadcastLocal", Broadcast.GLOBAL: "BroadcastGlobal"}
-        self._dispatch(Trigger(event[broadcast], Outgoing(destination, message, payload, priority, broadcast)))
+        outgoing = Outgoing(destination, message, payload, priority, broadcast)
+        if self._captured is not None:
+            self._captured.append(outgoing)  # it is only asked for, so the machine that sends has no part in it
+        else:
+            self._dispatch(Trigger(_SENDING[broadcast], outgoing))
 
     def output(self, outgoing: Outgoing) -> None:
         """Queue an encoded message; only the Transport service calls this."""
-        if self._captured is not None:
-            self._captured.append(outgoing)
-        else:
-            self._outbox.put(outgoing)
+        self._outbox.put(outgoing)
 
     def ask(self, query: Message, source: JausID) -> tuple[Outcome, Outgoing | None]:
         """What the component would answer `source` now; nothing is sent, and the state cannot change."""
@@ -221,6 +240,10 @@ class Host:
         """For an action that starts something which takes time: call what this returns when it has ended."""
         return self._agenda.begin_command()
 
+    def ask_for_id(self, id: JausID) -> None:
+        """Want to be the component of this id; the shell moves there as soon as what waits is sent."""
+        self.wanted_id = None if id == self.id else id
+
     def set_timer(self, key: Hashable, at: float, call: Callable[[], None]) -> None:
         """Call `call` at time `at`; a timer with the same key is replaced."""
         self._timers.set(key, at, call)
@@ -231,9 +254,7 @@ class Host:
 
     def control_lost(self) -> None:
         """Tell every service that the controlling client is gone, or is another one now."""
-        for service in self.services:
-            with self._contain(f"{type(service).__name__}.control_lost", Trigger("control_lost")):
-                service.control_lost()
+        self._tell_all(Trigger("control_lost"), lambda service: service.control_lost())
 
     def read(self, content: Message | bytes) -> Message | None:
         """A message inside another one as an input of this component; None when it is not one."""
@@ -259,6 +280,13 @@ class Host:
             _LOG.debug("%s: first %s: %s", self.id, reason, detail)
 
     # --- inside ---------------------------------------------------------------------------------------------------
+
+    def _tell_all(self, what: Trigger, tell: Callable[[Service], None]) -> None:
+        for service in self.services:
+            try:
+                tell(service)
+            except Exception as error:  # noqa: BLE001 - any bug of a service
+                self._bugs.met(f"{type(service).__name__}.{what.key}", what, error)
 
     def _fail(self) -> None:
         """Go to Failure, unless the component is there already: an action that fails there must not start over."""

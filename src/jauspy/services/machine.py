@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import Final, Literal
 
-from jauspy.services.isolation import Containment
+from jauspy.services.isolation import Bugs
 from jauspy.services.tree import StateNode
 from jauspy.services.trigger import ANY_MESSAGE, ANY_TRIGGER, STAY, Key, Trigger
 
@@ -61,9 +61,9 @@ class Outcome(Enum):
 class Machine:
     """One running state machine. Not re-entrant, except for `ask` from within an action."""
 
-    def __init__(self, states: dict[StateNode, BoundState], start: StateNode, contain: Containment) -> None:
+    def __init__(self, states: dict[StateNode, BoundState], start: StateNode, bugs: Bugs) -> None:
         self._states = states
-        self._contain = contain
+        self._bugs = bugs
         self._active = start
         self._pushed: deque[StateNode] = deque(maxlen=MAX_PUSHED)
         self._candidates: dict[tuple[StateNode, Key], tuple[Rule, ...]] = {}
@@ -106,9 +106,11 @@ class Machine:
         return None
 
     def _holds(self, rule: Rule, guard: Callable[[Trigger], bool], trigger: Trigger) -> bool:
-        with self._contain(f"guard of {rule.name}", trigger):
+        try:
             return guard(trigger)
-        return False
+        except Exception as error:  # noqa: BLE001 - any bug of a service
+            self._bugs.met(f"guard of {rule.name}", trigger, error)
+            return False
 
     def _rules(self, key: Key) -> tuple[Rule, ...]:
         found = self._candidates.get((self._active, key))
@@ -131,12 +133,11 @@ class Machine:
     def _apply(self, rule: Rule, trigger: Trigger) -> Outcome:
         stay = False
         for step in rule.steps:
-            result: object = None
-            with self._contain(step.name, trigger) as attempt:
-                result = step.call(trigger)
-            if attempt.failed:
+            try:
+                stay = step.call(trigger) is STAY or stay
+            except Exception as error:  # noqa: BLE001 - any bug of a service
+                self._bugs.met(step.name, trigger, error)
                 return Outcome.FAILED
-            stay = stay or result is STAY
         if rule.kind != "internal" and not stay:
             self._change(rule, trigger)
         return Outcome.TAKEN if rule.steps or rule.kind != "internal" else Outcome.IGNORED
@@ -175,8 +176,10 @@ class Machine:
     def _run_each(self, steps: Iterable[Step], trigger: Trigger) -> None:
         """Entry and exit actions: a bug in one stops neither the others nor the change of state."""
         for step in steps:
-            with self._contain(step.name, trigger):
+            try:
                 step.call(trigger)
+            except Exception as error:  # noqa: BLE001 - any bug of a service
+                self._bugs.met(step.name, trigger, error)
 
 
 def _takers(rules: tuple[Rule, ...]) -> list[Rule]:

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from collections import Counter, deque
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from jauspy.codec.base import Message
 from jauspy.ids import JausID
 from jauspy.protocol.header import Broadcast, Priority
 
 
-@dataclass(frozen=True, slots=True)
-class Outgoing:
+class Outgoing(NamedTuple):
     """One message on its way out; `payload` is `message`, encoded."""
 
     destination: JausID

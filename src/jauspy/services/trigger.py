@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import Enum
-from typing import Any, Final, TypeAlias
+from typing import Any, Final, NamedTuple, TypeAlias
 
 from jauspy.ids import JausID
 
@@ -18,8 +17,7 @@ ANY_TRIGGER: Final = ""
 """The key of transitions that take whatever no other transition of their state takes (JSIDL: `default_transition`)."""
 
 
-@dataclass(frozen=True, slots=True)
-class Trigger:
+class Trigger(NamedTuple):
     """One input of the state machine: a message from `source`, or an internal event."""
 
     key: Key

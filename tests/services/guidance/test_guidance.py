@@ -53,6 +53,15 @@ def test_control_does_not_wind_up() -> None:
     assert control.effort(-0.5, 0.0, 0.02) < 0.6
 
 
+def test_control_finds_back_from_its_limit() -> None:
+    control = AxisControl(SPEED)
+    for _ in range(100):
+        control.effort(1.0, 0.7, 0.02)
+    assert control.effort(1.5, 1.5, 0.02) == 1.0
+    too_fast = [control.effort(1.5, 1.55, 0.02) for _ in range(1000)]
+    assert too_fast[-1] < too_fast[0] - 0.1
+
+
 def test_nothing_wanted_and_nothing_moving_needs_no_effort() -> None:
     assert VelocityControl().efforts(STANDSTILL, STANDSTILL, 0.02) == (0.0, 0.0)
 

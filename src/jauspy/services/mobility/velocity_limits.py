@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Final
 
 from jauspy.messages.mobility import SetAccelerationLimit
 from jauspy.platform.chassis import Chassis
 from jauspy.services.mobility.guidance.motion import Limits, Motion
 from jauspy.services.mobility.guidance.velocity_control import limit
 
-SLOWEST_CHANGE = 0.05
+ROUNDING: Final = 1e-3
+"""m/s, rad/s: a velocity at its limit may have been rounded upward on the wire, where rates have steps as large."""
+SLOWEST_CHANGE: Final = 0.05
 """m/s^2, rad/s^2: a limit of zero would keep a moving platform moving for ever."""
 
 
@@ -27,10 +30,13 @@ class VelocityRange:
 
     def contains(self, motion: Motion) -> bool:
         """True for a motion that is neither too fast nor too slow."""
-        return (
-            self.least.speed <= motion.speed <= self.most.speed
-            and self.least.turn_rate <= motion.turn_rate <= self.most.turn_rate
+        return _within(self.least.speed, motion.speed, self.most.speed) and _within(
+            self.least.turn_rate, motion.turn_rate, self.most.turn_rate
         )
+
+
+def _within(least: float, value: float, most: float) -> bool:
+    return least - ROUNDING <= value <= most + ROUNDING
 
 
 def possible(motion: Motion, chassis: Chassis) -> Motion:

@@ -28,7 +28,7 @@ SOFT = 0.1
 
 
 class AxisControl:
-    """PI control with feed-forward; the integral stands still while the effort is at its limit."""
+    """PI control with feed-forward; the integral does not grow while the effort is at its limit."""
 
     def __init__(self, gains: Gains) -> None:
         self._gains = gains
@@ -44,7 +44,7 @@ class AxisControl:
         feed_forward = gains.forward * wanted + gains.breakaway * limit(wanted / SOFT)
         integral = self._integral + gains.integral * error * dt
         effort = feed_forward + gains.proportional * error + integral
-        if abs(effort) <= 1.0:
+        if abs(effort) <= 1.0 or effort * error < 0.0:
             self._integral = integral
         return limit(effort)
 
