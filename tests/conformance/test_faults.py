@@ -9,12 +9,12 @@ from collections.abc import Iterable
 
 import pytest
 from tests.conformance import faults
-from tests.conformance.faults import Fault
+from tests.conformance.faults import HAND_WRITTEN
+from tests.conformance.injectors import Fault
 from tests.conformance.simulated import examined, robot
 
-from jauspy.conformance import Report
+from jauspy.conformance import Bench, Part, Report
 
-HAND_WRITTEN = {"igvc-2015": faults.IGVC_2015, "igvc-2011": faults.IGVC_2011, "transport": faults.TRANSPORT}
 MEASURED = re.compile(r"has (x|y|event_id) \S+")
 """Names of checks that have what the robot said in them."""
 
@@ -70,7 +70,7 @@ def test_the_faults_are_many_and_have_names_of_their_own():
 
 
 def test_without_a_fault_nothing_is_caught():
-    healthy = Fault("none", "igvc-2015", (), lambda: (faults.Part, faults.Bench, []), motion=True)
+    healthy = Fault("none", "igvc-2015", (), lambda: (Part, Bench, []), motion=True)
     report = healthy.run()
     assert report.failures == ()
     assert "not caught by anything" in missed(healthy, report)
