@@ -15,6 +15,9 @@ Measure: TypeAlias = Callable[[Sequence[float]], Sequence[float]]
 EARLY: Final = 1e-6
 """Seconds by which a scan may be early: sums of steps are not exact."""
 
+SLACK: Final = 1e-6
+"""Radians by which a ray may be outside of the angles that are set: they come rounded."""
+
 
 def sees_nothing(angles: Sequence[float]) -> list[float]:
     """The `Measure` of a world without obstacles."""
@@ -63,7 +66,8 @@ class Scanner:
             most=min(setup.most, settings.most),
         )
         self._settings = settings
-        self._angles = tuple(angle for angle in setup.angles() if settings.start <= angle <= settings.stop)
+        first, last = settings.start - SLACK, settings.stop + SLACK
+        self._angles = tuple(angle for angle in setup.angles() if first <= angle <= last)
         self._due = self._now
         if not settings.active:
             self._scan = None
@@ -73,7 +77,8 @@ class Scanner:
         self._now = now
         if not self._settings.active or now < self._due - EARLY:
             return
-        self._due = max(self._due + 1.0 / self._settings.rate, now)
+        period = 1.0 / self._settings.rate
+        self._due = self._due + period if self._due + period > now else now + period
         ranges = tuple(self._limited(distance) for distance in self._measure(self._angles))
         self._scan = RangeScan(now, self._setup.link, self._angles, ranges)
 

@@ -8,7 +8,7 @@ from datetime import timedelta
 from typing import Any, Final
 
 from jauspy.messages.core import TimeStamp
-from jauspy.messages.environment_sensing.v1_0.types import SensorIdRec
+from jauspy.messages.environment_sensing.v1_0.types import RangeSensorErrorRec, SensorIdRec
 from jauspy.messages.environment_sensing.v2_0.range_sensor import (
     ConfirmSensorConfiguration,
     QueryRangeSensorCapabilities,
@@ -26,7 +26,7 @@ from jauspy.messages.environment_sensing.v2_0.range_sensor import (
 from jauspy.platform.ranging import RangeScan
 from jauspy.services.environment_sensing.mounting import Mounted, geometric_properties
 from jauspy.services.environment_sensing.points import COMPRESS, Point, data_rec, encoded, points
-from jauspy.services.environment_sensing.range_settings import Code, Refusal, State, Wanted, refusal, settings
+from jauspy.services.environment_sensing.range_settings import Code, State, Wanted, refusal, settings
 from jauspy.services.environment_sensing.wanted import chosen
 from jauspy.services.presence import masked
 from jauspy.services.service import Service
@@ -202,11 +202,13 @@ class RangeSensor(Service, urn="urn:jaus:jss:environmentSensing:RangeSensor"):
                 if record.sensor_state is not None:
                     self._states[sensor] = State(record.sensor_state)
 
-    def _refusal(self, sensor: int, record: Wanted) -> Refusal | None:
+    def _refusal(self, sensor: int, record: Wanted) -> RangeSensorErrorRec | None:
         mounted = self._sensors.get(sensor)
         if mounted is None:
             known = ", ".join(map(str, self._sensors))
-            return Refusal(sensor, Code.UNKNOWN_SENSOR_ID, f"there is no sensor {sensor}; there are: {known}")
+            return RangeSensorErrorRec(
+                sensor, Code.UNKNOWN_SENSOR_ID, f"there is no sensor {sensor}; there are: {known}"
+            )
         refused = refusal(record, mounted.lidar.settings, mounted.lidar.setup)
         return None if refused is None else replace(refused, sensor_id=sensor)
 

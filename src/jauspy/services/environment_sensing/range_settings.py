@@ -5,13 +5,13 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any, Final
 
-from jauspy.messages.environment_sensing.v1_0.types import RangeSensorErrorRec as Refusal
+from jauspy.messages.environment_sensing.v1_0.types import RangeSensorErrorRec
 from jauspy.messages.environment_sensing.v2_0.range_sensor import SetRangeSensorConfiguration
 from jauspy.platform.ranging import LidarSetup, ScanSettings
 
 Wanted = SetRangeSensorConfiguration.RangeSensorConfigurationRec
 State = SetRangeSensorConfiguration.SensorState
-Code = Refusal.RangeSensorErrorCode
+Code = RangeSensorErrorRec.RangeSensorErrorCode
 
 RATE_STEP: Final = 1000.0 / 65535.0
 """Of a rate on the wire, in hertz: what a client sets to the limit may arrive just beyond it."""
@@ -35,13 +35,13 @@ def settings(wanted: Wanted, present: ScanSettings) -> ScanSettings:
     return replace(present, **{name: value for name, value in given.items() if value is not None})
 
 
-def refusal(wanted: Wanted, present: ScanSettings, setup: LidarSetup) -> Refusal | None:
+def refusal(wanted: Wanted, present: ScanSettings, setup: LidarSetup) -> RangeSensorErrorRec | None:
     """Why the sensor cannot be set so; None when it can."""
     wrong = _problems(wanted, settings(wanted, present), setup)
     if not wrong:
         return None
     code = wrong[0][0] if len(wrong) == 1 else Code.MULTIPLE_INVALID_PARAMETERS
-    return Refusal(wanted.sensor_id, code, "; ".join(text for _, text in wrong)[:255])
+    return RangeSensorErrorRec(wanted.sensor_id, code, "; ".join(text for _, text in wrong)[:255])
 
 
 def _problems(wanted: Wanted, new: ScanSettings, setup: LidarSetup) -> list[tuple[Code, str]]:
