@@ -10,6 +10,7 @@ import jauspy
 PUBLIC = {
     "OCU",
     "CodecError",
+    "Component",
     "ConfigError",
     "ControlRejected",
     "DecodeError",
@@ -25,10 +26,12 @@ PUBLIC = {
     "ResponseTimeout",
     "Robot",
     "SchemaError",
+    "Service",
     "ServiceClient",
     "Subscription",
     "TransportError",
     "load",
+    "run",
 }
 
 

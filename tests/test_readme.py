@@ -3,11 +3,17 @@
 import asyncio
 import doctest
 import re
+import signal
+import subprocess
+import sys
 import textwrap
 from pathlib import Path
 
 import pytest
+from typer.testing import CliRunner
 
+import jauspy
+from jauspy.cli.main import app
 from jauspy.modules import robots
 from jauspy.modules.robot import RobotRunner
 from jauspy.node import NodeConfig, NodeManager
@@ -43,3 +49,39 @@ async def test_the_ocu_drives_the_robot(root: Path) -> None:
         assert robot.snapshot.pose.x == pytest.approx(2.0, abs=0.3)
         (mobility,) = robot.components
         assert mobility.host.state.endswith("NotControlled.Available.Standby")
+
+
+async def test_the_component_is_found_asked_and_subscribed_to(
+    root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (program,) = [block for block in blocks() if "jauspy.Component(" in block]
+    assert len(program.strip().splitlines()) < 40
+    (command,) = re.findall(r"`(jauspy new definition [^`]*)`", README.read_text())
+    monkeypatch.chdir(tmp_path)
+    result = CliRunner().invoke(app, command.split()[1:])
+    assert result.output == "battery.xml\n"
+    place = f'name="battery", connect="local:{root}")'
+    (tmp_path / "battery.py").write_text(program.replace('name="battery")', place))
+    registry = jauspy.load("battery.xml")
+    query = registry.by_name("QueryBattery")
+    node = NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root))
+    async with node, jauspy.OCU("42.1.1", connect=f"local:{root}", registry=registry) as ocu:
+        child = await asyncio.create_subprocess_exec(
+            sys.executable, "-W", "error", "battery.py", stderr=subprocess.PIPE
+        )
+        try:
+            async with asyncio.timeout(30):
+                robot = await ocu.discover(101, timeout=20.0)
+                service = robot.component(120).service("Battery")
+                report = await service.query(query(0xFF))
+                assert report.charge <= 100.0
+                assert report.current == -2.5
+                assert (await service.query(query(1))).current is None
+                async for each in service.subscribe(query(1), rate=20.0):
+                    if each.charge < report.charge:
+                        break
+        finally:
+            child.send_signal(signal.SIGINT)
+            async with asyncio.timeout(20):
+                _, problems = await child.communicate()
+    assert (child.returncode, problems) == (0, b"")

@@ -9,6 +9,7 @@ if TYPE_CHECKING:
     from jauspy.codec.base import Message as Message
     from jauspy.codec.dynamic import load as load
     from jauspy.codec.registry import Registry as Registry
+    from jauspy.component import Component as Component, run as run
     from jauspy.errors import (
         CodecError as CodecError,
         ConfigError as ConfigError,
@@ -31,11 +32,13 @@ if TYPE_CHECKING:
         ServiceClient as ServiceClient,
         Subscription as Subscription,
     )
+    from jauspy.services.service import Service as Service
 
 __version__ = "0.1.0"
 
 _EXPORTS = {
     "CodecError": "jauspy.errors",
+    "Component": "jauspy.component.component",
     "ConfigError": "jauspy.errors",
     "ControlRejected": "jauspy.errors",
     "DecodeError": "jauspy.errors",
@@ -52,7 +55,9 @@ _EXPORTS = {
     "RequestError": "jauspy.errors",
     "ResponseTimeout": "jauspy.errors",
     "Robot": "jauspy.ocu",
+    "run": "jauspy.component.program",
     "SchemaError": "jauspy.errors",
+    "Service": "jauspy.services.service",
     "ServiceClient": "jauspy.ocu",
     "Subscription": "jauspy.ocu",
     "TransportError": "jauspy.errors",

@@ -77,7 +77,7 @@ class World:
         self._stack = stack
 
     async def component(self, id: JausID, services: Iterable[Service], **definitions: Any) -> Component:
-        return await self._stack.enter_async_context(self.network.component(id, services, **definitions))
+        return await self._stack.enter_async_context(self.network.component(id, services, core=False, **definitions))
 
     async def robot(self, id: JausID = ROBOT, *, drive: FakeDrive | None = None, timeout: int = 5) -> Component:
         """One component with everything, subsystem 101 unless told otherwise."""

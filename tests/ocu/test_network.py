@@ -14,7 +14,7 @@ from pathlib import Path
 
 import pytest
 
-from jauspy.component import Component
+from jauspy.component import Shell
 from jauspy.errors import TransportError
 from jauspy.ids import JausID
 from jauspy.messages.core import QueryHeartbeatPulse, QueryStatus, ReportStatus, Standby
@@ -64,7 +64,7 @@ class Site:
         self.drive = Drive()
         services = [Discovery(), Liveness(), AccessControl(timeout=1), PrimitiveDriver(Vehicle(self.drive))]
         host = Host(ROBOT, services, utc_now=lambda: datetime.now(UTC), now=time.monotonic())
-        self.robot = Component(host, LocalTransport(ROBOT, root))
+        self.robot = Shell(host, LocalTransport(ROBOT, root))
 
     def manager(self) -> NodeManager:
         return NodeManager(NodeConfig(address="127.0.0.1", port=self.port, local_root=self.root, tcp=True))

@@ -75,7 +75,7 @@ async def news(virtual_network, ocu):
 
 
 async def test_the_whole_is_told_before_its_parts_and_each_once(virtual_network, news):
-    async with virtual_network.component(ME, [named("robot"), Liveness()]):
+    async with virtual_network.component(ME, [named("robot"), Liveness()], core=False):
         await asyncio.sleep(60)
         assert [each for each in kinds(news) if "Transport" not in each and "Events" not in each] == ALL
         assert isinstance(news[0].now, Subsystem)
@@ -85,7 +85,7 @@ async def test_the_whole_is_told_before_its_parts_and_each_once(virtual_network,
 
 
 async def test_what_falls_silent_vanishes_parts_first_and_may_come_back(virtual_network, news):
-    async with virtual_network.component(ME, [named("robot"), Liveness()]):
+    async with virtual_network.component(ME, [named("robot"), Liveness()], core=False):
         await asyncio.sleep(10)
         appeared = kinds(news)
         virtual_network.cut(ME)
@@ -103,7 +103,7 @@ async def test_what_falls_silent_vanishes_parts_first_and_may_come_back(virtual_
 
 
 async def test_lost_packets_do_not_make_it_vanish(virtual_network, news):
-    async with virtual_network.component(ME, [named("robot"), Liveness()]):
+    async with virtual_network.component(ME, [named("robot"), Liveness()], core=False):
         await asyncio.sleep(10)
         news.clear()
         virtual_network.loss = 0.3
@@ -112,20 +112,20 @@ async def test_lost_packets_do_not_make_it_vanish(virtual_network, news):
 
 
 async def test_another_name_is_a_change(virtual_network, news):
-    async with virtual_network.component(ME, [named("robot"), Liveness()]):
+    async with virtual_network.component(ME, [named("robot"), Liveness()], core=False):
         await asyncio.sleep(10)
         news.clear()
-    async with virtual_network.component(ME, [named("another"), Liveness()]):
+    async with virtual_network.component(ME, [named("another"), Liveness()], core=False):
         await asyncio.sleep(10)
         assert kinds(news) == ["~subsystem 101.0.0"]
         assert (news[0].before.name, news[0].now.name) == ("robot", "another")
 
 
 async def test_services_come_and_go(virtual_network, news):
-    async with virtual_network.component(ME, [named("robot"), Liveness()]):
+    async with virtual_network.component(ME, [named("robot"), Liveness()], core=False):
         await asyncio.sleep(10)
         news.clear()
-    async with virtual_network.component(ME, [named("robot")]):
+    async with virtual_network.component(ME, [named("robot")], core=False):
         await asyncio.sleep(10)
         assert kinds(news) == ["-core:Liveness 101.1.1"]
 
@@ -134,8 +134,8 @@ async def test_one_subsystem_of_many(virtual_network, ocu):
     found: list = []
     task = asyncio.create_task(collect(ocu, found, subsystem=102))
     async with (
-        virtual_network.component(ME, [named("one")]),
-        virtual_network.component("102.1.1", [named("two")]),
+        virtual_network.component(ME, [named("one")], core=False),
+        virtual_network.component("102.1.1", [named("two")], core=False),
     ):
         await asyncio.sleep(10)
     task.cancel()
@@ -145,9 +145,9 @@ async def test_one_subsystem_of_many(virtual_network, ocu):
 
 async def test_a_slow_reader_gets_the_sum(virtual_network, ocu):
     news = ocu.watch()
-    async with virtual_network.component(ME, [named("robot")]):
+    async with virtual_network.component(ME, [named("robot")], core=False):
         assert (await anext(news)).now.name == "robot"
-        async with virtual_network.component("102.1.1", [named("brief")]):
+        async with virtual_network.component("102.1.1", [named("brief")], core=False):
             await asyncio.sleep(20)
         await asyncio.sleep(20)
         rest = await read(news, 20)

@@ -89,7 +89,8 @@ def test_what_its_class_lacks_is_an_error_at_start_up(make, definition) -> None:
     lines = str(error.value).splitlines()
     for state, method in wanted:
         assert any(
-            f"{definition.name}, state {state}: " in line and f"needs a method `{method}` of {definition.name}" in line
+            f"{definition.name}, state {state}: " in line
+            and f"needs a method of {definition.name}: def {method}(" in line
             for line in lines
         ), (state, method)
 

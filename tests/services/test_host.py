@@ -229,9 +229,11 @@ def test_missing_actions_are_named(make) -> None:
         make(Half())
     text = str(caught.value)
     ready = "PrimitiveDriver, state Receiving.Ready.Controlled.Available.Ready"
-    assert f"{ready}: action setWrenchEffort needs a method `set_wrench_effort` of Half" in text
-    assert f"{ready}: action resetTravelSpeed needs a method `reset_travel_speed` of Half" in text
-    assert "Send of ReportWrenchEffort needs a method `report_wrench_effort` of Half" in text
+    effort = "def set_wrench_effort(self, msg: SetWrenchEffort) -> None"
+    assert f"{ready}: action setWrenchEffort needs a method of Half: {effort}" in text
+    assert f"{ready}: action resetTravelSpeed needs a method of Half: def reset_travel_speed(self" in text
+    report = "def report_wrench_effort(self, query: QueryWrenchEffort) -> ReportWrenchEffort"
+    assert f"Send of ReportWrenchEffort needs a method of Half: {report}" in text
     assert text.count("report_wrench_effort") == 2
 
 

@@ -297,8 +297,8 @@ def test_everything_missing_is_told_at_once_with_service_state_and_action() -> N
         Rig(parent)
     text = str(caught.value)
     for expected in (
-        "S, state Top.A: action doThis needs a method `do_this` of Actions",
-        "S, state Top.A: predicate isThere needs a method `is_there` of Actions",
+        "S, state Top.A: action doThis needs a method of Actions: def do_this(self, ",
+        "S, state Top.A: predicate isThere needs a method of Actions: def is_there(self, ",
         "S, state Top.A: goes to Top.Nowhere, which is not a state",
         "S, state Top.A: receives Nothing, which is no message of S or its parents",
         "S, state Top.B: a push transition without an end state",
@@ -316,7 +316,7 @@ def test_a_private_parent_does_not_lend_its_actions() -> None:
     parent = two_states()
     asks = definition("Child", state("Top", state("A", transitions=(on("Ask", do="a"),))), start="Top", parent="S")
     assert Rig(asks, parent, Child=Own()).get("Ask") is Outcome.TAKEN
-    with pytest.raises(ConfigError, match=r"Child, state Top\.A: action a needs a method `a` of Own"):
+    with pytest.raises(ConfigError, match=r"Child, state Top\.A: action a needs a method of Own: def a\("):
         Rig(asks, parent, Child=Own(), S=Private())
 
 

@@ -30,18 +30,9 @@ PICTURES = 3 * RATE
 def ffmpeg(folder: Path, port: int, _: VideoSettings) -> list[str]:
     sdp = folder / "stream.sdp"
     sdp.write_text(session("test", "127.0.0.1", port), newline="")
-    quiet = [
-        "-nostdin",
-        "-loglevel",
-        "error",
-        "-protocol_whitelist",
-        "file,udp,rtp",
-        "-fflags",
-        "nobuffer",
-        "-flags",
-        "low_delay",
-    ]
-    return ["ffmpeg", *quiet, "-i", str(sdp), *["-fps_mode", "passthrough", "-f", "rawvideo", "-pix_fmt", "gray", "-"]]
+    quick = ["-nostdin", "-loglevel", "error", "-fflags", "nobuffer", "-flags", "low_delay"]
+    source = ["-protocol_whitelist", "file,udp,rtp", "-i", str(sdp)]
+    return ["ffmpeg", *quick, *source, "-fps_mode", "passthrough", "-f", "rawvideo", "-pix_fmt", "gray", "-"]
 
 
 def gstreamer(_: Path, port: int, settings: VideoSettings) -> list[str]:

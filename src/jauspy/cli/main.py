@@ -13,7 +13,7 @@ import typer
 import typer.core
 
 from jauspy import __version__
-from jauspy.cli import conformance, console, decode, demo, fuzz, ls, node_manager, query, schema, send, up
+from jauspy.cli import conformance, console, decode, demo, fuzz, ls, new, node_manager, query, schema, send, up
 from jauspy.cli.help import help_text
 from jauspy.errors import JausError
 
@@ -93,6 +93,7 @@ VERBS: Final[dict[str, Callable[..., None]]] = {
 }
 for name, verb in VERBS.items():
     app.command(name, help=help_text(verb.__doc__ or ""))(verb)
+app.add_typer(new.app)
 app.add_typer(schema.app)
 app.add_typer(fuzz.app)
 

@@ -40,6 +40,7 @@ def load_schema(schema: Schema) -> Registry:
     _FINDER.add(sources)
     registry = import_module(package).registry
     assert isinstance(registry, Registry)
+    registry.schema = schema
     for code in sorted({message.code for service in schema.services for message in service.messages}):
         if collision := registry.collision(code):
             _log.warning("%s; decoding needs to know the %s", collision, collision.remedy)

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from difflib import get_close_matches
 from functools import cached_property
-from typing import Any, Literal, TypeVar, overload
+from typing import TYPE_CHECKING, Any, Literal, TypeVar, overload
 
 from jauspy.codec import careful
 from jauspy.codec.base import FAST_ERRORS, Deviation, Message, as_bytes, too_short
@@ -14,6 +14,9 @@ from jauspy.codec.entries import NO_HINTS, Collision, Entry, Hints, meanings
 from jauspy.codec.item import join, shown
 from jauspy.codec.nesting import Nesting
 from jauspy.errors import ConfigError, DecodeError, EncodeError
+
+if TYPE_CHECKING:
+    from jauspy.schema.model import Schema
 
 M = TypeVar("M", bound=Message)
 
@@ -36,6 +39,8 @@ class Registry:
         self._entries: tuple[Entry, ...] = (*self._own, *kept)
         self.files = dict(files or {})
         """Which file defines a service (URN and version), as far as it is known; for reports only."""
+        self.schema: Schema | None = None
+        """The definitions that `jauspy.load` made these messages from: with it a component can run their services."""
         self._codes: dict[int, tuple[Entry, ...]] = {}
         self._names: dict[str, tuple[Entry, ...]] = {}
         for entry in self._entries:

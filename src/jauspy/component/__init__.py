@@ -1,5 +1,7 @@
-"""The component runtime: an asyncio shell around services."""
+"""The component runtime: asyncio around services."""
 
-from jauspy.component.shell import Component
+from jauspy.component.component import Component
+from jauspy.component.program import run
+from jauspy.component.shell import Shell
 
-__all__ = ["Component"]
+__all__ = ["Component", "Shell", "run"]

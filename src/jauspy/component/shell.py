@@ -36,8 +36,8 @@ Intercept = Callable[[Packet], bool]
 """Sees every received packet first; what it returns true for does not reach the services."""
 
 
-class Component:
-    """Runs `host` on `transport`: `async with Component(host, transport): ...`, or `await component.run()`.
+class Shell:
+    """Runs `host` on `transport`: `async with Shell(host, transport): ...`, or `await shell.run()`.
 
     `clock` is monotonic, in seconds, the event loop's unless given; `delivery` has the settings of reliable delivery
     and large messages. While the transport has no connection, what is sent is dropped and counted there, and
@@ -60,10 +60,11 @@ class Component:
         self._intercept = intercept
         start = random.randrange(0x10000) if first_sequence is None else first_sequence  # noqa: S311 - not a secret
         self._endpoint = Endpoint(host.id, first_sequence=start, delivery=delivery)
-        self._deliveries = Deliveries(self._endpoint)
+        self._deliveries = Deliveries(self._endpoint, self._unreachable)
         self._errors: Counter[str] = Counter()
         self._guard = Guard(f"component {host.id}", self._errors)
         self._timer: asyncio.TimerHandle | None = None
+        self._timer_at: float | None = None
         self._continuation: asyncio.Handle | None = None
         self._loop: asyncio.AbstractEventLoop | None = None
         self._closed = asyncio.Event()
@@ -155,6 +156,17 @@ class Component:
         ticket = self._send(destination, message, priority, Broadcast.NONE, Ack.REQUIRED)
         await self._deliveries.wait(ticket, f"{destination} did not acknowledge {message.NAME}")
 
+    def move(self, id: JausID) -> None:
+        """Have another id from now on; events and control end, as they do when a component leaves.
+
+        Raises `TransportError` when the id is taken on this machine; the component then keeps the one it has.
+        """
+        self.host.ask_for_id(id)
+        self._flush_output()
+        if (problem := self._move()) is not None:
+            raise problem
+        self._flush()
+
     def wake(self) -> None:
         """Call this after acting on the host from outside: sends what it wants to send, sets its timers."""
         self._flush()
@@ -206,10 +218,33 @@ class Component:
         if self._loop is None:
             return
         with self._guard:
-            for each in self.host.poll_output(self._clock()):
-                self._pack(each.destination, each.payload, each.priority, each.broadcast)
-            self._transmit()
+            self._flush_output()
+            if self.host.wanted_id is not None and (problem := self._move()) is not None:
+                _LOG.error("%s keeps its id: %s", self.id, problem)
         self._schedule(self._loop)
+
+    def _flush_output(self) -> None:
+        for each in self.host.poll_output(self._clock()):
+            self._pack(each.destination, each.payload, each.priority, each.broadcast)
+        self._transmit()
+
+    def _move(self) -> TransportError | None:
+        """Take the id that the host wants, after goodbyes under the old one; returns why that is not possible."""
+        wanted, now = self.host.wanted_id, self._clock()
+        if wanted is None:
+            return None
+        self.host.leave(now)
+        self._flush_output()
+        try:
+            self.transport.move(wanted)
+        except TransportError as error:
+            self.host.take_id(self.id, now)
+            self._errors["move_failed"] += 1
+            return error
+        self._endpoint.move(wanted)
+        self.host.take_id(wanted, now)
+        self._flush_output()
+        return None
 
     def _pack(self, destination: JausID, payload: bytes, priority: Priority, broadcast: Broadcast) -> None:
         try:
@@ -225,17 +260,26 @@ class Component:
             self.transport.send(datagram)
         self._deliveries.settle()
 
+    def _unreachable(self, client: JausID) -> None:
+        """Somebody did not acknowledge: what is done for it ends; what services say to that goes out next turn."""
+        self.host.unreachable(client, self._clock())
+        if self._loop is not None:
+            self._loop.call_soon(self._flush)
+
     def _schedule(self, loop: asyncio.AbstractEventLoop) -> None:
+        """Set the one timer anew; most datagrams change nothing about it."""
+        services, delivery = self.host.next_timeout(), self._endpoint.next_timeout()
+        at = services if delivery is None or (services is not None and services < delivery) else delivery
         if self._timer is not None:
+            if at == self._timer_at:
+                return
             self._timer.cancel()
             self._timer = None
-        at = min(
-            (at for at in (self.host.next_timeout(), self._endpoint.next_timeout()) if at is not None), default=None
-        )
         if at is not None:
-            self._timer = loop.call_later(max(0.0, at - self._clock()), self._timeout)
+            self._timer, self._timer_at = loop.call_later(max(0.0, at - self._clock()), self._timeout), at
 
     def _timeout(self) -> None:
+        self._timer = None
         with self._guard:
             self._endpoint.handle_timeout(self._clock())
             self.host.handle_timeout(self._clock())

@@ -9,7 +9,7 @@ from datetime import UTC, datetime
 from types import TracebackType
 from typing import Final, Self
 
-from jauspy.component import Component
+from jauspy.component import Shell
 from jauspy.component.shell import Intercept, loop_time
 from jauspy.ids import JausID
 from jauspy.modules.announcement import Announcement
@@ -59,11 +59,11 @@ class RobotRunner:
         self._transports = transports
         self._in_time = realtime
         self._realtime: RealTime | None = None
-        self._components: tuple[Component, ...] = ()
+        self._components: tuple[Shell, ...] = ()
         self._stack = AsyncExitStack()
 
     @property
-    def components(self) -> tuple[Component, ...]:
+    def components(self) -> tuple[Shell, ...]:
         """The components, one per module, in the order of the configuration; empty when not open."""
         return self._components
 
@@ -91,7 +91,7 @@ class RobotRunner:
             components = []
             for module in self.config.modules:
                 host = _host(self.config, module, vehicle_of(self.config, model, realtime.drive))
-                component = Component(host, self._transports(host.id), intercept=announced(host, module))
+                component = Shell(host, self._transports(host.id), intercept=announced(host, module))
                 components.append(await stack.enter_async_context(component))
             self._realtime, self._components = realtime, tuple(components)
             self._stack = stack.pop_all()

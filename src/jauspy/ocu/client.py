@@ -11,11 +11,10 @@ from typing import Any, Self, TypeVar, overload
 
 from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
-from jauspy.component.shell import Component
+from jauspy.component import Shell
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.ocu import discovery
-from jauspy.ocu.connect import transport_for
 from jauspy.ocu.link import Link, Patience
 from jauspy.ocu.robot import Robot
 from jauspy.ocu.stats import Stats
@@ -24,6 +23,7 @@ from jauspy.services.core import Discovery, Identity, Liveness
 from jauspy.services.core.discovery import COMPONENT, NODE, SUBSYSTEM, SYSTEM
 from jauspy.services.host import Host
 from jauspy.transport import Transport
+from jauspy.transport.connect import transport_for
 
 R = TypeVar("R", bound=Message)
 
@@ -59,7 +59,7 @@ class OCU:
         self._transport = transport
         self._name = name
         self._link = Link(registry or _builtin(), Patience(timeout, retries))
-        self._component: Component | None = None
+        self._component: Shell | None = None
 
     @property
     def stats(self) -> Stats:
@@ -82,7 +82,7 @@ class OCU:
             return
         transport = self._transport or await transport_for(self.id, self._connect)
         host = Host(self.id, _services(self._name), utc_now=lambda: datetime.now(UTC))
-        component = Component(host, transport, intercept=self._link.receive)
+        component = Shell(host, transport, intercept=self._link.receive)
         await component.open()
         self._component = component
         self._link.attach(component)

@@ -11,7 +11,7 @@ from typing import Final, Protocol
 
 from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
-from jauspy.component.shell import Component
+from jauspy.component import Shell
 from jauspy.errors import ConfigError, ControlRejected, ResponseTimeout, TransportError
 from jauspy.ids import JausID
 from jauspy.ocu.lanes import Lanes
@@ -70,12 +70,12 @@ class Link:
         self.recorder = Recorder()
         self.replies = Replies(registry, self.malformed)
         self.requests: Counter[JausID] = Counter()
-        self._component: Component | None = None
+        self._component: Shell | None = None
         self._lanes = Lanes()
         self._controls: dict[JausID, Held] = {}
         self._events: dict[tuple[JausID, int], set[object]] = {}
 
-    def attach(self, component: Component | None) -> None:
+    def attach(self, component: Shell | None) -> None:
         """Use this component for sending; None when the OCU is closed."""
         self._component = component
         if component is None:
@@ -271,7 +271,7 @@ class Link:
             if destination.matches(id):
                 control.sent(message)
 
-    def _open(self) -> Component:
+    def _open(self) -> Shell:
         if self._component is None:
             raise TransportError("the OCU is not open; use it inside `async with jauspy.OCU(...) as ocu:`")
         return self._component

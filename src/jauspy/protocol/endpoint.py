@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import logging
 from collections import deque
-from dataclasses import replace
 from typing import Final, TypeVar
 
 from jauspy.errors import ProtocolError
@@ -65,12 +64,11 @@ class Endpoint:
             ack = Ack.NONE
             if broadcast is Broadcast.NONE:
                 broadcast = Broadcast.GLOBAL
-        packet = Packet(self.id, destination, payload, 0, priority, broadcast, ack)
         ticket = None
         if large or ack is Ack.REQUIRED:
-            ticket = self._transfers.start(packet, now)
+            ticket = self._transfers.start(Packet(self.id, destination, payload, 0, priority, broadcast, ack), now)
         else:
-            self._emit(replace(packet, sequence=self._reserve(1)))
+            self._emit(Packet(self.id, destination, payload, self._reserve(1), priority, broadcast, ack))
         self.counters["sent"] += 1
         return ticket if ack is Ack.REQUIRED else None
 
@@ -83,6 +81,11 @@ class Endpoint:
             self._take(packet, now)
         for error in errors:
             self.counters.drop(f"malformed.{error.reason}", error)
+
+    def move(self, id: JausID) -> None:
+        """Be another component from now on; what is not acknowledged under the old id counts as not delivered."""
+        self._transfers.abandon()
+        self.id = id
 
     def poll_output(self) -> list[bytes]:
         """The datagrams to send now, in order."""

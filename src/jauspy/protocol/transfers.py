@@ -127,6 +127,18 @@ class Transfers:
             self._again(flight, now)
         return flight is not None
 
+    def abandon(self) -> None:
+        """Give up everything under way."""
+        under_way = {each.transfer.ticket: each.transfer for each in self._flights.values()}
+        under_way |= {each.ticket: each for lane in self._lanes.values() for each in lane.waiting}
+        for transfer in under_way.values():
+            self._forget(transfer)
+            if transfer.reliable:
+                self._counters["undelivered"] += 1
+                self._outcomes.append(Outcome(transfer.ticket, delivered=False))
+        self._flights.clear()
+        self._lanes.clear()
+
     def next_outcome(self) -> Outcome | None:
         """How the next message ended, or None."""
         return self._outcomes.popleft() if self._outcomes else None
@@ -199,7 +211,8 @@ class Transfers:
 
     def _end(self, transfer: _Transfer, now: float, *, delivered: bool) -> None:
         self._counters["delivered" if delivered else "undelivered"] += 1
-        self._outcomes.append(Outcome(transfer.ticket, delivered))
+        silent = None if delivered else transfer.packet.destination
+        self._outcomes.append(Outcome(transfer.ticket, delivered, silent))
         self._forget(transfer)
         lane = self._lanes.get(int(transfer.packet.destination))
         if lane is not None and lane.waiting and lane.waiting[0] is transfer:

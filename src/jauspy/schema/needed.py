@@ -41,6 +41,11 @@ def load_needed(wanted: frozenset[Wanted]) -> Schema:
     return load_files(sorted(paths))
 
 
+def versions_of(id: str) -> tuple[str, ...]:
+    """The shipped versions of a service, newest first; none when it is not built in."""
+    return tuple(sorted(_index().get(id, ()), key=version_key, reverse=True))
+
+
 def _files(id: str, version: str | None) -> Iterable[Path]:
     versions = _index().get(id, {})
     if version is None:

@@ -7,11 +7,13 @@ from collections.abc import Callable, Iterator, Mapping
 from operator import attrgetter
 from typing import Final, TypeAlias
 
+from jauspy.codec.base import Message
 from jauspy.codec.names import snake
 from jauspy.errors import ConfigError
 from jauspy.schema import guards, model
 from jauspy.services.machine import BoundState, Rule, Step
 from jauspy.services.service import Service
+from jauspy.services.signatures import need
 from jauspy.services.tree import Owned, StateNode
 from jauspy.services.trigger import ANY_MESSAGE, Key, Trigger
 
@@ -110,16 +112,16 @@ class Binder:
         method = self._method(owner, action.name, f"{where}: action")
         call = self._by_name(method, action.arguments, f"{where}: action {action.name}")
         # Newer definitions write sendReportX(msg, transportData) for what is Send('ReportX', transportData) in others.
-        answers = action.name.rpartition(".")[2].startswith("sendReport")
-        return Step(name, self._answering(call), sends=True) if answers else Step(name, call)
+        return Step(name, self._answering(call), sends=bool(need(owner, action.name).reports))
 
     def _answering(self, call: Callable[[Trigger], object]) -> Callable[[Trigger], object]:
-        """The message that such an action returns is its answer."""
+        """A message that an action returns is its answer."""
         reply = self._reply
 
         def answering(trigger: Trigger) -> object:
             result = call(trigger)
-            reply(result, trigger, True)
+            if isinstance(result, Message):
+                reply(result, trigger, True)
             return result
 
         return answering
@@ -152,7 +154,10 @@ class Binder:
                 return method  # type: ignore[no-any-return]  # getattr by a computed name
             if definition is owner and name in service.omits:
                 return _nothing
-        self.problems.append(f"{what} {dotted} needs a method `{name}` of {type(self._services[owner.id]).__name__}")
+        self.problems.append(
+            f"{what} {dotted} needs a method of {type(self._services[owner.id]).__name__}: "
+            f"{need(owner, dotted).signature}"
+        )
         return _nothing
 
     def _by_name(

@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Container, Iterable, Mapping
 from dataclasses import dataclass
 
-from jauspy import messages
 from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
 from jauspy.schema.model import Schema, Service as Definition
-from jauspy.schema.needed import load_needed
 from jauspy.services.bind import Binder, Reply
 from jauspy.services.core.defaults import DEFAULTS
+from jauspy.services.definitions import schema_for
 from jauspy.services.isolation import Bugs
 from jauspy.services.lineage import definitions_of
 from jauspy.services.machine import BoundState, Machine, Rule
@@ -40,13 +39,11 @@ class Built:
         return self.machines.get("ReceiveFSM")
 
 
-def build(
-    services: Iterable[Service], schema: Schema | None, registry: Registry | None, reply: Reply, bugs: Bugs
-) -> Built:
+def build(services: Iterable[Service], schema: Schema | None, registry: Registry, reply: Reply, bugs: Bugs) -> Built:
     """Everything bound and checked; raises `ConfigError` with all that is missing."""
     given = _by_urn(services)
     if schema is None:
-        schema = load_needed(frozenset((service.urn, service.version) for service in given.values()))
+        schema = schema_for(given.values())
     definitions = definitions_of(given.values(), schema)
     all_services = {urn: given.get(urn) or _default(urn) for urn in definitions}
     binder = Binder(definitions, all_services, reply)
@@ -59,7 +56,7 @@ def build(
     events = {rule.key: machines[name] for rule, name in rules if isinstance(rule.key, str)}
     received = {rule.key for rule, _ in rules if isinstance(rule.key, int)}
     queries = frozenset(rule.key for rule, _ in rules if isinstance(rule.key, int) and _answers(rule))
-    inputs = _inputs(definitions.values(), received, registry or messages.registry)
+    inputs = _inputs(definitions.values(), received, registry)
     return Built(all_services, definitions, machines, inputs, events, queries)
 
 

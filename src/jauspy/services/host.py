@@ -8,7 +8,6 @@ from collections.abc import Callable, Hashable, Iterable, Mapping
 from datetime import datetime
 from typing import TYPE_CHECKING, Any, Final, Literal, TypeVar
 
-from jauspy import messages
 from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
 from jauspy.errors import DecodeError, EncodeError
@@ -21,6 +20,7 @@ from jauspy.services.completion import Completion
 from jauspy.services.core.access_control import AccessControl
 from jauspy.services.core.management import Management
 from jauspy.services.core.time import Time
+from jauspy.services.definitions import registry_for
 from jauspy.services.isolation import Bugs
 from jauspy.services.machine import Outcome
 from jauspy.services.outbox import Outbox, Outgoing
@@ -63,6 +63,8 @@ class Host:
         self.id = id
         self.utc_now = utc_now
         self.now = now
+        self.wanted_id: JausID | None = None
+        """The id that the component asks its shell for."""
         self.counters: Counter[str] = Counter()
         self._outbox = Outbox(max_output, self.counters)
         self._captured: list[Outgoing] | None = None
@@ -71,8 +73,9 @@ class Host:
         self._logged: set[str] = set()
         self._bugs = Bugs(self.counters, self._fail if on_action_error == "failure" else lambda: None)
         self._found: dict[type[Service], Service | None] = {}
-        self._registry = registry or messages.registry
-        self._built: Built = build(services, schema, self._registry, self._reply, self._bugs)
+        given = list(services)
+        self._registry = registry or registry_for(given)
+        self._built: Built = build(given, schema, self._registry, self._reply, self._bugs)
         for service in self.services:
             service.host = self
         for service in self.services:
@@ -127,6 +130,17 @@ class Host:
         """Tell the services that nobody is in control any more: what moves stops. Twice is fine."""
         self.now = now
         self.control_lost()
+
+    def leave(self, now: float) -> None:
+        """Say goodbye under the id that is given up: the services end what clients know under it."""
+        self.now = now
+        self._tell_all(Trigger("leaving"), lambda service: service.leaving())
+
+    def take_id(self, id: JausID, now: float) -> None:
+        """Have this id from now on."""
+        self.now = now
+        self.id, self.wanted_id = id, None
+        self._tell_all(Trigger("arrived"), lambda service: service.arrived())
 
     # --- what may be asked ----------------------------------------------------------------------------------------
 
@@ -193,7 +207,7 @@ class Host:
             return
         outgoing = Outgoing(destination, message, payload, priority, broadcast)
         if self._captured is not None:
-            self._captured.append(outgoing)
+            self._captured.append(outgoing)  # it is only asked for, so the machine that sends has no part in it
         else:
             self._dispatch(Trigger(_SENDING[broadcast], outgoing))
 
@@ -225,6 +239,10 @@ class Host:
     def begin_command(self) -> Completion:
         """For an action that starts something which takes time: call what this returns when it has ended."""
         return self._agenda.begin_command()
+
+    def ask_for_id(self, id: JausID) -> None:
+        """Want to be the component of this id; the shell moves there as soon as what waits is sent."""
+        self.wanted_id = None if id == self.id else id
 
     def set_timer(self, key: Hashable, at: float, call: Callable[[], None]) -> None:
         """Call `call` at time `at`; a timer with the same key is replaced."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from jauspy.errors import ConfigError
 from jauspy.schema.model import Schema, Service as Definition
@@ -12,16 +12,32 @@ from jauspy.services.service import Service
 def definitions_of(services: Iterable[Service], schema: Schema) -> dict[str, Definition]:
     """Definitions by URN, most derived first, all ancestors included."""
     found: dict[str, Definition] = {}
-    services = list(services)
-    # Those that name a version, or that others inherit from by version, decide before those that take any.
-    for service in sorted(services, key=lambda service: service.version is None):
+    # Those with the fewest versions to choose from, and those that others inherit from, decide before the rest.
+    services = sorted(services, key=lambda service: len(_versions(service, schema)))
+    for service in services:
         if service.version is not None or not _inherited(service.urn, services, schema):
-            _add(found, _lookup(schema, service.urn, service.version, type(service).__name__), schema)
+            _add(found, _fitting(found, service, schema), schema)
     for service in services:
         if service.urn not in found:
-            _add(found, _lookup(schema, service.urn, service.version, type(service).__name__), schema)
+            _add(found, _fitting(found, service, schema), schema)
     depths = {urn: _depth(urn, found) for urn in found}
     return {urn: found[urn] for urn in sorted(found, key=lambda urn: -depths[urn])}
+
+
+def _versions(service: Service, schema: Schema) -> list[Definition]:
+    """The definitions that a service may run, oldest first."""
+    return [each for each in schema.services if each.id == service.urn and service.version in (None, each.version)]
+
+
+def _fitting(found: Mapping[str, Definition], service: Service, schema: Schema) -> Definition:
+    """The newest version whose parents are those of the others; the newest of all when none fits."""
+    newest = _lookup(schema, service.urn, service.version, type(service).__name__)
+    return next((each for each in reversed(_versions(service, schema)) if _fits(found, each, schema)), newest)
+
+
+def _fits(found: Mapping[str, Definition], definition: Definition, schema: Schema) -> bool:
+    line = (definition, *_ancestors(definition, schema))
+    return all(found.get(each.id, each).version == each.version for each in line)
 
 
 def _inherited(urn: str, services: Iterable[Service], schema: Schema) -> bool:

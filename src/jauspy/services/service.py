@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, ClassVar
 
 from jauspy.ids import JausID
 
 if TYPE_CHECKING:
+    from jauspy.codec.registry import Registry
     from jauspy.services.host import Host
 
 
@@ -17,12 +19,15 @@ class Service:
     Every action and predicate of the JSIDL is a method with its name in snake_case (`isControllingClient` ->
     `is_controlling_client`); `Send('ReportX', ...)` calls `report_x` and sends what it returns (None: nothing).
     Methods take what they need by name: `msg` or `query` (the message that triggered), `source` (its sender),
-    `code` (the literal that the JSIDL gives, as in `'CONTROL_RELEASED'`).
+    `code` (the literal that the JSIDL gives, as in `'CONTROL_RELEASED'`). An action that returns a message answers
+    with it. `definitions`, from `jauspy.load`, has the definition of a service that is not built in.
     """
 
     urn: ClassVar[str] = ""
     version: ClassVar[str | None] = None
     """The version of the definition; None takes what the services that inherit from it ask for, else the newest."""
+    definitions: ClassVar[Registry | None] = None
+    """Where the definition and its messages are, if they are not built in."""
     private: ClassVar[bool] = False
     """True when services that inherit from this one must not use its actions as theirs."""
 
@@ -32,11 +37,34 @@ class Service:
     host: Host
     """The component this service runs in; set before `attached`."""
 
-    def __init_subclass__(cls, *, urn: str = "", version: str | None = None, private: bool = False) -> None:
+    def __init_subclass__(
+        cls,
+        *,
+        urn: str = "",
+        version: str | None = None,
+        definitions: Registry | None = None,
+        private: bool = False,
+    ) -> None:
         super().__init_subclass__()
         cls.urn = urn or cls.urn
         cls.version = version or cls.version
+        cls.definitions = definitions or cls.definitions
         cls.private = private or cls.private
+
+    def every(self, seconds: float, call: Callable[[], None]) -> None:
+        """Call a method of this service again and again, first in so many seconds; a second `every` replaces it.
+
+        What was missed while the program hung is left out. `self.host.cancel_timer(call)` ends it.
+        """
+        due = self.host.now + seconds
+
+        def tick() -> None:
+            nonlocal due
+            due += seconds * (1 + max(0, int((self.host.now - due) / seconds)))
+            self.host.set_timer(call, due, tick)
+            call()
+
+        self.host.set_timer(call, due, tick)
 
     def attached(self) -> None:
         """Called once, when `host` is there and before anything is received."""
@@ -46,3 +74,9 @@ class Service:
 
     def control_lost(self) -> None:
         """Called when the controlling client lost or gave up control, or another took it. Stop what moves."""
+
+    def leaving(self) -> None:
+        """Called before the component gives up its id. End what clients know under it; they can still be told so."""
+
+    def arrived(self) -> None:
+        """Called when the component has its new id."""

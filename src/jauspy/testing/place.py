@@ -8,13 +8,10 @@ from contextlib import AbstractAsyncContextManager
 from datetime import datetime
 from typing import Any
 
-from jauspy.codec.registry import Registry
 from jauspy.component import Component
 from jauspy.ids import JausID
 from jauspy.modules.robot import RobotRunner
 from jauspy.ocu import OCU
-from jauspy.schema import Schema
-from jauspy.services.host import Host
 from jauspy.services.service import Service
 from jauspy.transport import Transport
 
@@ -38,19 +35,9 @@ class Place(ABC):
     def utc_now(self) -> datetime:
         """The wall clock here."""
 
-    def component(
-        self,
-        id: str | JausID,
-        services: Iterable[Service],
-        *,
-        schema: Schema | None = None,
-        registry: Registry | None = None,
-        **options: Any,
-    ) -> Component:
-        """A component of these services; `schema` and `registry` define users' own, `options` are `Component`'s."""
-        utc_now, now = self.utc_now, self.now()
-        host = Host(parsed(id), services, utc_now=utc_now, now=now, schema=schema, registry=registry)
-        return Component(host, self.transport(host.id), clock=self.now, **options)
+    def component(self, id: str | JausID, services: Iterable[Service], **options: Any) -> Component:
+        """A component of these services; `options` are those of `Component`."""
+        return Component(id, services, transport=self.transport(id), clock=self.now, utc_now=self.utc_now, **options)
 
     def ocu(self, id: str | JausID = "42.1.1", **options: Any) -> OCU:
         """An OCU; `options` are those of `OCU`."""

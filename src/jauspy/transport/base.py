@@ -28,6 +28,9 @@ class Transport(Protocol):
     def send(self, datagram: bytes) -> None:
         """Send, or drop and count; never blocks and never raises."""
 
+    def move(self, id: JausID) -> None:
+        """Be the component of this id from now on; raises `TransportError` when it is taken, and then stays."""
+
     @property
     def connected(self) -> bool:
         """True while datagrams can be expected to arrive."""

@@ -53,7 +53,7 @@ class LocalTransport:
     @property
     def path(self) -> Path:
         """The component's own socket."""
-        return self._root / str(int(self.id))
+        return self._path(self.id)
 
     @property
     def connected(self) -> bool:
@@ -67,12 +67,8 @@ class LocalTransport:
 
     async def open(self) -> None:
         """Bind the component's socket and connect; raises `TransportError` when no node manager answers."""
-        self._socket = local_socket.bind(
-            self.path, owner=f"another component {self.id}", advice="use another id for this one"
-        )
-        self._sender = LocalSender(self._socket, self._counters, self._lost)
         loop = asyncio.get_running_loop()
-        draining.attach(loop, self._socket, self._take, self._failed)
+        self._listen(loop, self._bind(self.id))
         self._keeper = loop.create_task(self._keep_connected(), name=f"keep {self.id} connected")
         if self._patience is not None:
             try:
@@ -91,11 +87,21 @@ class LocalTransport:
             return
         keeper.cancel()
         await asyncio.gather(keeper, return_exceptions=True)
-        sender.send(self._node, junior.cancel(self.id))
-        sender.close()
-        draining.detach(asyncio.get_running_loop(), sock)
+        self._leave(sock, sender)
         self._accepted.clear()
-        local_socket.clean_up(self.path)
+
+    def move(self, id: JausID) -> None:
+        """Listen on another socket and register with the new id; raises `TransportError` when it is taken."""
+        old, sender = self._socket, self._sender
+        if old is None or sender is None:
+            self.id = id
+            return
+        new = self._bind(id)
+        self._leave(old, sender)
+        self.id = id
+        self._listen(asyncio.get_running_loop(), new)
+        self._accepted.clear()
+        self._loss.set()  # the keeper connects again at once
 
     def send(self, datagram: bytes) -> None:
         """Hand a datagram to the node manager; what it cannot take yet waits, in bounds."""
@@ -104,6 +110,24 @@ class LocalTransport:
             return
         self._counters["sent"] += 1
         self._sender.send(self._node, datagram)
+
+    def _path(self, id: JausID) -> Path:
+        return self._root / str(int(id))
+
+    def _bind(self, id: JausID) -> socket.socket:
+        path = self._path(id)
+        return local_socket.bind(path, owner=f"another component {id}", advice="use another id for this one")
+
+    def _listen(self, loop: asyncio.AbstractEventLoop, sock: socket.socket) -> None:
+        self._socket = sock
+        self._sender = LocalSender(sock, self._counters, self._lost)
+        draining.attach(loop, sock, self._take, self._failed)
+
+    def _leave(self, sock: socket.socket, sender: LocalSender) -> None:
+        sender.send(self._node, junior.cancel(self.id))
+        sender.close()
+        draining.detach(asyncio.get_running_loop(), sock)
+        local_socket.clean_up(self.path)
 
     def _silence(self) -> str:
         """Why the node manager may not answer, and what to do."""

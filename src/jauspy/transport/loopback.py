@@ -54,13 +54,19 @@ class LoopbackTransport:
 
     async def open(self) -> None:
         """Join the hub; raises `TransportError` when the id is taken."""
-        if self._hub.members.setdefault(int(self.id), self) is not self:
-            raise TransportError(f"another component {self.id} is already on this loopback hub; choose another id")
+        self._join(self.id)
 
     async def close(self) -> None:
         """Leave the hub."""
         if self.connected:
             del self._hub.members[int(self.id)]
+
+    def move(self, id: JausID) -> None:
+        """Be another member of the hub; raises `TransportError` when the id is taken."""
+        if self.connected:
+            self._join(id)
+            del self._hub.members[int(self.id)]
+        self.id = id
 
     def send(self, datagram: bytes) -> None:
         """Hand a datagram to the hub; dropped and counted when it is malformed or the transport is closed."""
@@ -73,6 +79,10 @@ class LoopbackTransport:
             self._counters.drop(f"malformed.{error.reason}", error)
         else:
             self._counters["sent"] += 1
+
+    def _join(self, id: JausID) -> None:
+        if self._hub.members.setdefault(int(id), self) is not self:
+            raise TransportError(f"another component {id} is already on this loopback hub; choose another id")
 
     def deliver(self, datagram: bytes) -> None:
         """Called by the hub."""

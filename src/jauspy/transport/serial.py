@@ -47,6 +47,10 @@ class SerialTransport:
         if link is not None:
             link.close()
 
+    def move(self, id: JausID) -> None:
+        """Be another component; the way to it stays the same."""
+        self.id = id
+
     def send(self, datagram: bytes) -> None:
         """Send each packet in a frame of its own, or drop and count."""
         if self._link is None:

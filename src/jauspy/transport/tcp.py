@@ -61,6 +61,10 @@ class TcpTransport:
         if dialer is not None:
             await dialer.close()
 
+    def move(self, id: JausID) -> None:
+        """Be another component; the way to it stays the same."""
+        self.id = id
+
     def send(self, datagram: bytes) -> None:
         """Send, or drop and count."""
         if self._dialer is None:

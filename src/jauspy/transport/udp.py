@@ -87,6 +87,10 @@ class UdpTransport:
             if sock is not None:
                 draining.detach(asyncio.get_running_loop(), sock)
 
+    def move(self, id: JausID) -> None:
+        """Be another component; the way to it stays the same."""
+        self.id = id
+
     def send(self, datagram: bytes) -> None:
         """Send to the learned address of the destination, or ask everywhere."""
         if self._socket is None:

@@ -67,6 +67,10 @@ class AccessControl(Service, urn="urn:jaus:jss:core:AccessControl"):
         if self.timeout:
             self.host.set_timer(_TIMER, self.host.now + self.timeout, self._time_out)
 
+    def leaving(self) -> None:
+        """The client in control knows the component by its old id, and is told that control ends."""
+        self.host.fire("Timedout")
+
     def _time_out(self) -> None:
         # Emergency swallows Timedout: the timer goes on, so that a dead client is dropped after the emergency.
         self.reset_timer()

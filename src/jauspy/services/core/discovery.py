@@ -88,6 +88,14 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
         """The component's own services, those it inherits included."""
         self.directory.register(self.host.id, own_offers(self.host))
 
+    def leaving(self) -> None:
+        """Others registered with the component of the old id."""
+        self.directory = Directory()
+
+    def arrived(self) -> None:
+        """The same services under the new id."""
+        self.directory.register(self.host.id, own_offers(self.host))
+
     def publish_services(self, msg: RegisterServices, source: JausID) -> None:
         """Take up another component of this subsystem; one that registers no services goes off the list."""
         if source.subsystem != self.host.id.subsystem or source == self.host.id:

@@ -76,6 +76,11 @@ class Events(CommandEvents, urn="urn:jaus:jss:core:Events", private=True):
         self._kinds = _KINDS | _MORE_KINDS if more_kinds else _KINDS
         self._current: Entry | None = None
 
+    def leaving(self) -> None:
+        """Clients know events by the id of the component: all end, and their clients are told."""
+        for each in self.subscriptions.all():
+            self.host.fire("Timeout", each, each.client)
+
     # --- predicates
 
     def is_supported(self, msg: Setup, source: JausID) -> bool:

@@ -90,9 +90,13 @@ class Subscriptions:
         watches = (each for each in self.of(client) if isinstance(each, CommandWatch))
         return next((each for each in watches if each.command.encode() == command), None)
 
+    def all(self) -> list[Entry]:
+        """Everyone's events in the order of their ids."""
+        return [each for _, each in sorted(self._by_id.items())]
+
     def of(self, client: JausID) -> list[Entry]:
         """The client's events in the order of their ids."""
-        return [each for _, each in sorted(self._by_id.items()) if each.client == client]
+        return [each for each in self.all() if each.client == client]
 
     def queries(self, client: JausID) -> Iterator[Subscription]:
         """Those among them that report."""

@@ -1,4 +1,4 @@
-"""How an OCU reaches the network: what `connect=` may say."""
+"""How a component or an OCU reaches the network: what `connect=` may say."""
 
 from __future__ import annotations
 

@@ -1,0 +1,23 @@
+"""Writing files that are new: nothing of the user's is ever overwritten."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from jauspy.errors import ConfigError
+
+
+def write_new(files: Mapping[Path, str | bytes]) -> None:
+    """Write all files, or none when one is there; raises `ConfigError` that names it."""
+    for path in files:
+        if path.exists() or path.is_symlink():
+            raise ConfigError(f"{path} exists; remove it, or choose another name")
+    try:
+        for path, content in files.items():
+            path.parent.mkdir(parents=True, exist_ok=True)
+            with path.open("xb") as file:
+                file.write(content.encode() if isinstance(content, str) else content)
+            print(path)
+    except OSError as error:
+        raise ConfigError(f"{error.filename} cannot be written: {error.strerror}") from None

@@ -1,0 +1,40 @@
+"""Running components as a program: until Ctrl-C, SIGTERM or a closed terminal, and then in order."""
+
+from __future__ import annotations
+
+import asyncio
+import signal
+
+from jauspy.component.component import Component
+
+_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+
+
+def run(*components: Component) -> None:
+    """Run the components until Ctrl-C or SIGTERM, or until all were closed.
+
+    Raises `TransportError` when one cannot start. In a program with an event loop of its own use `component.run()`.
+    """
+    asyncio.run(_serve(components))
+
+
+async def _serve(components: tuple[Component, ...]) -> None:
+    loop = asyncio.get_running_loop()
+    serving = asyncio.gather(*(component.run() for component in components))
+    stopped = False
+
+    def stop() -> None:
+        nonlocal stopped
+        stopped = True
+        serving.cancel()
+
+    for number in _SIGNALS:
+        loop.add_signal_handler(number, stop)
+    try:
+        await serving
+    except asyncio.CancelledError:
+        if not stopped:
+            raise
+    finally:
+        for number in _SIGNALS:
+            loop.remove_signal_handler(number)

@@ -1,0 +1,20 @@
+"""The core services of every component, whatever else it offers (AS5710)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from jauspy.services.core.discovery import COMPONENT, DEFAULT_IDENTITIES, Discovery, Identity
+from jauspy.services.core.liveness import Liveness
+from jauspy.services.core.management import Management
+from jauspy.services.core.time import Time
+from jauspy.services.service import Service
+
+
+def with_core(services: Iterable[Service], name: str) -> list[Service]:
+    """These services, and the core ones that are not among them; `name` is what Discovery calls the component."""
+    given = list(services)
+    urns = {service.urn for service in given}
+    component = Identity(name, DEFAULT_IDENTITIES[COMPONENT].type)
+    core = (Management(), Time(), Liveness(), Discovery({COMPONENT: component}))
+    return [*given, *(service for service in core if service.urn not in urns)]

@@ -1,0 +1,67 @@
+"""`jauspy new definition`: what it writes can be loaded and linted, and nothing is overwritten."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+import jauspy
+from jauspy.cli.main import app
+
+run = CliRunner()
+
+
+@pytest.fixture(autouse=True)
+def _here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+
+
+def new(*arguments: str):
+    return run.invoke(app, ["new", "definition", *arguments])
+
+
+def test_it_reports_what_was_said():
+    result = new("urn:example:AirTank", "pressure:bar", "flow_rate:meter per second", "-o", "own/tank.xml")
+    assert (result.exit_code, result.output) == (0, "own/tank.xml\n")
+    registry = jauspy.load("own/tank.xml")
+    report = registry.by_name("ReportAirTank")
+    assert (registry.by_name("QueryAirTank").CODE, report.CODE) == (0xD001, 0xD002)
+    assert report.decode(report(pressure=2.5, flow_rate=-1.0).encode()) == report(pressure=2.5, flow_rate=-1.0)
+    assert report().encode() == b"\x02\xd0\x00"
+
+
+def test_it_is_without_a_complaint():
+    new("urn:example:Many", *(f"f{chr(97 + n)}:one" for n in range(16)), "--first-id", "E0F0")
+    result = run.invoke(app, ["schema", "lint", "many.xml"])
+    assert result.exit_code == 0, result.output
+    assert jauspy.load("many.xml").by_name("QueryMany").CODE == 0xE0F0
+
+
+def test_what_is_there_stays():
+    Path("battery.xml").write_text("mine")
+    result = new("urn:example:Battery", "charge:percent")
+    assert result.exit_code == 1
+    assert "battery.xml exists; remove it, or choose another name" in result.output
+    assert Path("battery.xml").read_text() == "mine"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "problem"),
+    [
+        (["charge"], "NAME:UNITS"),
+        (["charge:"], "NAME:UNITS"),
+        (["charge:per<cent"], "NAME:UNITS"),
+        (["1charge:percent"], "NAME:UNITS"),
+        (["a:one", "A:one"], "name of its own"),
+        ([f"f{n}:one" for n in range(17)], "up to 16"),
+        (["a:one", "--first-id", "FFFF"], "no message id"),
+        (["a:one", "--first-id", "xyz"], "no message id"),
+    ],
+)
+def test_what_cannot_be(arguments: list[str], problem: str):
+    result = new("urn:example:Battery", *arguments)
+    assert result.exit_code == 2
+    assert problem in " ".join(result.output.replace("│", " ").split())
+    assert not list(Path().iterdir())

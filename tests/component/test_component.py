@@ -1,0 +1,238 @@
+"""What an author of components sees."""
+
+from __future__ import annotations
+
+import asyncio
+import os
+import signal
+import subprocess
+import sys
+import textwrap
+from pathlib import Path
+
+import pytest
+
+import jauspy
+from jauspy.errors import ConfigError, TransportError
+from jauspy.messages.core import (
+    QueryHeartbeatPulse,
+    QueryStatus,
+    QueryTime,
+    ReportHeartbeatPulse,
+    ReportStatus,
+    ReportTime,
+)
+from jauspy.messages.mobility import QueryWrenchEffort, ReportWrenchEffort, SetWrenchEffort
+from jauspy.node import NodeConfig, NodeManager
+from jauspy.services.core import Discovery, Identity, Liveness
+from jauspy.transport import LoopbackHub, LoopbackTransport
+
+ME, OCU = "101.1.120", "42.1.1"
+
+
+class Driver(jauspy.Service, urn="urn:jaus:jss:mobility:PrimitiveDriver"):
+    def __init__(self) -> None:
+        self.effort = 0.0
+
+    def set_wrench_effort(self, msg: SetWrenchEffort) -> None:
+        self.effort = msg.propulsive_linear_effort_x or 0.0
+
+    def report_wrench_effort(self, query: QueryWrenchEffort) -> ReportWrenchEffort:
+        return ReportWrenchEffort(propulsive_linear_effort_x=self.effort)
+
+    def reset_travel_speed(self) -> None:
+        self.effort = 0.0
+
+
+def on(hub: LoopbackHub, id: str) -> LoopbackTransport:
+    return LoopbackTransport(jauspy.JausID.parse(id), hub)
+
+
+def component(hub: LoopbackHub, *services: jauspy.Service, **options) -> jauspy.Component:
+    return jauspy.Component(ME, services or [Driver()], transport=on(hub, ME), **options)
+
+
+async def test_it_is_found_controlled_and_queried():
+    hub = LoopbackHub()
+    async with component(hub, name="wheels") as me, jauspy.OCU(OCU, transport=on(hub, OCU)) as ocu:
+        robot = await ocu.discover(101)
+        assert robot.component(120).info.name == "wheels"
+        driver = robot.service("PrimitiveDriver")
+        async with driver.control():
+            await driver.resume()
+            await driver.send(SetWrenchEffort(propulsive_linear_effort_x=40.0))
+            report = await driver.query(QueryWrenchEffort(0xFFFF))
+            assert report.propulsive_linear_effort_x == pytest.approx(40.0, abs=0.01)
+            assert me.controller == ocu.id
+            assert me.state.endswith("Controlled.Available.Ready")
+        assert me.service(Driver).effort == 0.0
+        assert me.counters["host.received"] > 5
+
+
+async def test_the_core_services_are_there_without_being_asked():
+    hub = LoopbackHub()
+    async with component(hub), jauspy.OCU(OCU, transport=on(hub, OCU)) as ocu:
+        offered = (await ocu.discover(101)).component(120).info.services
+        assert {each.urn.rpartition(":")[2] for each in offered} >= {
+            *("Transport", "Events", "AccessControl", "Management", "Time", "Liveness", "Discovery", "PrimitiveDriver")
+        }
+        assert isinstance(await ocu.query(ME, QueryTime(0xFF)), ReportTime)
+
+
+def test_few_are_there_when_that_is_asked_for():
+    names = {each.name for each in component(LoopbackHub(), Liveness(), core=False).host.definitions.values()}
+    assert names == {"Liveness", "Events", "Transport"}
+
+
+async def test_given_core_services_replace_the_usual_ones():
+    class Pulse(Liveness):
+        beats = 0
+
+        def report_heartbeat_pulse(self) -> ReportHeartbeatPulse:
+            self.beats += 1
+            return ReportHeartbeatPulse()
+
+    me = component(LoopbackHub(), Driver(), Pulse(), Discovery({4: Identity("mine", 60001)}))
+    assert me.service(Pulse) is me.service(Liveness)
+    assert me.service(Discovery).identities[4].name == "mine"
+
+
+def test_core_services_are_of_the_version_that_the_others_need():
+    class Old(Driver, version="1.0"):
+        pass
+
+    versions = {each.name: each.version for each in component(LoopbackHub(), Old()).host.definitions.values()}
+    assert set(versions.values()) == {"1.0"}
+    assert {"Discovery", "Time", "Liveness", "Management"} <= versions.keys()
+
+
+def test_what_is_missing_is_told_with_the_method_as_it_must_look():
+    class Half(jauspy.Service, urn="urn:jaus:jss:mobility:PrimitiveDriver"):
+        pass
+
+    with pytest.raises(ConfigError) as caught:
+        jauspy.Component(ME, [Half()])
+    assert (
+        "PrimitiveDriver, state Receiving.Ready.Controlled.Available.Ready: action setWrenchEffort needs a method of "
+        "Half: def set_wrench_effort(self, msg: SetWrenchEffort) -> None" in str(caught.value)
+    )
+
+
+@pytest.mark.parametrize("id", ["101.1.0", "65535.1.1", "101.255.1", "0.0.255", "101.1"])
+def test_an_id_that_no_component_can_have(id):
+    with pytest.raises(ConfigError, match=r"101\.1\.1"):
+        jauspy.Component(id, [Driver()])
+
+
+def test_a_service_that_is_not_there():
+    with pytest.raises(ConfigError, match="no service of the class Discovered"):
+        jauspy.Component(ME, [Driver()]).service(type("Discovered", (jauspy.Service,), {}))
+
+
+async def test_closed_it_says_how_to_open_it_and_twice_is_fine():
+    me = component(LoopbackHub())
+    for use in (me.wake, lambda: me.send(OCU, ReportHeartbeatPulse()), lambda: me.move("101.1.121")):
+        with pytest.raises(ConfigError, match="async with"):
+            use()
+    async with me:
+        await me.open()
+        await me.close()
+        await me.close()
+    assert me.counters == {}
+
+
+async def test_without_a_node_manager_it_says_what_to_do(root: Path):
+    with pytest.raises(TransportError, match="no node manager"):
+        await jauspy.Component(ME, [Driver()], connect=f"local:{root}").open()
+
+
+async def test_messages_can_be_sent_at_any_time():
+    hub = LoopbackHub()
+    async with component(hub) as me, jauspy.OCU(OCU, transport=on(hub, OCU)) as ocu:
+        me.send(OCU, QueryHeartbeatPulse())
+        await me.deliver(ocu.id, ReportHeartbeatPulse())
+
+
+def test_every_does_not_drift_and_leaves_out_what_was_missed():
+    class Clock(Liveness):
+        def __init__(self) -> None:
+            self.ticks: list[float] = []
+
+        def attached(self) -> None:
+            self.every(0.5, self.tick)
+
+        def tick(self) -> None:
+            self.ticks.append(self.host.now)
+
+    clock = Clock()
+    host = component(LoopbackHub(), Driver(), clock, clock=lambda: 100.0).host
+    for now in (100.4, 100.6, 101.0, 103.2, 103.4, 103.5):
+        host.handle_timeout(now)
+    assert clock.ticks == [100.6, 101.0, 103.2, 103.5]
+    host.cancel_timer(clock.tick)
+    host.handle_timeout(110.0)
+    assert len(clock.ticks) == 4
+
+
+class Buggy(Liveness):
+    def report_heartbeat_pulse(self) -> ReportHeartbeatPulse:
+        raise RuntimeError("a bug of the author")
+
+
+@pytest.mark.parametrize(("on_error", "status"), [("stay", "STANDBY"), ("failure", "FAILURE")])
+async def test_it_survives_its_own_bugs_and_others_run_on(on_error, status, caplog):
+    hub = LoopbackHub()
+    other = jauspy.Component("101.1.121", [Liveness()], transport=on(hub, "101.1.121"))
+    me = component(hub, Buggy(), on_action_error=on_error)
+    async with me, other, jauspy.OCU(OCU, transport=on(hub, OCU)) as ocu:
+        await until(lambda: me.host.status == ReportStatus.Status.STANDBY)
+        with pytest.raises(jauspy.ResponseTimeout):
+            await ocu.query(ME, QueryHeartbeatPulse(), timeout=0.05, retries=0)
+        assert me.counters["host.action_failed"] == 1
+        assert (await ocu.query(ME, QueryStatus())).status.name == status
+        assert (await ocu.query("101.1.121", QueryStatus())).status.name == "STANDBY"
+    (record,) = [each for each in caplog.records if each.levelname == "ERROR"]
+    assert "QueryHeartbeatPulse" in record.getMessage()
+    assert "42.1.1" in record.getMessage()
+    assert "a bug of the author" in caplog.text
+
+
+async def until(condition) -> None:
+    async with asyncio.timeout(20):
+        while not condition():
+            await asyncio.sleep(0.005)
+
+
+PROGRAM = """
+import jauspy
+from jauspy.services.core import Liveness
+
+class Loud(Liveness):
+    def attached(self):
+        self.every(0.01, self.tell)
+
+    def tell(self):
+        self.host.cancel_timer(self.tell)
+        print("runs", flush=True)
+
+    def control_lost(self):
+        print("ends in order", flush=True)
+
+jauspy.run(*(jauspy.Component(id, [Loud()], connect="local:ROOT") for id in ("101.1.120", "101.1.121")))
+print("ended", flush=True)
+"""
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+async def test_a_program_ends_in_order(root: Path, number: int):
+    async with NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root)):
+        command = [sys.executable, "-W", "error", "-c", textwrap.dedent(PROGRAM).replace("ROOT", str(root))]
+        child = await asyncio.create_subprocess_exec(*command, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        assert child.stdout is not None
+        async with asyncio.timeout(20):
+            assert [await child.stdout.readline() for _ in range(2)] == [b"runs\n"] * 2
+            os.kill(child.pid, number)
+            out, problems = await child.communicate()
+        assert out.decode().split("\n") == ["ends in order"] * 2 + ["ended", ""]
+        assert (child.returncode, problems) == (0, b"")
+        assert not list(root.glob("[0-9]*"))
