@@ -13,6 +13,8 @@ from jauspy.component.shell import MAX_PER_WAKEUP
 from jauspy.errors import EncodeError, ProtocolError, ResponseTimeout, TransportError
 from jauspy.ids import EVERYONE, JausID
 from jauspy.messages.core import (
+    CreateEvent,
+    Event,
     QueryControl,
     QueryHeartbeatPulse,
     RegisterServices,
@@ -25,7 +27,7 @@ from jauspy.messages.core import (
 from jauspy.protocol.delivery import Delivery
 from jauspy.protocol.header import Ack, DataFlag, Packet
 from jauspy.protocol.judp import pack, unpack
-from jauspy.services.core import AccessControl, Liveness
+from jauspy.services.core import AccessControl, Events, Liveness
 from jauspy.services.host import Host
 from jauspy.transport import LoopbackHub, LoopbackTransport
 
@@ -236,6 +238,18 @@ async def test_what_is_not_acknowledged_is_resent_and_then_an_error():
         tries = [await peer.next() for _ in range(4)]
         assert tries == [tries[0]] * 4
         assert peer.packets.empty()
+
+
+async def test_events_of_a_client_that_does_not_acknowledge_end():
+    hub = LoopbackHub()
+    async with component(hub, delivery=Delivery(ack_timeout=0.01)) as me, Peer(hub) as peer:
+        peer.send(CreateEvent(1, 1, 0.0, QueryHeartbeatPulse()))
+        while (await peer.next()).payload[:2] != Event.CODE.to_bytes(2, "little"):
+            pass
+        assert len(me.host.service(Events).subscriptions) == 1
+        with pytest.raises(ResponseTimeout):
+            await me.deliver(PEER, ReportHeartbeatPulse())
+        assert len(me.host.service(Events).subscriptions) == 0
 
 
 async def test_nobody_waits_for_a_component_that_is_closed():

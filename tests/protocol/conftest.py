@@ -8,7 +8,7 @@ from collections.abc import Callable
 import pytest
 
 from jauspy.ids import JausID
-from jauspy.protocol.delivery import Delivery, Outcome
+from jauspy.protocol.delivery import Delivery
 from jauspy.protocol.endpoint import Endpoint
 from jauspy.protocol.header import Ack, Packet
 
@@ -23,7 +23,7 @@ class Network:
         self.now = 0.0
         self.endpoints: dict[JausID, Endpoint] = {}
         self.received: dict[JausID, list[Packet]] = {}
-        self.outcomes: list[Outcome] = []
+        self.outcomes: list[tuple[int, bool]] = []
         self.sent: list[bytes] = []
         self._order = itertools.count()
         self._air: list[tuple[float, int, JausID, bytes]] = []
@@ -61,7 +61,7 @@ class Network:
             while (packet := endpoint.next_event()) is not None:
                 self.received[id].append(packet)
             while (outcome := endpoint.next_outcome()) is not None:
-                self.outcomes.append(outcome)
+                self.outcomes.append(outcome[:2])
 
     def _carry(self, source: JausID, datagram: bytes) -> None:
         self.sent.append(datagram)

@@ -71,7 +71,7 @@ def test_a_nak_has_it_sent_again_at_once() -> None:
         assert endpoint.poll_output() == [first]
     endpoint.receive(nak, 0.02)
     assert endpoint.poll_output() == []
-    assert endpoint.next_outcome() == (1, False)
+    assert endpoint.next_outcome() == (1, False, B)
 
 
 def test_an_ack_of_somebody_else_or_of_another_number_does_not_count() -> None:
@@ -81,7 +81,7 @@ def test_an_ack_of_somebody_else_or_of_another_number_does_not_count() -> None:
         endpoint.receive(judp.pack(packet), 0.01)
     assert endpoint.next_outcome() is None
     endpoint.receive(judp.pack(Packet(B, A, b"", 9, ack=Ack.ACK)), 0.01)
-    assert endpoint.next_outcome() == (1, True)
+    assert endpoint.next_outcome() == (1, True, None)
 
 
 def test_broadcasts_ask_for_no_ack_and_have_no_ticket() -> None:

@@ -3,16 +3,22 @@
 from __future__ import annotations
 
 import asyncio
+from collections.abc import Callable
 
 from jauspy.errors import JausError, ResponseTimeout
+from jauspy.ids import JausID
 from jauspy.protocol.endpoint import Endpoint
 
 
 class Deliveries:
-    """Futures by ticket; an outcome that nobody waits for is only counted, by the endpoint."""
+    """Futures by ticket; an outcome that nobody waits for is only counted, by the endpoint.
 
-    def __init__(self, endpoint: Endpoint) -> None:
+    `lost` is told who did not acknowledge.
+    """
+
+    def __init__(self, endpoint: Endpoint, lost: Callable[[JausID], None]) -> None:
         self._endpoint = endpoint
+        self._lost = lost
         self._futures: dict[int, asyncio.Future[bool]] = {}
 
     async def wait(self, ticket: int | None, problem: str) -> None:
@@ -31,6 +37,8 @@ class Deliveries:
             future = self._futures.get(outcome.ticket)
             if future is not None and not future.done():
                 future.set_result(outcome.delivered)
+            if outcome.silent is not None:
+                self._lost(outcome.silent)
 
     def fail(self, error: JausError) -> None:
         """End all waiting with this error."""

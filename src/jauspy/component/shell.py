@@ -60,7 +60,7 @@ class Shell:
         self._intercept = intercept
         start = random.randrange(0x10000) if first_sequence is None else first_sequence  # noqa: S311 - not a secret
         self._endpoint = Endpoint(host.id, first_sequence=start, delivery=delivery)
-        self._deliveries = Deliveries(self._endpoint)
+        self._deliveries = Deliveries(self._endpoint, self._unreachable)
         self._errors: Counter[str] = Counter()
         self._guard = Guard(f"component {host.id}", self._errors)
         self._timer: asyncio.TimerHandle | None = None
@@ -259,6 +259,12 @@ class Shell:
         for datagram in self._endpoint.poll_output():
             self.transport.send(datagram)
         self._deliveries.settle()
+
+    def _unreachable(self, client: JausID) -> None:
+        """Somebody did not acknowledge: what is done for it ends; what services say to that goes out next turn."""
+        self.host.unreachable(client, self._clock())
+        if self._loop is not None:
+            self._loop.call_soon(self._flush)
 
     def _schedule(self, loop: asyncio.AbstractEventLoop) -> None:
         """Set the one timer anew; most datagrams change nothing about it."""

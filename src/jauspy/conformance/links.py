@@ -10,8 +10,7 @@ from typing import Final
 from jauspy.conformance.udp import UdpWire
 from jauspy.conformance.wire import Arrival, Wire
 from jauspy.ids import JausID
-from jauspy.ocu import connect as connecting
-from jauspy.transport import Transport
+from jauspy.transport import Transport, connect as connecting
 
 MAX_WAITING: Final = 4096
 """Datagrams that the tester has not read yet; more are dropped."""

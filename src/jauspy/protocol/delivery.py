@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Final, NamedTuple
 
 from jauspy.errors import ConfigError
+from jauspy.ids import JausID
 
 LARGEST: Final = 64 << 20
 """Bytes of a message at most: a quarter of all sequence numbers."""
@@ -48,3 +49,5 @@ class Outcome(NamedTuple):
 
     ticket: int
     delivered: bool
+    silent: JausID | None = None
+    """Who did not acknowledge after all resends; None when it was given up for another reason."""

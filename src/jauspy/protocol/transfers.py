@@ -211,7 +211,8 @@ class Transfers:
 
     def _end(self, transfer: _Transfer, now: float, *, delivered: bool) -> None:
         self._counters["delivered" if delivered else "undelivered"] += 1
-        self._outcomes.append(Outcome(transfer.ticket, delivered))
+        silent = None if delivered else transfer.packet.destination
+        self._outcomes.append(Outcome(transfer.ticket, delivered, silent))
         self._forget(transfer)
         lane = self._lanes.get(int(transfer.packet.destination))
         if lane is not None and lane.waiting and lane.waiting[0] is transfer:

@@ -43,7 +43,7 @@ class Member:
         while (packet := self.endpoint.next_event()) is not None:
             self.received.append(packet.payload[2:].decode().strip())
         while (outcome := self.endpoint.next_outcome()) is not None:
-            ticket, delivered = outcome
+            ticket, delivered, _ = outcome
             self.outcomes.pop(ticket).set_result(delivered)
 
     async def tick(self) -> None:
