@@ -284,7 +284,7 @@ async def test_garbage_in_an_event_is_counted_and_skipped(world):
         await poses.get()
         for content in (b"\x03\x44", b"\x02\x40\x01\0\0\0\0", b"\xff\xff"):
             event = Event(event_id=poses.event_id, sequence_number=9, report_message=content)
-            robot.transport.send(pack(Packet(robot.id, ocu.id, event.encode())))
+            robot.send(ocu.id, event)
         malformed = ocu.stats.malformed
         await poses.get()
         await until(lambda: ocu.stats.malformed >= malformed + 3)

@@ -9,7 +9,7 @@ from typing import Any, Final
 
 from jauspy.codec.base import Message
 from jauspy.conformance.outcome import Silent
-from jauspy.conformance.tester import Client, Tester
+from jauspy.conformance.tester import Client, Tester, is_answer
 from jauspy.conformance.trace import Direction
 from jauspy.ids import JausID
 from jauspy.messages.core import (
@@ -79,7 +79,7 @@ class Hand:
             for entry in self.tester.entries[self._mark :]
             if entry.direction is Direction.RECEIVED
             for packet in entry.packets
-            if packet.source == self.component and packet.destination == self.client.id
+            if packet.source == self.component and packet.destination == self.client.id and _answers(packet)
         ]
 
     def answers(self) -> list[Packet]:
@@ -117,6 +117,11 @@ class Hand:
             self.tester.look(what, "nothing came")
             raise Silent(f"nothing came: {what}")
         self.tester.check(what, "" if got == wanted else f"{got} came, not {wanted}: {what}")
+
+
+def _answers(packet: Packet) -> bool:
+    """Not something that the target asks or reports by itself."""
+    return len(packet.payload) < 2 or is_answer(int.from_bytes(packet.payload[:2], "little"))
 
 
 def alive(tester: Tester) -> None:

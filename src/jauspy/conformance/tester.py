@@ -214,7 +214,7 @@ class Client:
     def unasked(self, besides: Collection[int] = ()) -> list[str]:
         """The names of what waits to be looked at; events, queries of the target and these ids left aside."""
         waiting = [each for each in self.pending if self.tester.target.matches(each.source)]
-        return [self.name_of(each) for each in waiting if _is_answer(each.code) and each.code not in besides]
+        return [self.name_of(each) for each in waiting if is_answer(each.code) and each.code not in besides]
 
     def name_of(self, heard: Heard) -> str:
         """`ReportStatus 4002h`."""
@@ -237,6 +237,6 @@ class Client:
             self.raw(datagram)
 
 
-def _is_answer(code: int) -> bool:
+def is_answer(code: int) -> bool:
     """True for what comes because something was sent: no event, and no query (2000h to 3FFFh)."""
     return code not in EVENTS and not 0x2000 <= code < 0x4000

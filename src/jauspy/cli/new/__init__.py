@@ -8,7 +8,7 @@ from typing import Final
 import typer
 
 from jauspy.cli.help import help_text
-from jauspy.cli.new import definition
+from jauspy.cli.new import component, definition
 
 app = typer.Typer(
     name="new",
@@ -16,6 +16,9 @@ app = typer.Typer(
     help="Write a start: of a service definition (JSIDL), or of a component with tests.",
 )
 
-VERBS: Final[dict[str, Callable[..., None]]] = {"definition": definition.definition}
+VERBS: Final[dict[str, Callable[..., None]]] = {
+    "component": component.component,
+    "definition": definition.definition,
+}
 for name, verb in VERBS.items():
     app.command(name, help=help_text(verb.__doc__ or ""))(verb)

@@ -19,9 +19,12 @@ from jauspy.messages.core import (
     ConfirmEventRequest,
     CreateCommandEvent,
     CreateEvent,
+    DeleteElement,
+    ElementRec,
     EventTypeRec,
     QueryAuthority,
     QueryConfiguration,
+    QueryElement,
     QueryEvents,
     QueryEventTimeout,
     QueryIdentification,
@@ -29,6 +32,7 @@ from jauspy.messages.core import (
     ReportEventTimeout,
     RequestControl,
     SetAuthority,
+    SetElement,
     SetEmergency,
     Standby,
     UpdateEvent,
@@ -272,10 +276,44 @@ def _one(message: Message, variant: str = "", **fields: object) -> Stimulus:
     return Stimulus(message.NAME, lambda _: message, variant, checks=checks)
 
 
+# --- lists ----------------------------------------------------------------------------------------------------------
+
+
+def _element(uid: int, previous: int = 0) -> SetElement:
+    data = ElementRec.ElementData(0, Standby())
+    return SetElement(SetElement.RequestIDRec(CREATE), [ElementRec(uid, previous, 0, data)])
+
+
+_LISTS: Final = (
+    Stimulus(
+        "SetElement",
+        lambda _: _element(7, previous=UNKNOWN_ID),
+        "after an unknown one",
+        {"isValidElementRequest": False},
+        checks={"RejectElementRequest": has(request_id=CREATE)},
+    ),
+    Stimulus("SetElement", lambda _: _element(7), "a command that may be none of a list"),
+    Stimulus(
+        "DeleteElement",
+        lambda _: DeleteElement(DeleteElement.RequestIDRec(CREATE), [DeleteElement.DeleteElementRec(UNKNOWN_ID)]),
+        "an unknown one",
+        {"elementExists": False},
+        checks={"RejectElementRequest": has(request_id=CREATE)},
+    ),
+    Stimulus(
+        "DeleteElement",
+        lambda _: DeleteElement(DeleteElement.RequestIDRec(CREATE), [DeleteElement.DeleteElementRec(7)]),
+        "one that may be there",
+    ),
+    Stimulus("QueryElement", lambda _: QueryElement(UNKNOWN_ID), "an unknown one", {"elementExists": False}),
+    Stimulus("QueryElement", lambda _: QueryElement(7), "one that may be there"),
+)
+
 RECIPES: Final[tuple[Stimulus, ...]] = (
     *_requests(),
     *_authorities(),
     *_EVENTS,
+    *_LISTS,
     _one(SetEmergency(STOP)),
     _one(ClearEmergency(STOP)),
     *(_one(QueryIdentification(level), f"level {level}", query_type=level) for level in (1, 2, 3, 4)),

@@ -112,6 +112,8 @@ class Walker:
             if goal.controller == PILOT and "Emergency" not in goal.state:
                 self.steer("RequestControl", PILOT)
         except Outcome as outcome:
+            if not path:
+                raise  # where the component begins it must at least say where it is
             raise Skipped(f"the component cannot be brought to {goal}: {outcome}") from outcome
         if not self.agrees(seen, goal):
             raise Skipped(f"the component cannot be brought to {goal}: it reports {seen}")

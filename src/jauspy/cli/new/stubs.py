@@ -1,0 +1,214 @@
+"""The text of a new component's package."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Final
+
+from jauspy.codec.names import class_name
+from jauspy.errors import ConfigError
+from jauspy.ids import JausID
+from jauspy.messages import registry
+from jauspy.schema.model import Schema, Service as Definition
+from jauspy.services.core.complete import with_core
+from jauspy.services.core.defaults import DEFAULTS
+from jauspy.services.service import Service
+from jauspy.services.signatures import Need, needs
+
+_ENDS: Final = {"action": "", "predicate": "", "report": "; None sends nothing"}
+_RESULTS: Final = {"action": "", "predicate": "        return True\n", "report": "        return None\n"}
+
+
+def package(
+    name: str, definition: Definition, schema: Schema, source: Path | None, me: JausID
+) -> dict[str, str | bytes]:
+    """The files, by their names in the folder."""
+    line = list(_line(definition, schema))
+    core = core_services()
+    if definition.id in core:
+        kind = core[definition.id]
+        theirs = f"{kind.__module__}.{kind.__name__}"
+        raise ConfigError(f"jauspy has {definition.id} for every component; to change what it does subclass {theirs}")
+    mine = [each for each in line if each.id not in core]
+    writer = _Writer(mine, line, core, own=source)
+    urns = "".join(f'            "{each.id}",\n' for each in mine)
+    files: dict[str, str | bytes] = {
+        "__init__.py": f'"""A JAUS component that offers {definition.id}."""\n',
+        "__main__.py": _MAIN.format(name=name, id=me),
+        "services.py": writer.module(),
+        f"test_{name}.py": _TEST.format(name=name, id=me, number=me.subsystem, last=me.component, urns=urns),
+        "README.md": _README.format(name=name, urn=definition.id, version=definition.version),
+    }
+    if source is not None:
+        files[source.name] = source.read_bytes()
+    return files
+
+
+def core_services() -> dict[str, type[Service]]:
+    """The classes that come with every component, or by themselves when something inherits from them."""
+    given = {each.urn: type(each) for each in with_core([], "")}
+    return given | {urn: type(make()) for urn, make in DEFAULTS.items()}
+
+
+def _line(definition: Definition, schema: Schema) -> Iterator[Definition]:
+    yield definition
+    while definition.inherits_from is not None:
+        definition = schema.service(*definition.inherits_from.key)
+        yield definition
+
+
+class _Writer:
+    """Writes the module with the classes; notes which messages it needs."""
+
+    def __init__(
+        self, mine: list[Definition], line: list[Definition], core: dict[str, type[Service]], own: Path | None
+    ) -> None:
+        self._mine, self._line, self._core, self._own = mine, line, core, own
+        self._imports: dict[str, set[str]] = {}
+        self._any = False
+
+    def module(self) -> str:
+        """All of it."""
+        classes = "\n\n".join(self._class(each) for each in reversed(self._mine))
+        names = ", ".join(f"{class_name(each.name)}()" for each in self._mine)
+        imports = "".join(
+            f"from {module} import (\n{''.join(f'    {each},{chr(10)}' for each in sorted(kinds, key=_order))})\n"
+            for module, kinds in sorted(self._imports.items())
+        )
+        head = '"""What the component does: fill in the methods."""\n\nfrom __future__ import annotations\n\n'
+        if self._own is not None:
+            head += "from pathlib import Path\n"
+        if self._any:
+            head += "from typing import Any\n"
+        head += "\n" * (self._own is not None or self._any) + "import jauspy\n" + imports
+        if self._own is not None:
+            head += f'\nDEFINITIONS = jauspy.load(Path(__file__).with_name("{self._own.name}"))\n'
+        return f"{head}\n\n{classes}{_SERVICES.format(names=names)}"
+
+    def _class(self, definition: Definition) -> str:
+        own = self._is_own(definition)
+        brought = ", definitions=DEFINITIONS" if own else f', version="{definition.version}"'
+        head = f'class {class_name(definition.name)}(jauspy.Service, urn="{definition.id}"{brought}):\n'
+        methods = [self._method(definition, each) for each in needs(definition) if not self._inherits(definition, each)]
+        return head + f'    """{definition.name} {definition.version}."""\n' + "".join(methods)
+
+    def _inherits(self, definition: Definition, need: Need) -> bool:
+        """A parent has this method already."""
+        for parent in self._line[self._line.index(definition) + 1 :]:
+            kind = self._core.get(parent.id)
+            if kind is None:
+                if any(each.method == need.method for each in needs(parent)):
+                    return True
+            elif not kind.private and callable(getattr(kind, need.method, None)):
+                return True
+        return False
+
+    def _method(self, definition: Definition, need: Need) -> str:
+        parameters = ["self"]
+        if need.takes_message:
+            word = "query" if all(each.startswith("Query") for each in need.messages) else "msg"
+            parameters.append(
+                f"{word}: {' | '.join(dict.fromkeys(self._type(definition, each) for each in need.messages))}"
+            )
+        if need.literals:
+            parameters.append("code: str")
+        reports = need.kind == "report" or bool(need.reports)
+        kind = "report" if reports else need.kind
+        result = {"action": "None", "predicate": "bool"}.get(kind) or self._optional(definition, need.reports)
+        when = ", ".join([*need.messages, *need.events, *(f"state {each}" for each in need.in_states)])
+        said = {"action": "Done on", "predicate": "Asked on", "report": "The answer to"}[kind]
+        return (
+            f"\n{_signature(need.method, ', '.join(parameters), result)}\n"
+            f'        """{said} {_short(when)}{_ENDS[kind]}."""\n{_RESULTS[kind]}'
+        )
+
+    def _optional(self, definition: Definition, name: str) -> str:
+        found = self._type(definition, name) if name else "jauspy.Message"
+        return found if found == "Any" else f"{found} | None"
+
+    def _type(self, definition: Definition, name: str) -> str:
+        line = self._line[self._line.index(definition) :]
+        owner = next((each for each in line if any(m.name == name for m in each.messages)), definition)
+        if self._is_own(owner):
+            self._any = True
+            return "Any"
+        code = next(message.code for message in owner.messages if message.name == name)
+        entry = next(
+            each
+            for each in registry.entries_of(code)
+            if (each.service, each.version, each.name) == (owner.id, owner.version, name)
+        )
+        self._imports.setdefault(entry.module, set()).add(entry.cls)
+        return entry.cls
+
+    def _is_own(self, definition: Definition) -> bool:
+        file = definition.where.file if definition.where else ""
+        return self._own is not None and Path(file).resolve() == self._own.resolve()
+
+
+def _order(name: str) -> tuple[bool, str]:
+    """As ruff sorts imports: constants first."""
+    return not name.isupper(), name
+
+
+def _signature(name: str, parameters: str, result: str) -> str:
+    line = f"    def {name}({parameters}) -> {result}:"
+    return line if len(line) <= 120 else f"    def {name}(\n        {parameters}\n    ) -> {result}:"
+
+
+def _short(text: str) -> str:
+    return text if len(text) <= 70 else f"{text[:66]} ..."
+
+
+_SERVICES: Final = '''
+
+def services() -> list[jauspy.Service]:
+    """Everything that the component offers."""
+    return [{names}]
+'''
+
+_MAIN: Final = '''"""`python -m {name}`: runs until Ctrl-C, beside a node manager."""
+
+import jauspy
+
+from {name}.services import services
+
+if __name__ == "__main__":
+    jauspy.run(jauspy.Component("{id}", services(), name="{name}"))
+'''
+
+_TEST: Final = '''"""Tests of the component, in memory and on virtual time."""
+
+from __future__ import annotations
+
+import jauspy
+import pytest
+from jauspy.messages.core import QueryStatus
+from jauspy.testing import VirtualNetwork
+
+from {name}.services import services
+
+
+@pytest.mark.asyncio
+async def test_it_is_found_with_its_services(virtual_network: VirtualNetwork, ocu: jauspy.OCU) -> None:
+    """Discovery tells it, and the component answers."""
+    async with virtual_network.component("{id}", services(), name="{name}") as component:
+        robot = await ocu.discover({number})
+        found = robot.component({last}).info
+        assert found.name == "{name}"
+        assert {{each.urn for each in found.services}} >= {{
+{urns}        }}
+        assert (await ocu.query("{id}", QueryStatus())).status is not None
+        assert "host.action_failed" not in component.counters
+'''
+
+_README: Final = """# {name}
+
+A JAUS component that offers {urn} {version}.
+
+    python -m {name}        # beside a node manager: jauspy node-manager
+    pytest {name}
+
+What it does is in `services.py`; how that works is in jauspy's `docs/components.md`.
+"""

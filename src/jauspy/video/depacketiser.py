@@ -1,0 +1,145 @@
+"""RTP packets back to pictures (RFC 6184); what is lost or damaged is counted, and never raises."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass
+from typing import Final
+
+from jauspy.errors import ProtocolError
+from jauspy.video import nal
+from jauspy.video.packetiser import FU_A, FU_END, FU_START, STAP_A
+from jauspy.video.rtp import RtpPacket
+
+MAX_PICTURE: Final = 8 << 20
+"""Bytes of one picture; longer ones are given up."""
+
+MISORDER: Final = 100
+"""Packets by which one may come late; one that is farther behind is the first after a long gap (RFC 3550, A.1)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Picture:
+    """The NAL units of one picture. `whole`: none of its packets was lost."""
+
+    timestamp: int
+    nals: tuple[bytes, ...]
+    whole: bool
+
+    @property
+    def is_idr(self) -> bool:
+        """A decoder can begin with it."""
+        return any(nal.kind(unit) == nal.IDR for unit in self.nals)
+
+
+class Depacketiser:
+    """Puts the packets of one source together. Packets that come late count as lost: nothing waits for them.
+
+    Counters: `packets`, `lost` (numbers left out), `late` (numbers passed already), `malformed`, `pictures`, `damaged`
+    (pictures of which something is missing), `oversize`, `sources` (begins of another source).
+    """
+
+    def __init__(self) -> None:
+        self.counters: Counter[str] = Counter()
+        self._ssrc: int | None = None
+        self._expected = 0
+        self._timestamp = 0
+        self._nals: list[bytes] = []
+        self._size = 0
+        self._fragment: bytearray | None = None
+        self._whole = True
+        self._started = False
+
+    def feed(self, packet: RtpPacket) -> list[Picture]:
+        """Takes a packet; returns the pictures that it completes: none, one, or two when an end was lost."""
+        if packet.ssrc != self._ssrc:
+            self._begin(packet)
+        ahead = (packet.sequence - self._expected) & 0xFFFF
+        if 0x10000 - ahead <= MISORDER:
+            self.counters["late"] += 1
+            return []
+        self.counters["packets"] += 1
+        done = self._end_without_marker() if self._started and packet.timestamp != self._timestamp else []
+        if ahead:
+            self.counters["lost"] += ahead
+            self._whole, self._fragment = False, None
+        self._expected = (packet.sequence + 1) & 0xFFFF
+        self._timestamp, self._started = packet.timestamp, True
+        self._take(packet.payload)
+        return done + self._finish() if packet.marker else done
+
+    def _begin(self, packet: RtpPacket) -> None:
+        self.counters["sources"] += 1
+        self._ssrc, self._expected = packet.ssrc, packet.sequence
+        self._clear(packet.timestamp)
+
+    def _clear(self, timestamp: int) -> None:
+        self._timestamp = timestamp
+        self._nals = []
+        self._size = 0
+        self._fragment = None
+        self._whole = True
+        self._started = False
+
+    def _take(self, payload: bytes) -> None:
+        self._size += len(payload)
+        if self._size > MAX_PICTURE:
+            self.counters["oversize"] += 1
+            self._nals, self._fragment, self._whole = [], None, False
+            return
+        try:
+            self._unpack(payload)
+        except ProtocolError:
+            self.counters["malformed"] += 1
+            self._whole = False
+
+    def _unpack(self, payload: bytes) -> None:
+        match nal.kind(payload):
+            case kind if 1 <= kind < STAP_A:
+                self._nals.append(payload)
+            case kind if kind == STAP_A:
+                self._nals.extend(_apart(payload))
+            case kind if kind == FU_A:
+                self._part(payload)
+            case kind:
+                raise ProtocolError("payload", f"type {kind}")
+
+    def _part(self, payload: bytes) -> None:
+        if len(payload) < 3:
+            raise ProtocolError("payload", "a fragment without content")
+        if payload[1] & FU_START:
+            self._fragment = bytearray([payload[0] & 0xE0 | payload[1] & 0x1F])
+        if self._fragment is None:  # its beginning was lost
+            self._whole = False
+            return
+        self._fragment += payload[2:]
+        if payload[1] & FU_END:
+            self._nals.append(bytes(self._fragment))
+            self._fragment = None
+
+    def _end_without_marker(self) -> list[Picture]:
+        self._whole = False
+        return self._finish()
+
+    def _finish(self) -> list[Picture]:
+        """Ends the picture; what an end without packets of its own leaves, is none."""
+        whole = self._whole and self._fragment is None
+        picture = Picture(self._timestamp, tuple(self._nals), whole)
+        self._clear(self._timestamp)
+        self.counters["damaged"] += not whole
+        if not picture.nals:
+            return []
+        self.counters["pictures"] += 1
+        return [picture]
+
+
+def _apart(payload: bytes) -> list[bytes]:
+    found, at = [], 1
+    while at < len(payload):
+        length = int.from_bytes(payload[at : at + 2], "big")
+        unit = payload[at + 2 : at + 2 + length]
+        if not unit or len(unit) < length:
+            raise ProtocolError("payload", "units that do not add up")
+        found.append(unit)
+        at += 2 + length
+    return found

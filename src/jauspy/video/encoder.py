@@ -1,0 +1,85 @@
+"""Pictures to H.264 by libx264, with no picture of delay. Import it after `extra.need_video`."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Final, TypeAlias
+
+import av
+import cv2
+import numpy as np
+from av.video.codeccontext import VideoCodecContext
+from av.video.frame import PictureType
+from numpy.typing import NDArray
+
+from jauspy.errors import ConfigError
+from jauspy.video import nal
+from jauspy.video.packetiser import MAX_PAYLOAD
+from jauspy.video.settings import VideoSettings
+
+Image: TypeAlias = NDArray[np.uint8]
+"""Rows of pixels from top to bottom: red, green, blue; shape (height, width, 3)."""
+
+BUFFER: Final = 0.25
+"""Seconds of the bit rate that one picture may take at most, so that an IDR is no flood."""
+
+
+class H264Encoder:
+    """One NAL unit per slice, and one slice per RTP packet: what is lost with a packet is only that part of a picture.
+
+    Every IDR comes with its parameter sets (SPS, PPS). `settings` may be changed at any time: the next picture is an
+    IDR of a fresh encoder, which takes 4 ms to open.
+    """
+
+    def __init__(self, settings: VideoSettings = VideoSettings()) -> None:  # noqa: B008 - frozen
+        self._settings = settings
+        self._codec: VideoCodecContext | None = None
+        self._count = 0
+
+    @property
+    def settings(self) -> VideoSettings:
+        """How it encodes from the next picture on."""
+        return self._settings
+
+    @settings.setter
+    def settings(self, settings: VideoSettings) -> None:
+        if settings != self._settings:
+            self._settings = settings
+            self._codec = None
+
+    def encode(self, image: Image, *, idr: bool = False) -> list[bytes]:
+        """The NAL units of a picture, which must be of the set size; `idr`: one that decoders can begin with."""
+        size = self._settings.height, self._settings.width
+        if image.shape[:2] != size:
+            raise ConfigError(f"video: a picture of {image.shape[1]}x{image.shape[0]} for {size[1]}x{size[0]}")
+        if self._codec is None:
+            self._codec = _open(self._settings)
+        planes: NDArray[np.uint8] = np.asarray(cv2.cvtColor(image, cv2.COLOR_RGB2YUV_I420), np.uint8)
+        frame = av.VideoFrame.from_ndarray(planes, format="yuv420p")
+        frame.pts = self._count
+        frame.pict_type = PictureType.I if idr else PictureType.NONE
+        self._count += 1
+        return nal.split(b"".join(bytes(packet) for packet in self._codec.encode(frame)))
+
+
+def _open(settings: VideoSettings) -> VideoCodecContext:
+    codec = av.CodecContext.create("libx264", "w")
+    assert isinstance(codec, VideoCodecContext)
+    codec.width, codec.height, codec.pix_fmt = settings.width, settings.height, "yuv420p"
+    codec.framerate = Fraction(settings.rate)
+    codec.time_base = Fraction(1, settings.rate)
+    codec.bit_rate = settings.bit_rate
+    codec.gop_size = settings.gop
+    codec.max_b_frames = 0
+    codec.thread_count = 1
+    rate = settings.bit_rate // 1000
+    limits = f"slice-max-size={MAX_PAYLOAD}:vbv-maxrate={rate}:vbv-bufsize={round(rate * BUFFER)}:scenecut=0"
+    codec.options = {
+        "preset": "ultrafast",
+        "tune": "zerolatency",
+        "profile": "baseline",
+        "forced-idr": "1",
+        "x264-params": limits,
+    }
+    codec.open()
+    return codec

@@ -1,0 +1,83 @@
+"""Writes received pictures to a film, as they came: nothing is encoded again. Import it after `extra.need_video`."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from io import BytesIO
+from pathlib import Path
+from types import TracebackType
+from typing import Final, Self
+
+import av
+from av.container import OutputContainer
+from av.error import FFmpegError
+from av.video.stream import VideoStream
+
+from jauspy.errors import ConfigError
+from jauspy.video import nal
+from jauspy.video.depacketiser import Picture
+from jauspy.video.rtp import CLOCK
+
+_TICK: Final = Fraction(1, CLOCK)
+
+
+class Recorder:
+    """Begins with the first whole IDR; the name's ending says the format, `.mp4` or `.mkv`.
+
+    A film has one size: after a change of the parameter sets a recorder takes no more, and `ended` is true.
+    """
+
+    def __init__(self, path: Path) -> None:
+        try:
+            self._container: OutputContainer = av.open(str(path), "w")
+        except (OSError, ValueError, FFmpegError) as error:
+            raise ConfigError(f"cannot record to {path}: {error}; the name should end in .mp4 or .mkv") from error
+        self._stream: VideoStream | None = None
+        self._parameters: bytes = b""
+        self._first = self._last = 0
+        self.pictures = 0
+        self.ended = False
+
+    def add(self, picture: Picture) -> None:
+        """Write a picture, at the time that its stamp says."""
+        parameters = nal.join(unit for unit in picture.nals if nal.kind(unit) in {nal.SPS, nal.PPS})
+        if self._stream is None:
+            if picture.is_idr and picture.whole:
+                self._begin(picture, parameters)
+        elif parameters and parameters != self._parameters:
+            self.ended = True
+        if self._stream is not None and not self.ended:
+            self._write(self._stream, picture)
+
+    def close(self) -> None:
+        """End the film; twice is fine."""
+        self._container.close()
+        self.ended = True
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
+    def _begin(self, picture: Picture, parameters: bytes) -> None:
+        """Size and parameter sets, as the container wants them, are read from the picture."""
+        try:
+            with av.open(BytesIO(nal.join(picture.nals)), format="h264") as sample:
+                stream = self._container.add_stream_from_template(sample.streams.video[0])
+        except (FFmpegError, IndexError):  # no picture that a decoder knows
+            return
+        stream.time_base = _TICK
+        self._stream, self._parameters = stream, parameters
+        self._first, self._last = picture.timestamp, -1
+
+    def _write(self, stream: VideoStream, picture: Picture) -> None:
+        packet = av.Packet(nal.join(picture.nals))
+        packet.stream, packet.time_base, packet.is_keyframe = stream, _TICK, picture.is_idr
+        elapsed = (picture.timestamp - self._first) & 0xFFFFFFFF
+        self._last = max(elapsed, self._last + 1)
+        packet.pts = packet.dts = self._last
+        self._container.mux(packet)
+        self.pictures += 1

@@ -1,0 +1,173 @@
+"""Sends the pictures of one encoder to all who watch, over UDP."""
+
+from __future__ import annotations
+
+import socket
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from types import TracebackType
+from typing import Final, Self, TypeAlias
+
+from jauspy.errors import ConfigError, TransportError
+from jauspy.video import nal
+from jauspy.video.packetiser import payloads
+from jauspy.video.rtcp import asks_for_picture
+from jauspy.video.stream import RtpStream
+
+Address: TypeAlias = tuple[str, int]
+"""Host and port for RTP; RTCP goes to the port above it."""
+
+MAX_RECEIVERS: Final = 8
+
+IDR_PAUSE: Final = 0.5
+"""Seconds that receivers' wishes for an IDR wait for one another."""
+
+BUFFER: Final = 1 << 20
+"""Bytes that the socket is asked to hold: a picture is sent in one go."""
+
+READS: Final = 64
+"""Packets of receivers that are looked at after one picture."""
+
+
+@dataclass(slots=True)
+class _Receiver:
+    rtp: tuple[object, ...]
+    rtcp: tuple[object, ...]
+    stream: RtpStream
+    playing: bool = True
+
+
+@dataclass(slots=True)
+class RtpSender:
+    """Receivers come and go, pause and go on, each by its address.
+
+    Counters: `pictures` and `packets` sent, `dropped` (packets that the system did not take: no buffer, no route),
+    `idr_asked`.
+    """
+
+    name: str = "jauspy"
+    counters: Counter[str] = field(default_factory=Counter)
+    _receivers: dict[Address, _Receiver] = field(default_factory=dict)
+    _sockets: dict[int, socket.socket] = field(default_factory=dict)
+    _asked: bool = False
+    _last_idr: float = float("-inf")
+
+    @property
+    def receivers(self) -> list[Address]:
+        """Who is sent to, or pauses, in the order in which they came."""
+        return list(self._receivers)
+
+    @property
+    def playing(self) -> bool:
+        """Somebody watches."""
+        return any(receiver.playing for receiver in self._receivers.values())
+
+    def add(self, address: Address) -> None:
+        """Send to that address, too, from the next IDR on; known ones begin anew.
+
+        Raises `ConfigError` for an address that cannot be, or one too many.
+        """
+        if address not in self._receivers and len(self._receivers) >= MAX_RECEIVERS:
+            raise ConfigError(f"video: {MAX_RECEIVERS} receivers watch {self.name} already; one must leave first")
+        family, rtp = _look_up(*address)
+        self._open(family)
+        rtcp = (rtp[0], address[1] + 1, *rtp[2:])
+        self._receivers[address] = _Receiver(rtp, rtcp, RtpStream(self.name))
+
+    def remove(self, address: Address) -> None:
+        """Send there no longer; unknown ones are no error."""
+        self._receivers.pop(address, None)
+
+    def play(self, address: Address) -> None:
+        """Go on, or show a whole picture to one that plays already."""
+        if (receiver := self._receivers.get(address)) is not None:
+            receiver.playing = True
+            receiver.stream.pause()
+
+    def pause(self, address: Address) -> None:
+        """Keep the place, send nothing."""
+        if (receiver := self._receivers.get(address)) is not None:
+            receiver.playing = False
+
+    def needs_idr(self, now: float) -> bool:
+        """Whether the next picture should be an IDR: somebody begins, or asked for it."""
+        self._listen()
+        begins = any(receiver.playing and receiver.stream.waiting for receiver in self._receivers.values())
+        return begins or (self._asked and now - self._last_idr >= IDR_PAUSE)
+
+    def send(self, nals: Sequence[bytes], now: float, utc: float) -> None:
+        """Send a picture taken at `now` (monotonic seconds), `utc` (seconds since 1970), to all that play."""
+        idr = any(nal.kind(unit) == nal.IDR for unit in nals)
+        if idr:
+            self._asked, self._last_idr = False, now
+        packed = payloads(nals)
+        for receiver in self._receivers.values():
+            if receiver.playing:
+                self._send_to(receiver, packed, idr=idr, now=now, utc=utc)
+        self.counters["pictures"] += 1
+
+    def close(self) -> None:
+        """Send to nobody any more; twice is fine."""
+        self._receivers.clear()
+        for opened in self._sockets.values():
+            opened.close()
+        self._sockets.clear()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
+    def _open(self, family: int) -> None:
+        if family in self._sockets:
+            return
+        try:
+            opened = socket.socket(family, socket.SOCK_DGRAM)
+        except OSError as error:
+            raise TransportError(f"video: no socket to send from: {error}") from error
+        opened.setblocking(False)
+        opened.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, BUFFER)
+        self._sockets[family] = opened
+
+    def _send_to(self, receiver: _Receiver, packed: Sequence[bytes], *, idr: bool, now: float, utc: float) -> None:
+        for packet in receiver.stream.packets(packed, idr=idr, now=now):
+            self._transmit(packet, receiver.rtp)
+        if (report := receiver.stream.report(now, utc)) is not None:
+            self._transmit(report, receiver.rtcp)
+
+    def _transmit(self, packet: bytes, address: tuple[object, ...]) -> None:
+        family = socket.AF_INET6 if len(address) > 2 else socket.AF_INET
+        try:
+            self._sockets[family].sendto(packet, address)
+        except OSError:
+            self.counters["dropped"] += 1
+        else:
+            self.counters["packets"] += 1
+
+    def _listen(self) -> None:
+        """Receivers answer to where the reports came from."""
+        for opened in self._sockets.values():
+            for _ in range(READS):
+                try:
+                    heard = opened.recv(2048)
+                except BlockingIOError:
+                    break
+                except OSError:  # word of an earlier packet that nobody took
+                    continue
+                if asks_for_picture(heard):
+                    self._asked = True
+                    self.counters["idr_asked"] += 1
+
+
+def _look_up(host: str, port: int) -> tuple[int, tuple[object, ...]]:
+    if not 1 <= port <= 65534:
+        raise ConfigError(f"video: port {port} is not in 1..65534")
+    try:
+        found = socket.getaddrinfo(host, port, type=socket.SOCK_DGRAM, flags=socket.AI_NUMERICHOST)
+    except (OSError, UnicodeError) as error:
+        raise ConfigError(f"video: {host!r} is no IP address; names are not looked up here: {error}") from error
+    return found[0][0], found[0][4]

@@ -1,0 +1,33 @@
+"""Numbers drawn into a picture as black and white squares, which survive coding: to count and time what arrives."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+
+from jauspy.video.encoder import Image
+
+BITS: Final = 32
+"""Squares in a row, the most significant bit on the left. A row takes the whole width of the picture."""
+
+_BLACK, _WHITE = 16, 235
+
+
+def draw(image: Image, *numbers: int) -> None:
+    """Each number modulo 2**32 as a row, from the top edge downwards; they replace what was there."""
+    side = image.shape[1] // BITS
+    for row, number in enumerate(numbers):
+        bits = np.array([number >> shift & 1 for shift in reversed(range(BITS))], dtype=np.uint8)
+        line = np.where(np.repeat(bits, side), _WHITE, _BLACK).astype(np.uint8)
+        image[row * side : (row + 1) * side, : BITS * side] = line[None, :, None]
+
+
+def read(image: Image, rows: int = 1) -> list[int]:
+    """The numbers of the first rows; the picture may be grey, with or without a third axis."""
+    side = image.shape[1] // BITS
+    grey = image if image.ndim == 2 else image.mean(axis=2)
+    tops = grey[: rows * side, : BITS * side].reshape(rows, side, BITS, side)
+    edge = side // 4
+    middles = tops[:, edge : side - edge, :, edge : side - edge].mean(axis=(1, 3)) > (_BLACK + _WHITE) / 2
+    return [int("".join("01"[bit] for bit in row.astype(int)), 2) for row in middles]

@@ -1,0 +1,100 @@
+"""`jauspy new component`: for any service it writes what runs, and what passes its own tests and those of tools."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+import jauspy
+from jauspy.cli.main import app
+from jauspy.cli.new import stubs
+from jauspy.schema import load_builtin
+
+run = CliRunner()
+OURS = Path(__file__).parents[3]
+RUFF_CONFIG = OURS / "pyproject.toml"
+ALL = [each for each in load_builtin().services if each.id not in stubs.core_services()]
+SOME = [
+    "ugv:ParkingBrakeDriver",
+    "mobility:PrimitiveDriver",
+    "environmentSensing:H264VideoEncoding",
+    "iop:PlatformState",
+]
+
+
+@pytest.fixture(autouse=True)
+def _here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("PYTHONPATH", f"{tmp_path}:{OURS / 'src'}")
+
+
+def new(*arguments: str):
+    return run.invoke(app, ["new", "component", *arguments])
+
+
+def check(*command: str) -> str:
+    done = subprocess.run([sys.executable, "-m", *command], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+@pytest.mark.parametrize("definition", ALL, ids=lambda each: f"{each.id.partition('jss:')[2]}-{each.version}")
+def test_any_service_makes_a_component_that_starts(definition):
+    files = stubs.package("it", definition, load_builtin(), None, jauspy.JausID(1, 1, 1))
+    names: dict = {}
+    exec(compile(files["services.py"], "services.py", "exec"), names)
+    component = jauspy.Component("101.1.1", names["services"]())
+    assert component.host.definitions[definition.id].version == definition.version
+
+
+def test_what_it_writes_is_clean_and_passes_its_tests():
+    for number, urn in enumerate(SOME):
+        result = new(f"start{number}", "--service", urn)
+        assert result.exit_code == 0, result.output
+    folders = [f"start{number}" for number in range(len(SOME))]
+    check("ruff", "check", *folders)
+    check("ruff", "format", "--check", "--config", str(RUFF_CONFIG), *folders)
+    check("mypy", "--strict", *folders)
+    assert f"{len(SOME)} passed" in check("pytest", "-p", "jauspy.testing.plugin", "-q", *folders)
+
+
+def test_a_service_of_ones_own():
+    run.invoke(app, ["new", "definition", "urn:example:Battery", "charge:percent"])
+    result = new("battery", "--service", "Battery", "--from", "battery.xml")
+    assert result.exit_code == 0, result.output
+    assert Path("battery/battery.xml").read_text() == Path("battery.xml").read_text()
+    assert "def report_battery(self, query: Any) -> Any:" in Path("battery/services.py").read_text()
+    check("ruff", "check", "battery")
+    check("mypy", "--strict", "battery")
+    assert "1 passed" in check("pytest", "-p", "jauspy.testing.plugin", "-q", "battery")
+
+
+def test_what_is_there_stays():
+    new("brake", "--service", "ugv:ParkingBrakeDriver")
+    before = {path: path.read_text() for path in Path("brake").iterdir()}
+    result = new("brake", "--service", "mobility:PrimitiveDriver")
+    assert result.exit_code == 1
+    assert "exists; remove it" in result.output
+    assert {path: path.read_text() for path in Path("brake").iterdir()} == before
+
+
+@pytest.mark.parametrize(
+    ("arguments", "problem"),
+    [
+        (["Winch", "--service", "ugv:ParkingBrakeDriver"], "no name of a Python package"),
+        (["winch", "--service", "ParkingBrakDriver"], "did you mean ParkingBrakeDriver"),
+        (["winch", "--service", "VelocityStateDriver", "--version", "9.9"], "has no version 9.9; it has 1.0, 1.1"),
+        (["winch", "--service", "DigitalResourceDiscovery"], "several services are called"),
+        (["winch", "--service", "core:Liveness"], "subclass jauspy.services.core.liveness.Liveness"),
+        (["winch", "--service", "ugv:ParkingBrakeDriver", "--id", "1.2"], "is not a JAUS id"),
+    ],
+)
+def test_what_cannot_be(arguments: list[str], problem: str):
+    result = new(*arguments)
+    assert result.exit_code == 1
+    assert problem in " ".join(result.output.split())
+    assert not list(Path().iterdir())

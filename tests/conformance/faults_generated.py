@@ -1,0 +1,125 @@
+"""Components that break their state machines; a sample for the profiles made from JSIDL."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from tests.conformance.injectors import Fault, Injector, deaf_to, field, instead, patched, says, short, without
+from tests.conformance.mistakes import (
+    ACCEPTED,
+    anybody,
+    chatty,
+    clears_all,
+    idle,
+    not_told,
+    reports_pass,
+    unmasked,
+)
+
+from jauspy.messages import core, mobility
+from jauspy.services import host
+from jauspy.services.core import AccessControl, Events, Management
+
+READY, STANDBY = "Controlled.Available.Ready", "Controlled.Available.Standby"
+EMERGENCY, FREE = "Controlled.NotAvailable.Emergency", "NotControlled.Available.Standby"
+
+
+def core_fault(name: str, trips: str, inject: Injector, only: str = "", profile: str = "core-1.1") -> Fault:
+    """`only`: beginnings of the steps that are run; by default those that are to be tripped."""
+    steps = tuple(trips.split())
+    return Fault(name, profile, steps, inject, timeout=5, only=tuple(only.split()) or steps)
+
+
+GENERATED: Final = (
+    core_fault(
+        "control not checked",
+        f"{READY}/Standby/rival {STANDBY}/Resume/rival {READY}/ReleaseControl/rival",
+        patched(AccessControl, is_controlling_client=anybody),
+    ),
+    core_fault(
+        "lists are taken from anybody",
+        f"{STANDBY}/DeleteElement/rival/an-unknown-one",
+        patched(AccessControl, is_controlling_client=anybody),
+    ),
+    core_fault("the loser is not told", f"{READY}/RequestControl/rival/more-authority", says(not_told)),
+    core_fault(
+        "any authority takes over",
+        f"{READY}/RequestControl/rival/less-authority",
+        patched(AccessControl, is_current_authority_less=anybody),
+    ),
+    core_fault(
+        "the default authority does not count",
+        f"{FREE}/RequestControl/rival/authority-below-the-default",
+        patched(AccessControl, is_default_authority_greater=lambda self, msg: False),
+    ),
+    core_fault(
+        "control never ends by itself",
+        f"{READY}/Timedout/pilot/the-client-is-silent",
+        patched(AccessControl, reset_timer=idle),
+    ),
+    core_fault(
+        "authority may be raised",
+        f"{READY}/SetAuthority/pilot/more-authority",
+        patched(AccessControl, is_authority_valid=anybody),
+    ),
+    core_fault("authority cannot be lowered", f"{READY}/SetAuthority/pilot/less-authority", deaf_to(core.SetAuthority)),
+    core_fault(
+        "control is given during an emergency",
+        f"{EMERGENCY}/RequestControl/rival/more-authority",
+        field(core.ConfirmControl, response_code=ACCEPTED),
+    ),
+    core_fault(
+        "anybody clears an emergency",
+        f"{EMERGENCY}/ClearEmergency/pilot",
+        patched(Management, is_id_stored=anybody, delete_id=clears_all),
+    ),
+    core_fault("emergency is ignored", f"{READY}/SetEmergency/rival", deaf_to(core.SetEmergency)),
+    core_fault("Reset is ignored", f"{READY}/Reset/pilot", deaf_to(core.Reset)),
+    core_fault("Standby is ignored", f"{READY}/Standby/pilot", deaf_to(core.Standby)),
+    core_fault("Shutdown is ignored", f"{READY}/Shutdown/pilot", deaf_to(core.Shutdown)),
+    core_fault("unknown events are cancelled", f"{FREE}/CancelEvent/rival/an-unknown-one", reports_pass()),
+    core_fault("a report passes as a query", f"{FREE}/CreateEvent/rival/a-report-instead-of-a-query", reports_pass()),
+    core_fault("events are not updated", f"{FREE}/UpdateEvent/rival/one-that-is-there", deaf_to(core.UpdateEvent)),
+    core_fault(
+        "events never end", f"{FREE}/Timeout/rival/an-event-is-not-renewed", patched(Events, reset_event_timer=idle)
+    ),
+    core_fault("events never come", f"{FREE}/EventOccurred/rival/an-event-is-due", without(core.Event)),
+    core_fault(
+        "identification is always of the system",
+        f"{FREE}/QueryIdentification/rival/level-2",
+        field(core.ReportIdentification, query_type=1),
+    ),
+    core_fault("ReportTime is short", f"{FREE}/QueryTime/rival/all-fields", short(core.ReportTime)),
+    core_fault("ReportControl is short", f"{FREE}/QueryControl/rival", short(core.ReportControl)),
+    core_fault("commands are answered", f"{READY}/Standby/pilot {READY}/Standby/rival", chatty(core.Standby)),
+    core_fault(
+        "wrong elements are confirmed",
+        f"{STANDBY}/SetElement/pilot/after-an-unknown-one",
+        instead(core.RejectElementRequest, lambda message: core.ConfirmElementRequest(message.request_id)),
+    ),
+    core_fault("time ignores the presence vector", f"{FREE}/QueryTime/rival/no-fields", patched(host, mask=unmasked)),
+    core_fault(
+        "poses ignore the presence vector",
+        f"{FREE}/QueryLocalPose/rival/no-fields",
+        patched(host, mask=unmasked),
+        profile="mobility-1.1",
+    ),
+    core_fault(
+        "poses are short",
+        f"{FREE}/QueryLocalPose/rival/all-fields",
+        short(mobility.ReportLocalPose),
+        profile="mobility-1.1",
+    ),
+    core_fault(
+        "speed is not reported",
+        f"{FREE}/QueryTravelSpeed/rival",
+        deaf_to(mobility.QueryTravelSpeed),
+        profile="mobility-1.1",
+    ),
+    core_fault(
+        "waypoints are answered",
+        f"{STANDBY}/SetLocalWaypoint/pilot",
+        chatty(mobility.SetLocalWaypoint),
+        profile="mobility-1.1",
+    ),
+)

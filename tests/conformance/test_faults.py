@@ -1,0 +1,76 @@
+"""Broken robots are caught by name, and no check of a hand-written profile is there in vain."""
+
+from __future__ import annotations
+
+import logging
+import re
+from collections import Counter
+from collections.abc import Iterable
+
+import pytest
+from tests.conformance import faults
+from tests.conformance.faults import HAND_WRITTEN
+from tests.conformance.injectors import Fault
+from tests.conformance.simulated import examined, robot
+
+from jauspy.conformance import Bench, Part, Report
+
+MEASURED = re.compile(r"has (x|y|event_id) \S+")
+"""Names of checks that have what the robot said in them."""
+
+
+@pytest.fixture(autouse=True)
+def _quiet_logs() -> None:
+    """Some faults are bugs of actions, which the robot logs."""
+    logging.getLogger("jauspy").setLevel(logging.CRITICAL)
+
+
+def checks(report: Report, *, failed: bool = False) -> set[tuple[str, str]]:
+    """What the steps looked at, or what of it did not hold."""
+    return {
+        (result.id, MEASURED.sub(r"has \1", looked.name))
+        for result in report.results
+        for looked in result.looked
+        if looked.problem or not failed
+    }
+
+
+def missed(fault: Fault, report: Report) -> str:
+    """What a fault should have tripped, and has not."""
+    caught = {result.id for result in report.failures}
+    missing = sorted(set(fault.trips) - caught)
+    nothing = not caught and not report.problem
+    return f"{fault}: not caught by {missing or 'anything'}, but by {sorted(caught)}" if missing or nothing else ""
+
+
+@pytest.mark.timeout(300)
+@pytest.mark.parametrize("profile", HAND_WRITTEN)
+def test_every_fault_is_caught_and_every_check_catches_one(profile):
+    unseen = checks(examined(profile, robot()))
+    assert len(unseen) > 50
+    problems = []
+    for fault in HAND_WRITTEN[profile]:
+        report = fault.run()
+        problems += filter(None, [missed(fault, report)])
+        unseen -= checks(report, failed=True)
+    assert problems == []
+    assert sorted(unseen) == [], "no fault trips these checks"
+
+
+@pytest.mark.parametrize("fault", faults.GENERATED, ids=str)
+def test_faults_in_state_machines_are_caught(fault):
+    assert missed(fault, fault.run()) == ""
+
+
+def test_the_faults_are_many_and_have_names_of_their_own():
+    names = Counter(map(str, faults.ALL))
+    assert [name for name, count in names.items() if count > 1] == []
+    named: Iterable[Fault] = (fault for fault in faults.ALL if fault.trips)
+    assert len({fault.name for fault in named}) >= 25
+
+
+def test_without_a_fault_nothing_is_caught():
+    healthy = Fault("none", "igvc-2015", (), lambda: (Part, Bench, []), motion=True)
+    report = healthy.run()
+    assert report.failures == ()
+    assert "not caught by anything" in missed(healthy, report)

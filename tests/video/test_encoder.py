@@ -1,0 +1,94 @@
+from __future__ import annotations
+
+import pytest
+
+pytest.importorskip("av", reason="the extra 'video' is not installed")
+pytest.importorskip("cv2", reason="the extra 'video' is not installed")
+
+import numpy as np
+
+from jauspy.errors import ConfigError
+from jauspy.video import nal
+from jauspy.video.decoder import H264Decoder
+from jauspy.video.depacketiser import Picture
+from jauspy.video.encoder import H264Encoder
+from jauspy.video.packetiser import MAX_PAYLOAD
+from jauspy.video.settings import VideoSettings
+from jauspy.video.stamp import read
+
+
+def kinds(nals):
+    return [nal.kind(unit) for unit in nals]
+
+
+def test_every_idr_comes_with_its_parameter_sets(scene):
+    encoder = H264Encoder(VideoSettings(gop=5))
+    pictures = [kinds(encoder.encode(scene(number))) for number in range(11)]
+    for number, found in enumerate(pictures):
+        if number % 5 == 0:
+            assert found[:2] == [nal.SPS, nal.PPS]
+            assert nal.IDR in found
+        else:
+            assert set(found) == {1}
+
+
+def test_an_idr_is_had_for_the_asking(scene):
+    encoder = H264Encoder()
+    wanted = [2, 3, 7]
+    found = [nal.IDR in kinds(encoder.encode(scene(number), idr=number in wanted)) for number in range(9)]
+    assert [number for number, idr in enumerate(found) if idr] == [0, *wanted]
+
+
+def test_pictures_come_out_at_once_and_as_they_went_in(scene):
+    encoder, decoder = H264Encoder(), H264Decoder()
+    for number in range(8):
+        image = decoder.decode(Picture(number, tuple(encoder.encode(scene(number))), whole=True))
+        assert read(image) == [number]
+        assert np.abs(image.astype(int) - scene(number)).mean() < 12.0
+
+
+def test_a_slice_fits_into_a_packet(scene):
+    encoder = H264Encoder(VideoSettings(1280, 720, bit_rate=8_000_000))
+    sizes = [len(unit) for number in range(4) for unit in encoder.encode(scene(number, 1280, 720))]
+    assert max(sizes) <= MAX_PAYLOAD
+    assert len(sizes) > 40
+
+
+def test_the_size_changes_with_the_next_picture(scene):
+    encoder, decoder = H264Encoder(), H264Decoder()
+    for width, height in ((640, 480), (320, 240), (1280, 720)):
+        encoder.settings = VideoSettings(width, height)
+        nals = encoder.encode(scene(3, width, height))
+        assert nal.IDR in kinds(nals)
+        assert decoder.decode(Picture(0, tuple(nals), whole=True)).shape == (height, width, 3)
+
+
+def test_the_bit_rate_is_kept_and_changes_at_once(scene):
+    encoder = H264Encoder(VideoSettings(bit_rate=2_000_000, rate=15))
+    measured = []
+    for bit_rate in (2_000_000, 500_000):
+        encoder.settings = VideoSettings(bit_rate=bit_rate, rate=15)
+        size = sum(len(unit) for number in range(45) for unit in encoder.encode(scene(number)))
+        measured.append(size * 8 / 3.0)
+    assert 1_200_000 < measured[0] < 2_300_000
+    assert 350_000 < measured[1] < 650_000
+
+
+def test_a_picture_of_another_size_is_an_error(scene):
+    with pytest.raises(ConfigError, match="320x240 for 640x480"):
+        H264Encoder().encode(scene(0, 320, 240))
+
+
+@pytest.mark.parametrize(
+    ("wrong", "said"),
+    [({"rate": 0}, "rate = 0 is not in 1..60"), ({"width": 641}, "must be even"), ({"bit_rate": 1}, "bit_rate = 1")],
+)
+def test_settings_that_cannot_be_say_so(wrong, said):
+    with pytest.raises(ConfigError, match=said):
+        VideoSettings(**wrong)
+
+
+def test_what_is_no_h264_is_counted():
+    decoder = H264Decoder()
+    assert decoder.decode(Picture(0, (b"\x65\xff\xff\xff", b"\x41nonsense"), whole=True)) is None
+    assert decoder.counters["undecodable"] == 1
