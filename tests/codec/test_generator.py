@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from jauspy.codec.dynamic import load_schema
 from jauspy.codec.fast import MOST_MASKS, Masks
 from jauspy.codec.generator import generate
 from jauspy.codec.names import attribute, class_name, constant, members, set_package
@@ -25,10 +26,26 @@ def test_committed_messages_are_what_the_schemas_give() -> None:
 def test_lists_of_nothing_are_refused() -> None:
     nothing = m.Record(name="Nothing", fields=())
     body = m.List(name="Endless", count=m.Count("u32", 0, 2**32 - 1), element=nothing)
+    with pytest.raises(SchemaError, match="message Bomb: list Endless"):
+        generate(_schema(body))
+
+
+def test_lists_in_lists_in_lists() -> None:
+    body: m.Composite = m.Record(name="R", fields=(m.FixedField(name="X", type="u8"),))
+    for _ in range(16):
+        body = m.Sequence(name="S", items=(m.List(name="L", count=m.Count("u8", 0, 9), element=body),))
+    one = load_schema(_schema(body)).by_name("Bomb")
+    data = b"\1\0" + b"\1" * 16 + b"\7"
+    assert one.decode(data).encode() == data
+    too_many = m.List(name="Last", count=m.Count("u8", 0, 9), element=body)
+    with pytest.raises(SchemaError, match="message Bomb: 'Last' has more than 16 lists and arrays"):
+        generate(_schema(too_many))
+
+
+def _schema(body: m.Composite) -> m.Schema:
     message = m.Message(name="Bomb", code=1, is_command=False, body=body)
     service = m.Service(name="Bad", id="urn:example:test:Bad", version="1.0", jsidl="1.1", outputs=(message,))
-    with pytest.raises(SchemaError, match="list Endless"):
-        generate(m.Schema(services=(service,)))
+    return m.Schema(services=(service,))
 
 
 @pytest.mark.parametrize(

@@ -19,6 +19,8 @@ from jauspy.protocol.reports import place
 PATIENCE: Final = 5.0
 """Seconds for a request and its answer."""
 MAX_REQUEST: Final = 8192
+MAX_READERS: Final = 16
+"""One more is not answered: each has a file of the process, and components need these."""
 
 
 class NodeCollector(Collector):
@@ -56,6 +58,7 @@ class MetricsServer:
         self._where = (host, port)
         self._registry = CollectorRegistry(auto_describe=False)
         self._collector = NodeCollector(state)
+        self._readers = 0
         self._server: asyncio.Server | None = None
 
     async def __aenter__(self) -> None:
@@ -71,6 +74,10 @@ class MetricsServer:
             self._server.close()
 
     async def _serve(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        if self._readers >= MAX_READERS:
+            writer.transport.abort()
+            return
+        self._readers += 1
         try:
             async with asyncio.timeout(PATIENCE):
                 request = await reader.readuntil(b"\r\n\r\n")
@@ -79,6 +86,7 @@ class MetricsServer:
         except (OSError, TimeoutError, asyncio.IncompleteReadError, asyncio.LimitOverrunError):
             writer.transport.abort()
         finally:
+            self._readers -= 1
             writer.close()
 
     def _answer(self, request: bytes) -> bytes:
