@@ -17,7 +17,7 @@ from jauspy.services.lineage import definitions_of
 from jauspy.services.machine import BoundState, Machine, Rule
 from jauspy.services.service import Service
 from jauspy.services.tree import merge, start_of
-from jauspy.services.trigger import Key
+from jauspy.services.trigger import ANY_MESSAGE, ANY_TRIGGER, Key
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,6 +29,8 @@ class Built:
     machines: Mapping[str, Machine]
     inputs: Mapping[int, type[Message]]
     events: Mapping[str, Machine]
+    event_names: frozenset[str]
+    """The internal events that the definitions have, whether a transition waits for them or not."""
     queries: frozenset[int]
     """Codes of messages that are answered without a change of state."""
 
@@ -57,7 +59,8 @@ def build(services: Iterable[Service], schema: Schema | None, registry: Registry
     received = {rule.key for rule, _ in rules if isinstance(rule.key, int)}
     queries = frozenset(rule.key for rule, _ in rules if isinstance(rule.key, int) and _answers(rule))
     inputs = _inputs(definitions.values(), received, registry)
-    return Built(all_services, definitions, machines, inputs, events, queries)
+    names = frozenset(event.name for each in definitions.values() for event in each.internal_events) | events.keys()
+    return Built(all_services, definitions, machines, inputs, events, names - {ANY_MESSAGE, ANY_TRIGGER}, queries)
 
 
 def _rules(states: Iterable[BoundState]) -> Iterable[Rule]:
@@ -95,5 +98,14 @@ def _inputs(
             if message in definition.inputs or message.code in received:
                 for kind in registry.by_code(message.code):
                     if definition.id == kind.SERVICE and definition.version == kind.VERSION:
-                        found.setdefault(message.code, kind)
+                        _distinct(found.setdefault(message.code, kind), kind)
     return found
+
+
+def _distinct(first: type[Message], second: type[Message]) -> None:
+    """Refuse two inputs of different services with one id."""
+    if first.NAME != second.NAME and first.SERVICE != second.SERVICE:
+        raise ConfigError(
+            f"message id {first.CODE:04X} is {first.NAME} of {first.SERVICE} and {second.NAME} of {second.SERVICE}; "
+            "a component cannot tell them apart: change one id, or give the services to two components"
+        )

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Final, Literal, TypeVar
 
 from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
-from jauspy.errors import DecodeError, EncodeError
+from jauspy.errors import ConfigError, DecodeError, EncodeError
 from jauspy.ids import JausID
 from jauspy.protocol.header import Broadcast, Priority
 from jauspy.schema.model import Schema, Service as Definition
@@ -199,11 +199,12 @@ class Host:
         priority: Priority = Priority.STANDARD,
         broadcast: Broadcast = Broadcast.NONE,
     ) -> None:
-        """Send a message; one that cannot be encoded is logged, counted and not sent."""
+        """Send a message; one that cannot be encoded is a bug: it is logged, counted and not sent."""
         try:
             payload = message.encode()
         except EncodeError as error:
-            self.count("unencodable", f"{message.NAME}: {error}")
+            self.counters["unencodable"] += 1
+            self._bugs.met(f"encoding {message.NAME}", Trigger("send", message), error)
             return
         outgoing = Outgoing(destination, message, payload, priority, broadcast)
         if self._captured is not None:
@@ -225,7 +226,13 @@ class Host:
             self._captured = outer
 
     def fire(self, event: str, msg: Any = None, source: JausID | None = None) -> None:
-        """Raise an internal event of the JSIDL; handled as soon as what happens now is done."""
+        """Raise an internal event of the JSIDL; handled as soon as what happens now is done.
+
+        Raises `ConfigError` for one that no service of the component has.
+        """
+        if event not in self._built.event_names:
+            known = ", ".join(sorted(self._built.event_names))
+            raise ConfigError(f"no service of {self.id} has an internal event {event}; there are {known}")
         self._agenda.put(Trigger(event, msg, source))
 
     def perform(self, command: Message, source: JausID, ended: Callable[[bool], None]) -> None:
@@ -289,8 +296,8 @@ class Host:
                 self._bugs.met(f"{type(service).__name__}.{what.key}", what, error)
 
     def _fail(self) -> None:
-        """Go to Failure, unless the component is there already: an action that fails there must not start over."""
-        if "Failure" not in self.path:
+        """Go to Failure, if it has one and is not there already: an action that fails there must not start over."""
+        if "Failure" in self._built.event_names and "Failure" not in self.path:
             self.fire("Failure")
 
     def _decoded(self, payload: bytes, source: JausID) -> Message | None:
