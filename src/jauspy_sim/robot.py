@@ -9,7 +9,8 @@ from typing import Final
 import mujoco
 
 from jauspy.platform.description import RobotModel
-from jauspy_sim import log
+from jauspy.platform.shared_state import StateWriter
+from jauspy_sim import camera, log
 from jauspy_sim.assembly import TIMESTEP, build, prefix
 from jauspy_sim.joints import SimulatedJoints
 from jauspy_sim.tracks import TrackedDrive
@@ -37,6 +38,9 @@ class SimulatedRobot:
         self._steps = 0
         self._owed = 0.0
         self._run(SETTLING_STEPS)
+        self._shared = StateWriter(camera.state_size(model)) if robot.cameras else None
+        self._cameras = self._look_through(robot)
+        self._show()
 
     @classmethod
     def open(cls, robot: RobotModel, world: str) -> SimulatedRobot:
@@ -65,6 +69,11 @@ class SimulatedRobot:
         return self._groups
 
     @property
+    def cameras(self) -> Mapping[str, camera.SimulatedCamera]:
+        """Its cameras, by name."""
+        return self._cameras
+
+    @property
     def time(self) -> float:
         """Seconds simulated, a whole number of steps."""
         return self._steps * TIMESTEP
@@ -82,12 +91,27 @@ class SimulatedRobot:
         self._run(steps)
         self._steps += steps
         self._drive.moved(before, steps * TIMESTEP)
+        self._show()
 
     def close(self) -> None:
-        """Stop; MuJoCo's memory goes with the object."""
+        """Stop, and release what cameras share; MuJoCo's memory goes with the object."""
         self._drive.stop()
         for group in self._groups.values():
             group.hold()
+        if self._shared is not None:
+            self._shared.close()
+            self._shared = None
+
+    def _look_through(self, robot: RobotModel) -> dict[str, camera.SimulatedCamera]:
+        if self._shared is None:
+            return {}
+        name_prefix, state = prefix(robot.description.name), self._shared.descriptor
+        numbers = {each: int(self._model.camera(f"{name_prefix}{each.name}").id) for each in robot.cameras}
+        return {each.name: camera.SimulatedCamera(each, self._model, number, state) for each, number in numbers.items()}
+
+    def _show(self) -> None:
+        if self._shared is not None:
+            self._shared.write(camera.state_of(self._data))
 
     def _run(self, steps: int) -> None:
         groups = tuple(self._groups.values())

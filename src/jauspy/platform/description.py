@@ -11,6 +11,7 @@ from enum import Enum
 from typing import Final
 
 from jauspy.errors import ConfigError
+from jauspy.platform.camera import CameraSetup
 from jauspy.platform.contract import Pose
 from jauspy.platform.pid import Gains
 
@@ -129,3 +130,4 @@ class RobotModel:
     description: Description
     tracks: TrackSetup
     groups: Mapping[str, GroupSetup] = field(default_factory=dict)
+    cameras: tuple[CameraSetup, ...] = ()
