@@ -10,6 +10,10 @@ from pathlib import Path
 import psutil
 import pytest
 
+from jauspy.modules.robots import load
+
+INC1 = load("inc1")
+MODULES = [str(INC1.id_of(module)) for module in INC1.modules]
 JAUSPY = [sys.executable, "-m", "jauspy.cli.main"]
 
 
@@ -51,7 +55,9 @@ def test_list_query_and_send(robot, local_root, free_port):
     local, udp = f"local:{local_root}", f"udp://127.0.0.1:{free_port}"
     [found] = [json.loads(line) for line in jauspy("ls", "--json", "--connect", udp).stdout.splitlines()]
     assert found["subsystem"] == 101
-    [component] = found["nodes"][0]["components"]
+    components = found["nodes"][0]["components"]
+    assert [each["id"] for each in components] == MODULES
+    component = components[0]
     assert {"urn": "urn:jaus:jss:mobility:PrimitiveDriver", "version": "1.1"} in component["services"]
     to = component["id"]
 
@@ -77,7 +83,8 @@ def test_verbs_run_side_by_side_and_a_wildcard_names_who_answered(robot, local_r
         for each in asked:
             out, err = each.communicate(timeout=20)
             assert err == ""
-            assert [json.loads(line)["source"] for line in out.splitlines()] == ["101.1.102"]
+            sources = {json.loads(line)["source"] for line in out.splitlines()}
+            assert sources == set(MODULES)
 
 
 def test_send_says_what_speaks_against_an_effect(robot, local_root):

@@ -49,6 +49,6 @@ def test_mistakes_are_named(tmp_path: Path, text: str, said: str) -> None:
     ):
         text = text.replace(word, f"joints = [{{ name = '{joint}', position = {{ p = 1 }}, velocity = {{ p = 1 }} }}]")
     path = tmp_path / "mine.toml"
-    path.write_text(f"extends = 'inc1'\n{text}")
+    path.write_text(f"modules = [{{ type = 'CM-MOB', component = 102 }}]\nextends = 'inc1'\n{text}")
     with pytest.raises(ConfigError, match=said):
         robot_model(load(path))

@@ -177,3 +177,9 @@ def test_watchdog_looks_on_after_a_drive_that_failed(module, monkeypatch):
     module.drive.set_effort(0.4, 0.0)
     module.run(PERIOD)
     assert module.drive.effort == (0.0, 0.0)
+
+
+def test_an_effort_of_zero_brakes_although_16_bits_have_no_zero(fake_robot):
+    module = Module(fake_robot.drive)
+    module.tell(RequestControl(200), Resume(), SetWrenchEffort(propulsive_linear_effort_x=0.0))
+    assert fake_robot.drive.effort == (0.0, 0.0)

@@ -134,7 +134,7 @@ async def test_stops_everything_when_a_transport_cannot_be_opened(runner, hub, m
     assert runner.components == ()
     await taken.close()
     async with runner:
-        assert len(runner.components) == 1
+        assert len(runner.components) == len(runner.config.modules)
 
 
 async def test_runs_until_cancelled(runner, client):
@@ -156,6 +156,7 @@ async def test_ends_when_the_robot_breaks_down(runner, fragile_robot, monkeypatc
             return fragile_robot
 
     monkeypatch.setattr(backends, "find", lambda name: Workshop())
+    runner.config = runner.config.model_copy(update={"modules": runner.config.modules[:1]})
     with pytest.raises(RuntimeError, match="a track came off"):
         async with asyncio.timeout(30.0):
             await runner.run()

@@ -34,7 +34,12 @@ def write(tmp_path):
 def test_inc1_comes_with_jauspy():
     config = load("inc1")
     assert "inc1" in known()
-    assert [str(config.id_of(module)) for module in config.modules] == ["101.1.102"]
+    assert [str(config.id_of(module)) for module in config.modules] == [
+        "101.1.102",
+        "101.1.104",
+        "101.1.105",
+        "101.1.108",
+    ]
     assert (config.backend, config.world) == ("sim", "demo")
 
 
@@ -88,7 +93,7 @@ def test_not_even_text(write, tmp_path):
         (
             "component = 33",
             "component = 33\nservices = ['Tim']",
-            r"modules\[0\]\.services\[0\] = 'Tim': .*'Time', 'Liveness'.*'LocalPoseSensor'",
+            r"services: 'Tim' is not one that a CM-MOB has; those are: .*Time, Liveness.*LocalPoseSensor",
         ),
         (
             "component = 33",
@@ -108,7 +113,29 @@ def test_not_even_text(write, tmp_path):
         (
             "component = 33",
             "component = 33\n[[modules]]\ntype = 'CM-MOB'\ncomponent = 34",
-            r"modules: 33 and 34 are both CM-MOB; a robot has one chassis",
+            r"modules: 33 and 34 both move the chassis",
+        ),
+        ("component = 33", "component = 33\ngroup = 'arm'", r"group: a CM-MOB moves no group of joints"),
+        (
+            "component = 33",
+            "component = 33\n[[modules]]\ntype = 'CM-MAN'\ncomponent = 34",
+            r"modules: 34 moves the group 'arm', which is not there; there are: none",
+        ),
+        ("[[modules]]", "[[lidars]]\nname = 'l'\nlink = 'm'\nrays = 0\n[[modules]]", r"lidars\[0\]\.rays = 0: .*1"),
+        (
+            "[[modules]]",
+            "[[lidars]]\nname = 'l'\nlink = 'm'\nrange = [3, 2]\n[[modules]]",
+            r"range: \[3.0, 2.0\] is empty",
+        ),
+        (
+            "[[modules]]",
+            "[[lidars]]\nname = 'l'\nlink = 'm'\n[[lidars]]\nname = 'l'\nlink = 'n'\n[[modules]]",
+            r"lidars: l is there twice",
+        ),
+        (
+            "component = 33",
+            "component = 33\n[[modules]]\ntype = 'CM-SEN'\ncomponent = 34\nservices = ['RangeSensor']",
+            r"lidars: there is none, and 34 offers RangeSensor; add \[\[lidars\]\]",
         ),
         ("component = 33", "component = 33\nservices = []", r"none has the service Discovery; nobody could find"),
         ("component = 33", "component = 33\nservices = ['PrimitiveDriver']", r"none has the service Discovery"),

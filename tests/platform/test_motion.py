@@ -23,7 +23,7 @@ def run(motion: Motion, seconds: float) -> list[tuple[float, float]]:
 @pytest.mark.parametrize("goal", [0.9, -1.7, 0.001, 0.0])
 def test_arrives_without_overshoot_within_speed_and_acceleration(goal: float) -> None:
     motion = Motion(JOINT, 0.0)
-    motion.target = Target(ControlMode.POSITION, goal, speed=0.4, acceleration=2.0)
+    motion.target = Target(ControlMode.POSITION, goal, speed=0.4, acceleration=2.0, deceleration=2.0)
     path = run(motion, 6.0)
     assert path[-1] == (goal, 0.0)
     speeds = [0.0, *(velocity for _, velocity in path[:-2])]
@@ -63,3 +63,13 @@ def test_under_effort_it_stands() -> None:
     motion = Motion(JOINT, 0.3)
     motion.target = Target(ControlMode.EFFORT, 5.0)
     assert run(motion, 0.1)[-1] == (0.3, 0.0)
+
+
+def test_brakes_as_gently_as_told() -> None:
+    motion = Motion(JOINT, 0.0)
+    motion.target = Target(ControlMode.POSITION, 0.9, acceleration=4.0, deceleration=0.25)
+    path = run(motion, 9.0)
+    assert path[-1] == (0.9, 0.0)
+    fastest = max(range(len(path)), key=lambda step: path[step][1])
+    assert fastest * DT < 0.2
+    assert next(step for step, (position, _) in enumerate(path) if position == 0.9) * DT > 2.0

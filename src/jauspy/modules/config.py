@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Mapping
 from typing import Annotated, Final, Literal, Self, TypeAlias
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, model_validator
 
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
-from jauspy.modules.config_joints import Groups, TracksConfig
+from jauspy.modules.config_joints import Groups, JointName, TracksConfig
+from jauspy.modules.config_sensors import LidarConfig
 
 
 def _on_the_wire(name: str) -> str:
@@ -31,32 +33,55 @@ def _one_component(text: str) -> str:
 
 
 Name: TypeAlias = Annotated[str, Field(min_length=1, max_length=64)]
-Service: TypeAlias = Literal[
-    "Time",
-    "Liveness",
-    "Discovery",
-    "PrimitiveDriver",
-    "VelocityStateSensor",
-    "VelocityStateDriver",
-    "AccelerationStateSensor",
-    "LocalPoseSensor",
-    "LocalVectorDriver",
-    "LocalWaypointDriver",
-    "LocalWaypointListDriver",
-    "GlobalPoseSensor",
-    "GlobalVectorDriver",
-    "GlobalWaypointDriver",
-    "GlobalWaypointListDriver",
-    "SkidSteerDriver",
-    "PlatformSpecifications",
-]
-GLOBAL_SERVICES: Final[frozenset[Service]] = frozenset(
+Service: TypeAlias = str
+
+_EVERYWHERE: Final = ("Discovery", "Time", "Liveness")
+GLOBAL_SERVICES: Final = frozenset(
     {"GlobalPoseSensor", "GlobalVectorDriver", "GlobalWaypointDriver", "GlobalWaypointListDriver"}
 )
 """Those that need to know where the robot's world lies on the globe."""
 
-_DRIVING: Final = ("CM-MOB",)
-"""Types of modules that drive the chassis."""
+SERVICES: Final[Mapping[str, tuple[str, ...]]] = {
+    "CM-MOB": (
+        *_EVERYWHERE,
+        "PrimitiveDriver",
+        "VelocityStateSensor",
+        "VelocityStateDriver",
+        "AccelerationStateSensor",
+        "LocalPoseSensor",
+        "LocalVectorDriver",
+        "LocalWaypointDriver",
+        "LocalWaypointListDriver",
+        "GlobalPoseSensor",
+        "GlobalVectorDriver",
+        "GlobalWaypointDriver",
+        "GlobalWaypointListDriver",
+        "SkidSteerDriver",
+        "PlatformSpecifications",
+    ),
+    "CM-MAN": (
+        *_EVERYWHERE,
+        "ManipulatorSpecificationService",
+        "PrimitiveManipulator",
+        "ManipulatorJointPositionSensor",
+        "ManipulatorJointVelocitySensor",
+        "ManipulatorJointForceTorqueSensor",
+        "ManipulatorJointPositionDriver",
+        "ManipulatorJointVelocityDriver",
+        "ManipulatorActuatorForceTorqueDriver",
+        "ManipulatorJointMotionProfile",
+        "ManipulatorJointPositionListDriver",
+        "ManipulatorEndEffectorPoseSensor",
+        "ManipulatorEndEffectorVelocityStateSensor",
+        "ManipulatorToolOffsetService",
+    ),
+    "CM-EEF": (*_EVERYWHERE, "PrimitiveEndEffector"),
+    "CM-SEN": (*_EVERYWHERE, "RangeSensor"),
+}
+"""What each type of module may offer beside Transport, Events, AccessControl and Management."""
+
+GROUPS: Final[Mapping[str, str]] = {"CM-MAN": "arm", "CM-EEF": "gripper"}
+"""The group of joints that a type moves, unless its module names another."""
 
 
 class _Strict(BaseModel):
@@ -75,17 +100,34 @@ class AccessControlConfig(_Strict):
 class ModuleConfig(_Strict):
     """One capability module: a JAUS component."""
 
-    type: Literal["CM-MOB"]
+    type: Literal["CM-MOB", "CM-MAN", "CM-EEF", "CM-SEN"]
     component: Annotated[int, Field(ge=1, le=254)]
     services: tuple[Service, ...] | None = None
     """Beside Transport, Events, AccessControl and Management; all that the type offers when left out."""
+    group: JointName | None = None
+    """The joints that a CM-MAN or CM-EEF moves: `arm` or `gripper` when left out."""
     access_control: AccessControlConfig = AccessControlConfig()
     announce_to: Annotated[str, AfterValidator(_one_component)] | None = None
     """The id of a console that the module asks who it is, again and again until it answers, so as to be found."""
 
+    @model_validator(mode="after")
+    def _fits_its_type(self) -> Self:
+        for service in self.services or ():
+            if service not in SERVICES[self.type]:
+                known = ", ".join(SERVICES[self.type])
+                raise ValueError(f"services: {service!r} is not one that a {self.type} has; those are: {known}")
+        if self.group is not None and self.type not in GROUPS:
+            raise ValueError(f"group: a {self.type} moves no group of joints; leave it out")
+        return self
+
+    @property
+    def moves(self) -> str | None:
+        """The group of joints that the module moves."""
+        return self.group or GROUPS.get(self.type)
+
     def offers(self, service: Service) -> bool:
         """True when the module has the service."""
-        return self.services is None or service in self.services
+        return service in (SERVICES[self.type] if self.services is None else self.services)
 
 
 class OriginConfig(_Strict):
@@ -117,6 +159,7 @@ class RobotConfig(_Strict):
     tracks: TracksConfig
     groups: Groups = {}
     """Its other joints."""
+    lidars: Annotated[tuple[LidarConfig, ...], Field(max_length=16)] = ()
 
     @model_validator(mode="after")
     def _check_modules(self) -> Self:
@@ -125,13 +168,8 @@ class RobotConfig(_Strict):
         for component, count in Counter(module.component for module in self.modules).items():
             if count > 1:
                 raise ValueError(f"modules: {count} have the component id {component}; give each its own, 1..254")
-        drivers = [module.component for module in self.modules if module.type in _DRIVING]
-        if len(drivers) > 1:
-            # Each would have an access control of its own: two clients would be in control of one chassis.
-            which = " and ".join(map(str, drivers))
-            raise ValueError(
-                f"modules: {which} are both CM-MOB; a robot has one chassis, and one module that drives it"
-            )
+        self._check_that_nothing_is_moved_twice()
+        self._check_lidars()
         if not any(module.offers("Discovery") for module in self.modules):
             raise ValueError("modules: none has the service Discovery; nobody could find the robot; add it to services")
         for module in self.modules:
@@ -141,6 +179,33 @@ class RobotConfig(_Strict):
                     f"origin: is missing; {', '.join(on_the_globe)} cannot do without knowing where the world lies"
                 )
         return self
+
+    def _check_that_nothing_is_moved_twice(self) -> None:
+        """Each module has an access control of its own: two clients would be in control of one thing."""
+        moved: dict[str, int] = {}
+        for module in self.modules:
+            if module.type == "CM-SEN":
+                continue
+            what = f"group {module.moves!r}" if module.moves else "chassis"
+            if what in moved:
+                raise ValueError(
+                    f"modules: {moved[what]} and {module.component} both move the {what}; one module may, "
+                    "for each has a client in control"
+                )
+            moved[what] = module.component
+            if module.moves and module.moves not in self.groups:
+                known = ", ".join(self.groups) or "none"
+                raise ValueError(
+                    f"modules: {module.component} moves the {what}, which is not there; there are: {known}"
+                )
+
+    def _check_lidars(self) -> None:
+        names = [lidar.name for lidar in self.lidars]
+        if len(set(names)) < len(names):
+            raise ValueError(f"lidars: {', '.join(sorted({n for n in names if names.count(n) > 1}))} is there twice")
+        for module in self.modules:
+            if not self.lidars and "RangeSensor" in (module.services or ()):
+                raise ValueError(f"lidars: there is none, and {module.component} offers RangeSensor; add [[lidars]]")
 
     def id_of(self, module: ModuleConfig) -> JausID:
         """The JAUS id of a module."""

@@ -8,12 +8,12 @@ from datetime import datetime
 from typing import Final
 
 from jauspy.ids import JausID
+from jauspy.modules.capability import capability
 from jauspy.modules.config import GLOBAL_SERVICES, ModuleConfig, RobotConfig
-from jauspy.modules.watchdog import Watchdog
 from jauspy.platform.chassis import chassis_of
 from jauspy.platform.contract import DriveBase
 from jauspy.platform.description import RobotModel
-from jauspy.services.core import AccessControl, Discovery, Events, Identity, Liveness, Management, Time, Transport
+from jauspy.services.core import Identity
 from jauspy.services.host import Host
 from jauspy.services.mobility import (
     AccelerationStateSensor,
@@ -35,8 +35,6 @@ from jauspy.services.service import Service
 from jauspy.services.ugv import PlatformSpecifications, SkidSteerDriver
 
 CHOICE: Final[Mapping[str, Callable[[Vehicle], Service]]] = {
-    "Time": lambda _: Time(),
-    "Liveness": lambda _: Liveness(),
     "PrimitiveDriver": PrimitiveDriver,
     "VelocityStateSensor": VelocityStateSensor,
     "VelocityStateDriver": VelocityStateDriver,
@@ -52,7 +50,7 @@ CHOICE: Final[Mapping[str, Callable[[Vehicle], Service]]] = {
     "SkidSteerDriver": SkidSteerDriver,
     "PlatformSpecifications": PlatformSpecifications,
 }
-"""What a configuration may choose from, beside Discovery."""
+"""What a configuration may choose from, beside the core services."""
 
 
 def vehicle_of(config: RobotConfig, model: RobotModel, drive: DriveBase) -> Vehicle:
@@ -61,13 +59,6 @@ def vehicle_of(config: RobotConfig, model: RobotModel, drive: DriveBase) -> Vehi
     if (origin := config.origin) is not None:
         place = GlobalPose(origin.latitude, origin.longitude, origin.altitude, math.radians(origin.heading))
     return Vehicle(drive, name=config.name, chassis=chassis_of(model), origin=place)
-
-
-def offered(config: ModuleConfig, *, has_origin: bool) -> tuple[str, ...]:
-    """The services that the module has; those on the globe only where the robot has an origin."""
-    if config.services is not None:
-        return config.services
-    return ("Discovery", *(name for name in CHOICE if has_origin or name not in GLOBAL_SERVICES))
 
 
 def cm_mob(
@@ -80,15 +71,8 @@ def cm_mob(
     now: float,
 ) -> Host:
     """The component's host, with a watchdog on the drive. `now`: seconds of the clock that runs the host."""
-    access = config.access_control
-    services: list[Service] = [
-        Transport(),
-        Events(),
-        AccessControl(default_authority=access.default_authority, timeout=access.timeout),
-        Management(),
-    ]
-    names = offered(config, has_origin=vehicle.has_origin)
-    services += [Discovery(identities) if name == "Discovery" else CHOICE[name](vehicle) for name in names]
-    host = Host(id, services, utc_now=utc_now, now=now)
-    Watchdog(host, vehicle.pilot)
-    return host
+    names = [name for name in CHOICE if config.offers(name)]
+    if config.services is None and not vehicle.has_origin:
+        names = [name for name in names if name not in GLOBAL_SERVICES]
+    services = [CHOICE[name](vehicle) for name in names]
+    return capability(id, config, services, vehicle.pilot, identities=identities, utc_now=utc_now, now=now)

@@ -15,7 +15,7 @@ from jauspy.ids import JausID
 from jauspy.modules.announcement import Announcement
 from jauspy.modules.config import ModuleConfig, RobotConfig
 from jauspy.modules.description import robot_model
-from jauspy.modules.mobility import cm_mob, vehicle_of
+from jauspy.modules.hosts import host_of
 from jauspy.modules.realtime import RealTime
 from jauspy.modules.snapshot import Snapshot
 from jauspy.platform import backends
@@ -23,7 +23,6 @@ from jauspy.platform.contract import Robot
 from jauspy.platform.description import RobotModel
 from jauspy.services.core import Identity
 from jauspy.services.host import Host
-from jauspy.services.mobility import Vehicle
 from jauspy.transport import Transport
 
 LAPSE: Final = 1.0
@@ -90,7 +89,7 @@ class RobotRunner:
             stack.push_async_callback(_cancel, asyncio.create_task(_heartbeat(realtime)))
             components = []
             for module in self.config.modules:
-                host = _host(self.config, module, vehicle_of(self.config, model, realtime.drive))
+                host = _host(self.config, module, model, realtime)
                 component = Shell(host, self._transports(host.id), intercept=announced(host, module))
                 components.append(await stack.enter_async_context(component))
             self._realtime, self._components = realtime, tuple(components)
@@ -122,21 +121,14 @@ class RobotRunner:
         return stack.enter_context(self._in_time(robot))
 
 
-def _host(config: RobotConfig, module: ModuleConfig, vehicle: Vehicle) -> Host:
+def _host(config: RobotConfig, module: ModuleConfig, model: RobotModel, robot: RealTime) -> Host:
     identities = {
         SYSTEM: Identity(config.name, _VEHICLE),
         SUBSYSTEM: Identity(config.name, _VEHICLE),
         NODE: Identity(f"{config.name} node {config.node}", _NODE),
         COMPONENT: Identity(module.type, _COMPONENT),
     }
-    return cm_mob(
-        config.id_of(module),
-        vehicle,
-        module,
-        identities=identities,
-        utc_now=lambda: datetime.now(UTC),
-        now=loop_time(),
-    )
+    return host_of(config, module, model, robot, identities, utc_now=lambda: datetime.now(UTC), now=loop_time())
 
 
 def announced(host: Host, module: ModuleConfig) -> Intercept | None:

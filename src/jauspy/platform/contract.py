@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from jauspy.platform.camera import Camera
     from jauspy.platform.description import RobotModel
     from jauspy.platform.joints import JointGroup
+    from jauspy.platform.ranging import RangeFinder
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,6 +93,11 @@ class Robot(Protocol):
     @property
     def cameras(self) -> Mapping[str, Camera]:
         """Its cameras, by name; each shows the state after the last `advance`."""
+        ...
+
+    @property
+    def lidars(self) -> Mapping[str, RangeFinder]:
+        """Its lidars, by name, in the order of its description."""
         ...
 
     @property

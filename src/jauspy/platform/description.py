@@ -14,6 +14,7 @@ from jauspy.errors import ConfigError
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.contract import Pose
 from jauspy.platform.pid import Gains
+from jauspy.platform.ranging import LidarSetup
 
 HERE: Final = Pose()
 """No displacement."""
@@ -131,3 +132,4 @@ class RobotModel:
     tracks: TrackSetup
     groups: Mapping[str, GroupSetup] = field(default_factory=dict)
     cameras: tuple[CameraSetup, ...] = ()
+    lidars: tuple[LidarSetup, ...] = ()

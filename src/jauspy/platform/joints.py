@@ -22,13 +22,15 @@ class ControlMode(Enum):
 class Target:
     """What one joint is to do: newton metres or newtons; rad/s or m/s; radians or metres.
 
-    A position is approached at most at `speed`, with at most `acceleration`; the joint's own limits when not given.
+    A position is approached at most at `speed`, with at most `acceleration` and `deceleration`; the joint's own limits
+    when not given.
     """
 
     mode: ControlMode
     value: float
     speed: float | None = None
     acceleration: float | None = None
+    deceleration: float | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -47,9 +47,9 @@ class Motion:
         if not left and not self.velocity:
             return
         fastest = min(self.joint.velocity, self.target.speed or math.inf)
-        change = self._acceleration * dt
+        change = self._deceleration * dt
         # steps of dt are no smooth ramp: half a step is lost
-        braking = math.sqrt(change * change / 4.0 + 2.0 * self._acceleration * abs(left)) - change / 2.0
+        braking = math.sqrt(change * change / 4.0 + 2.0 * self._deceleration * abs(left)) - change / 2.0
         self._change_speed(math.copysign(min(fastest, braking), left), dt)
         if abs(left) <= change * dt and abs(self.velocity) <= 2.0 * change:
             self.start(goal, 0.0)
@@ -65,9 +65,14 @@ class Motion:
             self.velocity = 0.0
 
     def _change_speed(self, wanted: float, dt: float) -> None:
-        most = self._acceleration * dt
+        slower = abs(wanted) < abs(self.velocity) or wanted * self.velocity < 0.0
+        most = (self._deceleration if slower else self._acceleration) * dt
         self.velocity += min(most, max(-most, wanted - self.velocity))
 
     @property
     def _acceleration(self) -> float:
         return self.target.acceleration or self.joint.velocity / ACCELERATION_TIME
+
+    @property
+    def _deceleration(self) -> float:
+        return self.target.deceleration or self.joint.velocity / ACCELERATION_TIME

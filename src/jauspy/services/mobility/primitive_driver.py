@@ -5,6 +5,7 @@ from __future__ import annotations
 from jauspy.messages.mobility import ReportWrenchEffort, SetWrenchEffort
 from jauspy.services.mobility.driver import Driver
 from jauspy.services.mobility.vehicle import Vehicle
+from jauspy.services.percent import percent
 
 
 class PrimitiveDriver(Driver, urn="urn:jaus:jss:mobility:PrimitiveDriver"):
@@ -20,8 +21,8 @@ class PrimitiveDriver(Driver, urn="urn:jaus:jss:mobility:PrimitiveDriver"):
 
     def set_wrench_effort(self, msg: SetWrenchEffort) -> None:
         """Reached only in Ready, from the controlling client. JAUS turns right for positive z."""
-        self._linear_x = msg.propulsive_linear_effort_x or 0.0
-        self._rotational_z = msg.propulsive_rotational_effort_z or 0.0
+        self._linear_x = percent(msg.propulsive_linear_effort_x)
+        self._rotational_z = percent(msg.propulsive_rotational_effort_z)
         self.vehicle.pilot.push(self, forward=self._linear_x / 100.0, right=self._rotational_z / 100.0)
 
     def taken_over(self) -> None:

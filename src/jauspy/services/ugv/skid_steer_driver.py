@@ -5,6 +5,7 @@ from __future__ import annotations
 from jauspy.messages.ugv import ReportSkidSteerEffort, SetSkidSteerEffort
 from jauspy.services.mobility.driver import Driver
 from jauspy.services.mobility.vehicle import Vehicle
+from jauspy.services.percent import percent
 
 
 class SkidSteerDriver(Driver, urn="urn:jaus:jss:ugv:SkidSteerDriver"):
@@ -16,7 +17,8 @@ class SkidSteerDriver(Driver, urn="urn:jaus:jss:ugv:SkidSteerDriver"):
 
     def set_skid_steer_effort(self, msg: SetSkidSteerEffort) -> None:
         """Reached only in Ready, from the controlling client."""
-        self._left, self._right = msg.left_side_propulsive_effort, msg.right_side_propulsive_effort
+        self._left = percent(msg.left_side_propulsive_effort)
+        self._right = percent(msg.right_side_propulsive_effort)
         forward, right = (self._left + self._right) / 200.0, (self._left - self._right) / 200.0
         self.vehicle.pilot.push(self, forward=forward, right=right)
 

@@ -1,0 +1,67 @@
+"""Makes the host of each module of a robot, by the module's type."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from datetime import datetime
+from typing import Protocol
+
+from jauspy.errors import ConfigError
+from jauspy.modules.config import ModuleConfig, RobotConfig
+from jauspy.modules.end_effector import cm_eef
+from jauspy.modules.manipulator import cm_man
+from jauspy.modules.mobility import cm_mob, vehicle_of
+from jauspy.modules.sensors import cm_sen, mounted
+from jauspy.platform.contract import DriveBase
+from jauspy.platform.description import RobotModel
+from jauspy.platform.joints import JointGroup
+from jauspy.platform.ranging import RangeFinder
+from jauspy.services.core import Identity
+from jauspy.services.host import Host
+
+
+class Body(Protocol):
+    """What the modules move and read: a robot, or its parts as other threads see them."""
+
+    @property
+    def drive(self) -> DriveBase:
+        """The chassis."""
+        ...
+
+    @property
+    def groups(self) -> Mapping[str, JointGroup]:
+        """The other joints."""
+        ...
+
+    @property
+    def lidars(self) -> Mapping[str, RangeFinder]:
+        """The lidars."""
+        ...
+
+
+def host_of(
+    config: RobotConfig,
+    module: ModuleConfig,
+    model: RobotModel,
+    body: Body,
+    identities: Mapping[int, Identity],
+    *,
+    utc_now: Callable[[], datetime],
+    now: float,
+) -> Host:
+    """The host of a module. `now`: seconds of the clock that runs it."""
+    id = config.id_of(module)
+    if module.type == "CM-SEN":
+        lidars = mounted(model.description, body.lidars, body.groups)
+        return cm_sen(id, lidars, module, identities=identities, utc_now=utc_now, now=now)
+    if module.moves is None:
+        vehicle = vehicle_of(config, model, body.drive)
+        return cm_mob(id, vehicle, module, identities=identities, utc_now=utc_now, now=now)
+    joints = body.groups.get(module.moves)
+    if joints is None:
+        raise ConfigError(f"{id} moves the group {module.moves!r}, and the backend has no such joints")
+    if module.type == "CM-MAN":
+        return cm_man(id, joints, module, identities=identities, utc_now=utc_now, now=now)
+    carriers = [config.id_of(other) for other in config.modules if other.type == "CM-MAN"]
+    carrier = carriers[0] if carriers else id
+    return cm_eef(id, joints, carrier, module, identities=identities, utc_now=utc_now, now=now)

@@ -1,0 +1,97 @@
+"""Vectors of three numbers, and rigid transforms."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Final, TypeAlias
+
+from jauspy.platform.contract import Pose
+
+Vector: TypeAlias = tuple[float, float, float]
+Rotation: TypeAlias = tuple[Vector, Vector, Vector]
+"""Rows of a rotation matrix."""
+
+X: Final[Vector] = (1.0, 0.0, 0.0)
+Y: Final[Vector] = (0.0, 1.0, 0.0)
+Z: Final[Vector] = (0.0, 0.0, 1.0)
+
+
+def add(a: Vector, b: Vector) -> Vector:
+    """A + b."""
+    return a[0] + b[0], a[1] + b[1], a[2] + b[2]
+
+
+def scaled(a: Vector, factor: float) -> Vector:
+    """A vector that is so much longer."""
+    return a[0] * factor, a[1] * factor, a[2] * factor
+
+
+def difference(a: Vector, b: Vector) -> Vector:
+    """From b to a."""
+    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
+
+
+def dot(a: Vector, b: Vector) -> float:
+    """Scalar product."""
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def cross(a: Vector, b: Vector) -> Vector:
+    """Vector product."""
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+
+
+def turned(rotation: Rotation, a: Vector) -> Vector:
+    """A vector after a rotation."""
+    return dot(rotation[0], a), dot(rotation[1], a), dot(rotation[2], a)
+
+
+def transposed(rotation: Rotation) -> Rotation:
+    """The inverse of a rotation; columns as rows."""
+    a, b, c = rotation
+    return (a[0], b[0], c[0]), (a[1], b[1], c[1]), (a[2], b[2], c[2])
+
+
+def about(axis: Vector, angle: float) -> Rotation:
+    """The rotation about an axis of unit length, in radians."""
+    x, y, z = axis
+    c, s = math.cos(angle), math.sin(angle)
+    t = 1.0 - c
+    return (
+        (t * x * x + c, t * x * y - s * z, t * x * z + s * y),
+        (t * x * y + s * z, t * y * y + c, t * y * z - s * x),
+        (t * x * z - s * y, t * y * z + s * x, t * z * z + c),
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class Transform:
+    """Where a frame is in another one."""
+
+    rotation: Rotation = (X, Y, Z)
+    position: Vector = (0.0, 0.0, 0.0)
+
+    def __matmul__(self, other: Transform) -> Transform:
+        columns = transposed(other.rotation)
+        rotation = transposed((self.turn(columns[0]), self.turn(columns[1]), self.turn(columns[2])))
+        return Transform(rotation, self.apply(other.position))
+
+    def turn(self, a: Vector) -> Vector:
+        """A direction, given in the inner frame, as the outer one has it."""
+        return turned(self.rotation, a)
+
+    def apply(self, a: Vector) -> Vector:
+        """A point, given in the inner frame, as the outer one has it."""
+        return add(self.position, turned(self.rotation, a))
+
+    def inverse(self) -> Transform:
+        """Where the outer frame is in the inner one."""
+        back = transposed(self.rotation)
+        return Transform(back, scaled(turned(back, self.position), -1.0))
+
+    @classmethod
+    def of(cls, pose: Pose) -> Transform:
+        """The frame of a pose with fixed-axis roll, pitch, yaw."""
+        turn = Transform(about(Z, pose.yaw)) @ Transform(about(Y, pose.pitch)) @ Transform(about(X, pose.roll))
+        return cls(turn.rotation, (pose.x, pose.y, pose.z))

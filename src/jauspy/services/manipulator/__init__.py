@@ -1,0 +1,40 @@
+"""Services of the manipulator set (AS6057)."""
+
+from jauspy.services.manipulator.arm import Arm
+from jauspy.services.manipulator.end_effector_sensors import EndEffectorPoseSensor, EndEffectorVelocityStateSensor
+from jauspy.services.manipulator.joint_drivers import (
+    ActuatorForceTorqueDriver,
+    JointPositionDriver,
+    JointVelocityDriver,
+)
+from jauspy.services.manipulator.joint_position_list_driver import JointPositionListDriver
+from jauspy.services.manipulator.joint_sensors import (
+    JointForceTorqueSensor,
+    JointPositionSensor,
+    JointVelocitySensor,
+)
+from jauspy.services.manipulator.list_driver import ManipulatorListDriver
+from jauspy.services.manipulator.motion_profile import JointMotionProfile
+from jauspy.services.manipulator.primitive_end_effector import PrimitiveEndEffector
+from jauspy.services.manipulator.primitive_manipulator import PrimitiveManipulator
+from jauspy.services.manipulator.specification import ManipulatorSpecification
+from jauspy.services.manipulator.tool_offset import ToolOffset
+
+__all__ = [
+    "ActuatorForceTorqueDriver",
+    "Arm",
+    "EndEffectorPoseSensor",
+    "EndEffectorVelocityStateSensor",
+    "JointForceTorqueSensor",
+    "JointMotionProfile",
+    "JointPositionDriver",
+    "JointPositionListDriver",
+    "JointPositionSensor",
+    "JointVelocityDriver",
+    "JointVelocitySensor",
+    "ManipulatorListDriver",
+    "ManipulatorSpecification",
+    "PrimitiveEndEffector",
+    "PrimitiveManipulator",
+    "ToolOffset",
+]

@@ -1,0 +1,102 @@
+"""What the manipulator services of a component share: the joints, their geometry, their limits, and who moves them."""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from itertools import accumulate
+from typing import TYPE_CHECKING
+
+from jauspy.platform.description import Joint
+from jauspy.platform.joints import ControlMode, JointGroup, JointState, Target
+from jauspy.platform.motion import ACCELERATION_TIME
+from jauspy.platform.vectors import Transform
+from jauspy.services.manipulator.denavit_hartenberg import Link, geometry
+
+if TYPE_CHECKING:
+    from jauspy.services.manipulator.driver import ArmDriver
+
+
+@dataclass(frozen=True, slots=True)
+class Profile:
+    """How fast a joint may be moved: rad/s or m/s, and rad/s^2 or m/s^2."""
+
+    speed: float
+    acceleration: float
+    deceleration: float
+
+    @classmethod
+    def of(cls, joint: Joint) -> Profile:
+        """What the joint itself allows."""
+        acceleration = joint.velocity / ACCELERATION_TIME
+        return cls(joint.velocity, acceleration, acceleration)
+
+
+class Arm:
+    """One manipulator, as one component sees it. Positions are the standard's: see `denavit_hartenberg`."""
+
+    def __init__(self, joints: JointGroup) -> None:
+        self.joints = joints
+        self.geometry = geometry(joints.chain)
+        self.tool = self.geometry.tool
+        """The tool point in the last joint's frame, metres."""
+        self.profiles = tuple(Profile.of(joint) for joint in joints.joints)
+        self.driver: ArmDriver | None = None
+        """Whose command the joints follow; None while they just hold."""
+
+    def state(self) -> JointState:
+        """The joints after the last step; positions in the standard's terms."""
+        state = self.joints.state()
+        return JointState(self.geometry.standard(state.positions), state.velocities, state.efforts)
+
+    def frames(self) -> list[Transform]:
+        """The joints' frames in the manipulator's coordinate system, base to tip."""
+        rows = zip(self.geometry.links, self.state().positions, strict=True)
+        return list(accumulate((link.frame(position) for link, position in rows), operator.matmul))
+
+    def move(self, driver: ArmDriver, targets: Sequence[Target]) -> None:
+        """Do as a driver says, base to tip; positions in the standard's terms. The newest command counts."""
+        before, self.driver = self.driver, driver
+        if before is not None and before is not driver:
+            before.taken_over()
+        self.joints.command([self._native(*row) for row in zip(targets, self.geometry.links, strict=True)])
+
+    def to_positions(self, driver: ArmDriver, positions: Sequence[float]) -> None:
+        """Go to positions within the motion profile."""
+        rows = zip(positions, self.profiles, strict=True)
+        self.move(driver, [_within(Target(ControlMode.POSITION, value), profile) for value, profile in rows])
+
+    def at_velocities(self, driver: ArmDriver, velocities: Sequence[float]) -> None:
+        """Move at velocities within the motion profile."""
+        rows = zip(velocities, self.profiles, strict=True)
+        self.move(driver, [_within(Target(ControlMode.VELOCITY, value), profile) for value, profile in rows])
+
+    def limited(self, positions: Sequence[float]) -> list[float]:
+        """The positions nearest to these that the joints can have."""
+        rows = zip(positions, self.geometry.links, strict=True)
+        return [min(link.joint.upper + link.zero, max(link.joint.lower + link.zero, p)) for p, link in rows]
+
+    def stop(self) -> None:
+        """Hold the present positions, whoever moves the joints. Twice is fine."""
+        before, self.driver = self.driver, None
+        if before is not None:
+            before.taken_over()
+        self.joints.hold()
+
+    @staticmethod
+    def _native(target: Target, link: Link) -> Target:
+        return replace(target, value=target.value - link.zero) if target.mode is ControlMode.POSITION else target
+
+
+def _within(target: Target, profile: Profile) -> Target:
+    value = target.value
+    if target.mode is ControlMode.VELOCITY:
+        value = min(profile.speed, max(-profile.speed, value))
+    return replace(
+        target,
+        value=value,
+        speed=profile.speed,
+        acceleration=profile.acceleration,
+        deceleration=profile.deceleration,
+    )

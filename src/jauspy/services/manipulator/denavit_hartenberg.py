@@ -1,0 +1,175 @@
+"""The geometry of a manipulator in the standard's terms (AS6057): link lengths and twists, joint offsets and angles.
+
+The z axis of frame i lies along joint i; its x axis along the common normal of joints i and i + 1. From frame i to
+frame i + 1: along x by the link's length and about x by its twist, then along z by the joint's offset and about z by
+its angle. A revolute joint's angle and a prismatic joint's offset are what moves; they are counted from these axes,
+so they differ by a constant from a URDF's positions: `Link.zero`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+from jauspy.platform.description import Joint, JointKind
+from jauspy.platform.vectors import (
+    Rotation,
+    Transform,
+    Vector,
+    X,
+    Y,
+    Z,
+    about,
+    add,
+    cross,
+    difference,
+    dot,
+    scaled,
+    transposed,
+)
+
+PARALLEL: Final = 1e-9
+"""Sine of the angle between two axes below which they count as parallel."""
+
+
+@dataclass(frozen=True, slots=True)
+class Link:
+    """A joint, and the link that leads to it from the joint before; metres and radians."""
+
+    joint: Joint
+    length: float
+    twist: float
+    offset: float
+    """Of a prismatic joint: at position zero."""
+    angle: float
+    """Of a revolute joint: at position zero."""
+
+    @property
+    def is_revolute(self) -> bool:
+        """True when the angle moves, False when the offset does."""
+        return self.joint.kind is JointKind.REVOLUTE
+
+    @property
+    def zero(self) -> float:
+        """What the standard calls the position when the URDF calls it zero."""
+        return self.angle if self.is_revolute else self.offset
+
+    def frame(self, position: float) -> Transform:
+        """The joint's frame in that of the joint before; `position` in the standard's terms."""
+        angle, offset = (position, self.offset) if self.is_revolute else (self.angle, position)
+        link = Transform(about(X, self.twist), (self.length, 0.0, 0.0))
+        return link @ Transform(about(Z, angle), (0.0, 0.0, offset))
+
+
+@dataclass(frozen=True, slots=True)
+class Geometry:
+    """A manipulator in the standard's terms."""
+
+    base: Transform
+    """The manipulator's coordinate system in the frame of the link that it stands on."""
+    links: tuple[Link, ...]
+    """The first has neither length nor twist."""
+    tool: Vector
+    """The tool point in the last joint's frame."""
+
+    def forward(self, positions: Sequence[float]) -> Transform:
+        """The last joint's frame in the base link's, for positions in the standard's terms."""
+        frame = self.base
+        for link, position in zip(self.links, positions, strict=True):
+            frame = frame @ link.frame(position)
+        return frame
+
+    def standard(self, positions: Sequence[float]) -> tuple[float, ...]:
+        """The standard's positions out of the URDF's."""
+        return tuple(position + link.zero for position, link in zip(positions, self.links, strict=True))
+
+    def native(self, positions: Sequence[float]) -> tuple[float, ...]:
+        """The URDF's positions out of the standard's."""
+        return tuple(position - link.zero for position, link in zip(positions, self.links, strict=True))
+
+
+@dataclass(frozen=True, slots=True)
+class _Axis:
+    point: Vector
+    direction: Vector
+
+
+def geometry(chain: Sequence[Joint]) -> Geometry:
+    """The geometry of a chain of joints from the base link to the tool link, fixed ones included."""
+    axes, moving, tool = _axes(chain)
+    normals = _normals(axes)
+    base = frame = _frame(axes[0], axes[0].point, normals[0][0])
+    links = []
+    for axis, joint, (normal, foot) in zip(axes, moving, normals, strict=True):
+        links.append(_link(joint, frame, axis, _frame(axis, foot, normal)))
+        frame = _frame(axis, foot, normal)
+    return Geometry(base, tuple(links), frame.inverse().apply(tool.position))
+
+
+def _axes(chain: Sequence[Joint]) -> tuple[list[_Axis], list[Joint], Transform]:
+    """The lines that the joints move along or about at zero, in the base link's frame; and the tool's frame."""
+    axes, moving, frame = [], [], Transform()
+    for joint in chain:
+        frame = frame @ Transform.of(joint.origin)
+        if joint.kind is not JointKind.FIXED:
+            axes.append(_Axis(frame.position, frame.turn(joint.axis)))
+            moving.append(joint)
+    return axes, moving, frame
+
+
+def _normals(axes: Sequence[_Axis]) -> list[tuple[Vector, Vector]]:
+    """For each axis the direction of the common normal with the next one, and where it starts on the axis."""
+    found: list[tuple[Vector, Vector]] = []
+    for number, axis in enumerate(axes):
+        if number + 1 < len(axes):
+            found.append(_normal(axis, axes[number + 1], found[-1][0] if found else None))
+        else:
+            found.append((found[-1][0] if found else _any_normal(axis.direction), axis.point))
+    return found
+
+
+def _normal(axis: _Axis, following: _Axis, before: Vector | None) -> tuple[Vector, Vector]:
+    between = difference(following.point, axis.point)
+    normal = cross(axis.direction, following.direction)
+    sine = math.sqrt(dot(normal, normal))
+    if sine > PARALLEL:
+        # the distance along this axis at which the two lines come closest to each other
+        along = dot(cross(between, following.direction), normal) / (sine * sine)
+        return scaled(normal, 1.0 / sine), add(axis.point, scaled(axis.direction, along))
+    across = difference(between, scaled(axis.direction, dot(between, axis.direction)))
+    distance = math.sqrt(dot(across, across))
+    if distance > PARALLEL:
+        return scaled(across, 1.0 / distance), axis.point
+    if before is not None and abs(dot(before, axis.direction)) < PARALLEL:
+        return before, axis.point
+    return _any_normal(axis.direction), axis.point
+
+
+def _any_normal(direction: Vector) -> Vector:
+    """A direction at right angles to another: forward or left if possible."""
+    start = X if abs(direction[0]) < 0.9 else Y
+    across = difference(start, scaled(direction, dot(start, direction)))
+    return scaled(across, 1.0 / math.sqrt(dot(across, across)))
+
+
+def _frame(axis: _Axis, origin: Vector, normal: Vector) -> Transform:
+    columns: Rotation = (normal, cross(axis.direction, normal), axis.direction)
+    return Transform(transposed(columns), origin)
+
+
+def _link(joint: Joint, before: Transform, axis: _Axis, frame: Transform) -> Link:
+    """From the frame of the joint before to this joint's."""
+    along, _, previous = transposed(before.rotation)
+    length = dot(difference(axis.point, before.position), along)
+    arrival = add(before.position, scaled(along, length))
+    offset = dot(difference(frame.position, arrival), axis.direction)
+    twist = _angle(previous, axis.direction, along)
+    angle = _angle(along, transposed(frame.rotation)[0], axis.direction)
+    return Link(joint, length, twist, offset, angle)
+
+
+def _angle(start: Vector, end: Vector, axis: Vector) -> float:
+    """By how much one direction is turned about an axis to get another."""
+    return math.atan2(dot(cross(start, end), axis), dot(start, end))
