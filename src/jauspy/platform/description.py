@@ -131,5 +131,5 @@ class RobotModel:
     description: Description
     tracks: TrackSetup
     groups: Mapping[str, GroupSetup] = field(default_factory=dict)
-    cameras: tuple[CameraSetup, ...] = ()
     lidars: tuple[LidarSetup, ...] = ()
+    cameras: tuple[CameraSetup, ...] = ()
