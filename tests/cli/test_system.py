@@ -77,6 +77,24 @@ def test_list_query_and_send(robot, local_root, free_port):
     assert "101.1.99 was sent QueryStatus" in nobody.stderr
 
 
+def test_frames_of_a_running_robot(robot, local_root):
+    local = f"local:{local_root}"
+    asked = jauspy("tf", "base_link", "lidar_link", "--json", "--connect", local)
+    (lidar,) = [json.loads(line) for line in asked.stdout.splitlines()]
+    assert (lidar["frame"], lidar["in"], lidar["position"]) == ("lidar_link", "base_link", [-0.2, 0.0, 0.44])
+    assert lidar["quaternion"] == [1.0, 0.0, 0.0, 0.0]
+    assert "base_link_to_flippers" in asked.stderr, "no service reports it"
+
+    tree = jauspy("tf", "--connect", local).stdout.splitlines()
+    assert tree[0].split()[:3] == ["base_link", "in", "local"]
+    assert any(line.startswith("tool_link ") for line in tree)
+
+    alone = jauspy("tf", "base_link", "--connect", local, status=1)
+    assert "give the frame to start from" in alone.stderr
+    wrong = jauspy("tf", "base_link", "nose", "--connect", local, status=1)
+    assert "no frame 'nose'; there are: arm_camera_link" in wrong.stderr
+
+
 def test_verbs_run_side_by_side_and_a_wildcard_names_who_answered(robot, local_root, free_port):
     for where in (f"local:{local_root}", f"udp://127.0.0.1:{free_port}"):
         asked = [start("query", "101.255.255", "QueryStatus", "--timeout", "1", "--connect", where) for _ in range(3)]

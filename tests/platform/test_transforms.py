@@ -15,6 +15,7 @@ from jauspy.platform.description import Joint, JointKind
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.platform.kinematic import KinematicBackend
 from jauspy.platform.transforms import FrameTree, joint_frame, joint_positions
+from jauspy.platform.vectors import Transform
 
 INC1 = robot_model(load("inc1"))
 
@@ -84,3 +85,23 @@ def test_agrees_with_the_simulator_while_the_arm_moves(name: str) -> None:
         assert pose.position == pytest.approx(expected.tolist(), abs=2e-3), link
         turned = base.xmat.reshape(3, 3).T @ body.xmat.reshape(3, 3)
         assert [x for row in pose.rotation for x in row] == pytest.approx(turned.ravel().tolist(), abs=1e-6), link
+
+
+@pytest.mark.parametrize(
+    "pose", [Pose(1.0, 2.0, 3.0, 0.3, -0.2, 2.8), Pose(roll=-3.0, pitch=1.2), Pose(pitch=math.pi / 2, yaw=0.7)]
+)
+def test_angles_of_a_transform_are_those_it_was_made_of(pose: Pose) -> None:
+    found = Transform.of(pose).pose()
+    assert [getattr(found, name) for name in Pose.__slots__] == pytest.approx(
+        [getattr(pose, name) for name in Pose.__slots__]
+    )
+
+
+def test_one_frame_as_another_has_it() -> None:
+    base = Transform.of(Pose(x=5.0, yaw=math.pi / 2))
+    frames = FrameTree(INC1.description).frames(base, {}, "local")
+    assert frames.in_parent("base_link") == base
+    assert frames.pose("lidar_link", "local").position == pytest.approx((5.0, -0.2, 0.44))
+    assert frames.pose("local", "lidar_link").position == pytest.approx((0.2, 5.0, -0.44))
+    assert frames.pose("tool_link", "tool_link").position == pytest.approx((0.0, 0.0, 0.0))
+    assert set(frames.parents) == INC1.description.links()

@@ -13,7 +13,7 @@ import typer
 import typer.core
 
 from jauspy import __version__
-from jauspy.cli import conformance, console, decode, demo, fuzz, ls, new, node_manager, query, schema, send, up
+from jauspy.cli import conformance, console, decode, demo, fuzz, ls, new, node_manager, query, schema, send, tf, up
 from jauspy.cli.help import help_text
 from jauspy.errors import JausError
 
@@ -88,6 +88,7 @@ VERBS: Final[dict[str, Callable[..., None]]] = {
     "ls": ls.ls,
     "query": query.query,
     "send": send.send,
+    "tf": tf.tf,
     "decode": decode.decode,
     "conformance": conformance.conformance,
 }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 from typing import Final
 
 from jauspy.errors import ConfigError
@@ -57,9 +58,35 @@ class FrameTree:
             frame = frame @ joint_frame(joint, positions.get(joint.mimics or joint.name, 0.0))
         return frame
 
+    def frames(self, base: Transform, positions: Mapping[str, float], common: str) -> Frames:
+        """All links and the frame `common`, in which the root link is at `base`."""
+        poses = {common: Transform()} | {link: base @ pose for link, pose in self.poses(positions).items()}
+        return Frames(poses, {self.root: common} | {joint.child: joint.parent for joint in self.joints})
+
     def is_fixed(self, link: str) -> bool:
         """True when no joint moves between the root link and this one."""
         return all(joint.kind is JointKind.FIXED for joint in self.description.chain(self.root, link))
+
+
+@dataclass(frozen=True, slots=True)
+class Frames:
+    """All frames of a robot at one moment."""
+
+    poses: Mapping[str, Transform]
+    """Each in one that all have in common."""
+    parents: Mapping[str, str]
+    """The frame that each is fixed to or moves in; the common one has none."""
+
+    def pose(self, frame: str, within: str) -> Transform:
+        """One frame as another one has it; `ConfigError` lists the frames."""
+        for name in (frame, within):
+            if name not in self.poses:
+                raise ConfigError(f"there is no frame {name!r}; there are: {', '.join(sorted(self.poses))}")
+        return self.poses[within].inverse() @ self.poses[frame]
+
+    def in_parent(self, frame: str) -> Transform:
+        """One frame as its parent has it."""
+        return self.pose(frame, self.parents.get(frame, frame))
 
 
 def _parents_first(description: Description) -> tuple[Joint, ...]:
