@@ -39,6 +39,8 @@ def test_inc1_comes_with_jauspy():
         "101.1.104",
         "101.1.105",
         "101.1.108",
+        "101.1.106",
+        "101.1.107",
     ]
     assert (config.backend, config.world) == ("sim", "demo")
 

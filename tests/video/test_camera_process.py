@@ -74,6 +74,13 @@ async def until(condition):
             await asyncio.sleep(0.01)
 
 
+async def test_it_starts_when_it_is_first_wanted(camera):
+    assert camera.pid is None
+    camera.watch(("127.0.0.1", 2000), playing=False)
+    await until(lambda: camera.description)
+    assert camera.counters["started"] == 1
+
+
 async def test_two_receivers_see_the_same_pictures(camera, receiver):
     with RtpReceiver() as other:
         camera.watch(at(receiver))
@@ -143,6 +150,7 @@ async def test_a_process_that_dies_is_started_again_and_goes_on(camera, receiver
     await images(receiver, 2)
     lost = asyncio.get_running_loop().create_future()
     killed = camera.pid
+    assert killed is not None
     os.kill(killed, signal.SIGSTOP)
     assert camera.take(128, 96, Format.PNG, lost.set_result)
     os.kill(killed, signal.SIGKILL)
@@ -156,6 +164,7 @@ async def test_a_process_that_dies_is_started_again_and_goes_on(camera, receiver
 
 async def test_a_process_that_hangs_is_ended(camera, monkeypatch):
     monkeypatch.setattr(camera_process, "BACKLOG", 1000)
+    camera.watch(("127.0.0.1", 2000))
     await until(lambda: camera.description)
     os.kill(camera.pid, signal.SIGSTOP)
     hanging = camera.pid
@@ -183,6 +192,8 @@ async def main():
     robot = KinematicRobot(dataclasses.replace(robot_model(load("inc1")), cameras=(setup,)))
     async with CameraProcess(robot.cameras["front"], VideoSettings()) as camera:
         camera.watch(("127.0.0.1", 9))
+        while camera.pid is None:
+            await asyncio.sleep(0.01)
         print(camera.pid, flush=True)
         await asyncio.sleep(60.0)
 

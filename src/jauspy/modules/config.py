@@ -10,6 +10,7 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field, model_validat
 
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
+from jauspy.modules.config_cameras import CameraConfig
 from jauspy.modules.config_joints import Groups, JointName, TracksConfig
 from jauspy.modules.config_sensors import LidarConfig
 
@@ -77,11 +78,16 @@ SERVICES: Final[Mapping[str, tuple[str, ...]]] = {
     ),
     "CM-EEF": (*_EVERYWHERE, "PrimitiveEndEffector"),
     "CM-SEN": (*_EVERYWHERE, "RangeSensor"),
+    "CM-VIS": (*_EVERYWHERE, "VisualSensor", "DigitalVideo", "DigitalResourceDiscovery"),
 }
 """What each type of module may offer beside Transport, Events, AccessControl and Management."""
 
 GROUPS: Final[Mapping[str, str]] = {"CM-MAN": "arm", "CM-EEF": "gripper"}
 """The group of joints that a type moves, unless its module names another."""
+
+
+MOTIONLESS: Final = frozenset({"CM-SEN", "CM-VIS"})
+"""Types that move nothing."""
 
 
 class _Strict(BaseModel):
@@ -100,12 +106,14 @@ class AccessControlConfig(_Strict):
 class ModuleConfig(_Strict):
     """One capability module: a JAUS component."""
 
-    type: Literal["CM-MOB", "CM-MAN", "CM-EEF", "CM-SEN"]
+    type: Literal["CM-MOB", "CM-MAN", "CM-EEF", "CM-SEN", "CM-VIS"]
     component: Annotated[int, Field(ge=1, le=254)]
     services: tuple[Service, ...] | None = None
     """Beside Transport, Events, AccessControl and Management; all that the type offers when left out."""
     group: JointName | None = None
     """The joints that a CM-MAN or CM-EEF moves: `arm` or `gripper` when left out."""
+    camera: JointName | None = None
+    """The name of the one that a CM-VIS streams."""
     access_control: AccessControlConfig = AccessControlConfig()
     announce_to: Annotated[str, AfterValidator(_one_component)] | None = None
     """The id of a console that the module asks who it is, again and again until it answers, so as to be found."""
@@ -118,6 +126,8 @@ class ModuleConfig(_Strict):
                 raise ValueError(f"services: {service!r} is not one that a {self.type} has; those are: {known}")
         if self.group is not None and self.type not in GROUPS:
             raise ValueError(f"group: a {self.type} moves no group of joints; leave it out")
+        if (self.type == "CM-VIS") != (self.camera is not None):
+            raise ValueError("camera: a CM-VIS needs the name of one of [[cameras]], and no other type has one")
         return self
 
     @property
@@ -160,6 +170,7 @@ class RobotConfig(_Strict):
     groups: Groups = {}
     """Its other joints."""
     lidars: Annotated[tuple[LidarConfig, ...], Field(max_length=16)] = ()
+    cameras: Annotated[tuple[CameraConfig, ...], Field(max_length=16)] = ()
 
     @model_validator(mode="after")
     def _check_modules(self) -> Self:
@@ -170,6 +181,7 @@ class RobotConfig(_Strict):
                 raise ValueError(f"modules: {count} have the component id {component}; give each its own, 1..254")
         self._check_that_nothing_is_moved_twice()
         self._check_lidars()
+        self._check_cameras()
         if not any(module.offers("Discovery") for module in self.modules):
             raise ValueError("modules: none has the service Discovery; nobody could find the robot; add it to services")
         for module in self.modules:
@@ -184,7 +196,7 @@ class RobotConfig(_Strict):
         """Each module has an access control of its own: two clients would be in control of one thing."""
         moved: dict[str, int] = {}
         for module in self.modules:
-            if module.type == "CM-SEN":
+            if module.type in MOTIONLESS:
                 continue
             what = f"group {module.moves!r}" if module.moves else "chassis"
             if what in moved:
@@ -206,6 +218,18 @@ class RobotConfig(_Strict):
         for module in self.modules:
             if not self.lidars and "RangeSensor" in (module.services or ()):
                 raise ValueError(f"lidars: there is none, and {module.component} offers RangeSensor; add [[lidars]]")
+
+    def _check_cameras(self) -> None:
+        names = [camera.name for camera in self.cameras]
+        if len(set(names)) < len(names):
+            raise ValueError(f"cameras: {', '.join(sorted({n for n in names if names.count(n) > 1}))} is there twice")
+        taken = [module.camera for module in self.modules if module.camera is not None]
+        for name in taken:
+            if name not in names:
+                known = ", ".join(names) or "none"
+                raise ValueError(f"modules: a CM-VIS names the camera {name!r}, which is not there; there are: {known}")
+            if taken.count(name) > 1:
+                raise ValueError(f"modules: the camera {name!r} has two CM-VIS; one controls its stream")
 
     def id_of(self, module: ModuleConfig) -> JausID:
         """The JAUS id of a module."""

@@ -22,7 +22,10 @@ def robot_model(config: RobotConfig) -> RobotModel:
     lidars = tuple(lidar.setup() for lidar in config.lidars)
     for number, lidar in enumerate(lidars):
         _check_link(f"lidars[{number}].link", lidar.link, description)
-    return RobotModel(description, config.tracks.setup(), groups, lidars)
+    cameras = tuple(camera.setup() for camera in config.cameras)
+    for number, camera in enumerate(cameras):
+        _check_link(f"cameras[{number}].link", camera.link, description)
+    return RobotModel(description, config.tracks.setup(), groups, lidars, cameras)
 
 
 def _expanded(path: str) -> str:

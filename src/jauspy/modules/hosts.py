@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from datetime import datetime
-from typing import Protocol
+from typing import Final, Protocol
 
 from jauspy.errors import ConfigError
 from jauspy.modules.config import ModuleConfig, RobotConfig
@@ -12,12 +12,17 @@ from jauspy.modules.end_effector import cm_eef
 from jauspy.modules.manipulator import cm_man
 from jauspy.modules.mobility import cm_mob, vehicle_of
 from jauspy.modules.sensors import cm_sen, mounted
+from jauspy.modules.vision import cm_vis, mounted_camera
 from jauspy.platform.contract import DriveBase
 from jauspy.platform.description import RobotModel
 from jauspy.platform.joints import JointGroup
 from jauspy.platform.ranging import RangeFinder
 from jauspy.services.core import Identity
+from jauspy.services.environment_sensing import VideoSource
 from jauspy.services.host import Host
+
+NO_VIDEOS: Final[Mapping[str, VideoSource]] = {}
+"""Of a robot without a CM-VIS."""
 
 
 class Body(Protocol):
@@ -46,14 +51,18 @@ def host_of(
     body: Body,
     identities: Mapping[int, Identity],
     *,
+    videos: Mapping[str, VideoSource] = NO_VIDEOS,
     utc_now: Callable[[], datetime],
     now: float,
 ) -> Host:
-    """The host of a module. `now`: seconds of the clock that runs it."""
+    """The host of a module. `videos`: the cameras by name. `now`: seconds of the clock that runs it."""
     id = config.id_of(module)
     if module.type == "CM-SEN":
         lidars = mounted(model.description, body.lidars, body.groups)
         return cm_sen(id, lidars, module, identities=identities, utc_now=utc_now, now=now)
+    if module.camera is not None:
+        camera = mounted_camera(model.description, videos[module.camera], body.groups)
+        return cm_vis(id, camera, module, identities=identities, utc_now=utc_now, now=now)
     if module.moves is None:
         vehicle = vehicle_of(config, model, body.drive)
         return cm_mob(id, vehicle, module, identities=identities, utc_now=utc_now, now=now)

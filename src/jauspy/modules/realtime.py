@@ -14,6 +14,7 @@ from typing import Final, Self
 from jauspy.modules.pace import Pace
 from jauspy.modules.shared import Order, SharedDrive, SharedJoints, SharedLidar
 from jauspy.modules.snapshot import Snapshot, look
+from jauspy.platform.camera import Camera
 from jauspy.platform.contract import Robot
 
 STEP: Final = 0.01
@@ -76,6 +77,11 @@ class RealTime:
     def lidars(self) -> Mapping[str, SharedLidar]:
         """The robot's lidars, for any thread."""
         return self._lidars
+
+    @property
+    def cameras(self) -> Mapping[str, Camera]:
+        """The robot's cameras, for other processes."""
+        return self._robot.cameras
 
     @property
     def snapshot(self) -> Snapshot:

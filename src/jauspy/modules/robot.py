@@ -11,6 +11,7 @@ from typing import Final, Self
 
 from jauspy.component import Shell
 from jauspy.component.shell import Intercept, loop_time
+from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.modules.announcement import Announcement
 from jauspy.modules.config import ModuleConfig, RobotConfig
@@ -24,6 +25,7 @@ from jauspy.platform.description import RobotModel
 from jauspy.services.core import Identity
 from jauspy.services.host import Host
 from jauspy.transport import Transport
+from jauspy.video.camera_process import CameraProcess
 
 LAPSE: Final = 1.0
 """Seconds that the event loop may hang before the drive is stopped without it."""
@@ -59,6 +61,7 @@ class RobotRunner:
         self._in_time = realtime
         self._realtime: RealTime | None = None
         self._components: tuple[Shell, ...] = ()
+        self._videos: Mapping[str, CameraProcess] = {}
         self._stack = AsyncExitStack()
 
     @property
@@ -77,6 +80,8 @@ class RobotRunner:
         counts = {f"realtime.{name}": n for name, n in self._realtime.counters.items()} if self._realtime else {}
         for component in self._components:
             counts |= {f"{component.id}.{name}": n for name, n in component.counters.items()}
+        for camera, video in self._videos.items():
+            counts |= {f"camera.{camera}.{name}": n for name, n in video.counters.items()}
         return counts
 
     async def open(self) -> None:
@@ -87,12 +92,13 @@ class RobotRunner:
             model = robot_model(self.config)
             realtime = self._bring_to_life(stack, model)
             stack.push_async_callback(_cancel, asyncio.create_task(_heartbeat(realtime)))
+            videos = await self._open_cameras(stack, realtime)
             components = []
             for module in self.config.modules:
-                host = _host(self.config, module, model, realtime)
+                host = _host(self.config, module, model, realtime, videos)
                 component = Shell(host, self._transports(host.id), intercept=announced(host, module))
                 components.append(await stack.enter_async_context(component))
-            self._realtime, self._components = realtime, tuple(components)
+            self._realtime, self._components, self._videos = realtime, tuple(components), videos
             self._stack = stack.pop_all()
 
     async def close(self) -> None:
@@ -115,20 +121,42 @@ class RobotRunner:
     ) -> None:
         await self.close()
 
+    async def _open_cameras(self, stack: AsyncExitStack, realtime: RealTime) -> dict[str, CameraProcess]:
+        streamed = {module.camera for module in self.config.modules}
+        videos = {}
+        for camera in (each for each in self.config.cameras if each.name in streamed):
+            seen = realtime.cameras.get(camera.name)
+            if seen is None:
+                raise ConfigError(f"cameras: the backend {self.config.backend!r} has no camera {camera.name!r}")
+            video = CameraProcess(seen, camera.settings(), stamped=camera.stamped)
+            videos[camera.name] = await stack.enter_async_context(video)
+        return videos
+
     def _bring_to_life(self, stack: AsyncExitStack, model: RobotModel) -> RealTime:
         robot = backends.find(self.config.backend).open(model, self.config.world)
         stack.callback(robot.close)
         return stack.enter_context(self._in_time(robot))
 
 
-def _host(config: RobotConfig, module: ModuleConfig, model: RobotModel, robot: RealTime) -> Host:
+def _host(
+    config: RobotConfig, module: ModuleConfig, model: RobotModel, robot: RealTime, videos: Mapping[str, CameraProcess]
+) -> Host:
     identities = {
         SYSTEM: Identity(config.name, _VEHICLE),
         SUBSYSTEM: Identity(config.name, _VEHICLE),
         NODE: Identity(f"{config.name} node {config.node}", _NODE),
         COMPONENT: Identity(module.type, _COMPONENT),
     }
-    return host_of(config, module, model, robot, identities, utc_now=lambda: datetime.now(UTC), now=loop_time())
+    return host_of(
+        config,
+        module,
+        model,
+        robot,
+        identities,
+        videos=videos,
+        utc_now=lambda: datetime.now(UTC),
+        now=loop_time(),
+    )
 
 
 def announced(host: Host, module: ModuleConfig) -> Intercept | None:

@@ -24,14 +24,16 @@ def mounted(
 ) -> list[Mounted]:
     """The lidars, and where each is on the robot, whatever its joints do."""
     tree = FrameTree(description)
+    links = [(lidar, lidar.setup.link) for lidar in lidars.values()]
+    return [Mounted(lidar, frame_of(tree, link, groups), tree.is_fixed(link)) for lidar, link in links]
 
-    def frame_of(link: str) -> Callable[[], Transform]:
-        if tree.is_fixed(link):
-            fixed = tree.pose(link)
-            return lambda: fixed
-        return lambda: tree.pose(link, joint_positions(groups.values()))
 
-    return [Mounted(lidar, frame_of(lidar.setup.link), tree.is_fixed(lidar.setup.link)) for lidar in lidars.values()]
+def frame_of(tree: FrameTree, link: str, groups: Mapping[str, JointGroup]) -> Callable[[], Transform]:
+    """Tells where a link is in the root link's frame now."""
+    if tree.is_fixed(link):
+        fixed = tree.pose(link)
+        return lambda: fixed
+    return lambda: tree.pose(link, joint_positions(groups.values()))
 
 
 def cm_sen(

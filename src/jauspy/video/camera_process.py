@@ -13,7 +13,7 @@ from types import TracebackType
 from typing import Final, Self
 
 from jauspy.errors import ConfigError
-from jauspy.platform.camera import Camera
+from jauspy.platform.camera import Camera, CameraSetup
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.video.extra import need_video
 from jauspy.video.orders import (
@@ -41,8 +41,9 @@ PAUSES: Final = (0.5, 10.0)
 STEADY: Final = 30.0
 """Seconds that a process must have lived for the pause to be short again."""
 
-BACKLOG: Final = 1 << 16
-"""Bytes of orders that the process may leave unread; one that leaves more hangs, and is ended."""
+BACKLOG: Final = 1 << 22
+"""Bytes of orders, the first of which carries the model of the world, that the process may leave unread; one that
+leaves more hangs, and is ended."""
 
 MAX_STILLS: Final = 8
 """Still images that wait to be taken; one more is refused."""
@@ -53,16 +54,15 @@ _LOG: Final = logging.getLogger("jauspy.video")
 
 
 class CameraProcess:
-    """`async with` starts and ends it. Orders may be given from the first moment; what holds survives a restart.
+    """Starts when somebody first wants something of it between `open` and `close`. What holds survives a restart.
 
     Counters: those of the sender; `started` processes, `hung` ones, `stills` taken, and `stills_lost` with a process.
     """
 
     def __init__(self, camera: Camera, settings: VideoSettings, *, stamped: bool = False) -> None:
-        need_video()
         self._camera, self._settings, self._stamped = camera, settings, stamped
         self._receivers: dict[Address, bool] = {}
-        self._stills: dict[int, Callable[[bytes | None], None]] = {}
+        self._stills: dict[int, tuple[Take, Callable[[bytes | None], None]]] = {}
         self._number = 0
         self._own: Counter[str] = Counter()
         self._sent: Counter[str] = Counter()
@@ -70,6 +70,12 @@ class CameraProcess:
         self._description = ""
         self._process: asyncio.subprocess.Process | None = None
         self._keeper: asyncio.Task[None] | None = None
+        self._is_open = False
+
+    @property
+    def setup(self) -> CameraSetup:
+        """What the camera is."""
+        return self._camera.setup
 
     @property
     def pid(self) -> int | None:
@@ -102,9 +108,10 @@ class CameraProcess:
         return dict(self._receivers)
 
     def watch(self, address: Address, *, playing: bool = True) -> None:
-        """Send there, beginning with an IDR, or pause; `ConfigError` for one receiver too many."""
+        """Send there, from an IDR on, or pause; `ConfigError` without the extra, or for one receiver too many."""
         if address not in self._receivers and len(self._receivers) >= MAX_RECEIVERS:
             raise ConfigError(f"{MAX_RECEIVERS} receivers watch this camera already; one must leave first")
+        self._wake()
         self._receivers[address] = playing
         self._order(Watch(address, playing))
 
@@ -115,21 +122,22 @@ class CameraProcess:
 
     def take(self, width: int, height: int, format: Format, then: Callable[[bytes | None], None]) -> bool:
         """Take a still image; `then` gets its file, or None if its process dies. False when too many wait."""
-        if len(self._stills) >= MAX_STILLS or self._process is None:
+        if len(self._stills) >= MAX_STILLS:
             return False
+        self._wake()
         self._number += 1
-        self._stills[self._number] = then
-        self._order(Take(self._number, width, height, format))
+        order = Take(self._number, width, height, format)
+        self._stills[self._number] = (order, then)
+        self._order(order)
         return True
 
     async def open(self) -> None:
-        """Start; twice is fine."""
-        if self._keeper is None:
-            await self._start()
-            self._keeper = asyncio.create_task(self._keep(), name=f"camera {self._camera.setup.name}")
+        """Be ready to start; twice is fine."""
+        self._is_open = True
 
     async def close(self) -> None:
         """End the process; twice is fine."""
+        self._is_open = False
         if self._keeper is not None:
             self._keeper.cancel()
             with suppress(asyncio.CancelledError):
@@ -146,6 +154,11 @@ class CameraProcess:
     ) -> None:
         await self.close()
 
+    def _wake(self) -> None:
+        if self._keeper is None and self._is_open:
+            need_video()
+            self._keeper = asyncio.get_running_loop().create_task(self._keep(), name=f"camera {self.setup.name}")
+
     def _order(self, order: Order) -> None:
         process = self._process
         if process is None or process.stdin is None or process.stdin.is_closing():
@@ -157,7 +170,7 @@ class CameraProcess:
                 process.kill()
 
     async def _start(self) -> None:
-        self._process = await asyncio.create_subprocess_exec(
+        process = await asyncio.create_subprocess_exec(
             sys.executable,
             "-m",
             "jauspy.video.worker",
@@ -168,18 +181,20 @@ class CameraProcess:
             env={**os.environ, "PYTHONUNBUFFERED": "1"},
         )
         self._own["started"] += 1
-        assert self._process.stdin is not None
-        self._process.stdin.write(packed(Begin(self._camera, self._settings, self._stamped)))
-        with suppress(ConnectionError):  # it ended already; who keeps it will see
-            await self._process.stdin.drain()
+        self._process = process
+        assert process.stdin is not None
+        process.stdin.write(packed(Begin(self._camera, self._settings, self._stamped)))
         for address, playing in self._receivers.items():
             self._order(Watch(address, playing))
+        for order, _ in self._stills.values():
+            self._order(order)
 
     async def _keep(self) -> None:
         """Hears what the process says, and starts another one when it has ended."""
         pause, longest = PAUSES
         loop = asyncio.get_running_loop()
         while True:
+            await self._start()
             born = loop.time()
             status = await self._listen()
             pause = PAUSES[0] if loop.time() - born > STEADY else pause
@@ -187,7 +202,6 @@ class CameraProcess:
             _LOG.warning("camera %s: its process ended (%s); it starts again in %.1f s", name, status, pause)
             await asyncio.sleep(pause)
             pause = min(longest, 2.0 * pause)
-            await self._start()
 
     async def _listen(self) -> int:
         process = self._process
@@ -209,7 +223,7 @@ class CameraProcess:
                 self._description = description
             case Still(number, image):
                 self._own["stills"] += 1
-                self._stills.pop(number)(image)
+                self._stills.pop(number)[1](image)
             case Counted(counters):
                 self._sent = Counter(counters)
 
@@ -219,7 +233,7 @@ class CameraProcess:
         self._sent = Counter()
         waiting, self._stills = self._stills, {}
         self._own["stills_lost"] += len(waiting)
-        for then in waiting.values():
+        for _, then in waiting.values():
             then(None)
 
     async def _stop(self) -> None:

@@ -1,6 +1,20 @@
 """Services of the environment sensing set (AS6060)."""
 
+from jauspy.services.environment_sensing.digital_resource_discovery import DigitalResourceDiscovery
+from jauspy.services.environment_sensing.digital_video import DigitalVideo
 from jauspy.services.environment_sensing.mounting import Mounted
 from jauspy.services.environment_sensing.range_sensor import RangeSensor
+from jauspy.services.environment_sensing.video_camera import VideoCamera, VideoSource
+from jauspy.services.environment_sensing.viewers import Viewers
+from jauspy.services.environment_sensing.visual_sensor import VisualSensor
 
-__all__ = ["Mounted", "RangeSensor"]
+__all__ = [
+    "DigitalResourceDiscovery",
+    "DigitalVideo",
+    "Mounted",
+    "RangeSensor",
+    "VideoCamera",
+    "VideoSource",
+    "Viewers",
+    "VisualSensor",
+]

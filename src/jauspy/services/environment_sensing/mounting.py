@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Protocol
 
 from jauspy.messages.environment_sensing.v1_0.types import SensorIdRec, StaticGeometricPropertiesRec
 from jauspy.messages.environment_sensing.v2_0.range_sensor import ReportSensorGeometricProperties as Report
@@ -11,6 +12,20 @@ from jauspy.platform.ranging import RangeFinder
 from jauspy.platform.vectors import Transform
 from jauspy.services.axes import jaus_frame
 from jauspy.services.manipulator.quaternion import quaternion
+
+
+class OnVehicle(Protocol):
+    """A sensor of the vehicle."""
+
+    @property
+    def is_fixed(self) -> bool:
+        """Its frame never changes."""
+        ...
+
+    @property
+    def in_vehicle(self) -> Transform:
+        """Its frame in the vehicle's now, both with JAUS's axes."""
+        ...
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,7 +44,7 @@ class Mounted:
         return jaus_frame(self.frame())
 
 
-def geometric_properties(sensor: int, mounted: Mounted) -> Report.GeometricPropertiesSequence:
+def geometric_properties(sensor: int, mounted: OnVehicle) -> Report.GeometricPropertiesSequence:
     """Position and attitude of a sensor that is fixed to the vehicle; of one that moves nothing is told."""
     found: Report.NoGeometricPropertiesVariant | StaticGeometricPropertiesRec
     if mounted.is_fixed:

@@ -1,0 +1,53 @@
+"""CM-VIS, the vision module: streams what a camera sees."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from datetime import datetime
+from typing import Final
+
+from jauspy.ids import JausID
+from jauspy.modules.capability import capability
+from jauspy.modules.config import ModuleConfig
+from jauspy.modules.sensors import frame_of
+from jauspy.platform.description import Description
+from jauspy.platform.joints import JointGroup
+from jauspy.platform.transforms import FrameTree
+from jauspy.services.core import Identity
+from jauspy.services.environment_sensing import (
+    DigitalResourceDiscovery,
+    DigitalVideo,
+    VideoCamera,
+    VideoSource,
+    Viewers,
+    VisualSensor,
+)
+from jauspy.services.host import Host
+from jauspy.services.service import Service
+
+CHOICE: Final[Mapping[str, Callable[[Viewers], Service]]] = {
+    "VisualSensor": lambda viewers: VisualSensor(viewers.cameras),
+    "DigitalVideo": DigitalVideo,
+    "DigitalResourceDiscovery": DigitalResourceDiscovery,
+}
+
+
+def mounted_camera(description: Description, source: VideoSource, groups: Mapping[str, JointGroup]) -> VideoCamera:
+    """The camera, and where it is on the robot, whatever its joints do."""
+    tree, link = FrameTree(description), source.setup.link
+    return VideoCamera(source, frame_of(tree, link, groups), tree.is_fixed(link))
+
+
+def cm_vis(
+    id: JausID,
+    camera: VideoCamera,
+    config: ModuleConfig,
+    *,
+    identities: Mapping[int, Identity],
+    utc_now: Callable[[], datetime],
+    now: float,
+) -> Host:
+    """The component's host; its camera is sensor 1. It moves nothing."""
+    viewers = Viewers({1: camera})
+    services = [make(viewers) for name, make in CHOICE.items() if config.offers(name)]
+    return capability(id, config, services, identities=identities, utc_now=utc_now, now=now)

@@ -1,0 +1,135 @@
+"""VisualSensor: what cameras have in common; these have a fixed lens (AS6060)."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import fields
+from typing import Final
+
+from jauspy.messages.environment_sensing.v1_0.types import SensorIdRec, SupportedStates, VisualSensorErrorRec
+from jauspy.messages.environment_sensing.v2_0.visual_sensor import (
+    ConfirmSensorConfiguration,
+    QuerySensorGeometricProperties,
+    QueryVisualSensorCapabilities,
+    QueryVisualSensorCapabilitiesExt,
+    QueryVisualSensorConfiguration,
+    ReportSensorGeometricProperties,
+    ReportVisualSensorCapabilities,
+    ReportVisualSensorCapabilitiesExt,
+    ReportVisualSensorConfiguration,
+    SetVisualSensorConfiguration,
+)
+from jauspy.services.environment_sensing.mounting import geometric_properties
+from jauspy.services.environment_sensing.video_camera import Cameras, VideoCamera
+from jauspy.services.environment_sensing.wanted import chosen
+from jauspy.services.presence import masked
+from jauspy.services.service import Service
+
+_Ext = ReportVisualSensorCapabilitiesExt.VisualSensorCapabilitiesRec
+_Capabilities = ReportVisualSensorCapabilities.VisualSensorCapabilitiesRec
+_Configuration = ReportVisualSensorConfiguration.VisualSensorConfigurationRec
+_Wanted = SetVisualSensorConfiguration.VisualSensorConfigurationRec
+_Code = VisualSensorErrorRec.VisualSensorErrorCode
+
+_SETTINGS: Final = tuple(each.name for each in fields(_Wanted) if each.name not in {"sensor_id", "reserved_presence"})
+
+
+class VisualSensor(Service, urn="urn:jaus:jss:environmentSensing:VisualSensor"):
+    """Cameras that are always active and see in colour, with a field of view that does not change."""
+
+    def __init__(self, cameras: Cameras) -> None:
+        self._cameras = cameras
+
+    def send_report_visual_sensor_capabilities(
+        self, query: QueryVisualSensorCapabilities
+    ) -> ReportVisualSensorCapabilities:
+        """What each camera can do."""
+        wanted = chosen(query.query_visual_sensor_capabilities_list, self._cameras, known_only=True)
+        return ReportVisualSensorCapabilities(
+            [
+                masked(
+                    _Capabilities(sensor, self._name(sensor), supported_states=SupportedStates(1, 0, 0)),
+                    record.query_presence_vector,
+                )
+                for sensor, record in wanted
+            ]
+        )
+
+    def send_report_visual_sensor_capabilities_ext(
+        self, query: QueryVisualSensorCapabilitiesExt
+    ) -> ReportVisualSensorCapabilitiesExt:
+        """What each camera can do, and its field of view."""
+        wanted = chosen(query.query_visual_sensor_capabilities_list, self._cameras, known_only=True)
+        return ReportVisualSensorCapabilitiesExt(
+            [masked(self._extended(sensor), record.query_presence_vector) for sensor, record in wanted]
+        )
+
+    def send_report_visual_sensor_configuration(
+        self, query: QueryVisualSensorConfiguration
+    ) -> ReportVisualSensorConfiguration:
+        """How each camera is set."""
+        wanted = chosen(query.query_visual_sensor_configuration_list, self._cameras, known_only=True)
+        return ReportVisualSensorConfiguration(
+            [masked(self._configuration(sensor), record.query_presence_vector) for sensor, record in wanted]
+        )
+
+    def send_report_sensor_geometric_properties(
+        self, query: QuerySensorGeometricProperties
+    ) -> ReportSensorGeometricProperties:
+        """Where each camera is on the vehicle."""
+        wanted = chosen(query.sensor_id_list, self._cameras, known_only=True)
+        return ReportSensorGeometricProperties(
+            [geometric_properties(sensor, self._cameras[sensor]) for sensor, _ in wanted]
+        )
+
+    def send_confirm_sensor_configuration(self, msg: SetVisualSensorConfiguration) -> ConfirmSensorConfiguration:
+        """That nothing is to be changed, or that it cannot be."""
+        request = ConfirmSensorConfiguration.RequestIdRec(msg.request_id_rec.request_id)
+        report = ConfirmSensorConfiguration(request, [])
+        for sensor, record in chosen(msg.visual_sensor_configuration_list, self._cameras):
+            report.confirm_sensor_list.append(self._refusal(sensor, record) or SensorIdRec(sensor))
+        return report
+
+    def update_visual_sensor_configuration(self) -> None:
+        """There is nothing to set."""
+
+    def _refusal(self, sensor: int, wanted: _Wanted) -> VisualSensorErrorRec | None:
+        if sensor not in self._cameras:
+            return VisualSensorErrorRec(sensor, _Code.UNKNOWN_SENSOR_ID, f"there is no sensor {sensor}")
+        present = self._configuration(sensor)
+        wrong = [name for name in _SETTINGS if getattr(wanted, name) not in {None, getattr(present, name)}]
+        if not wrong:
+            return None
+        text = f"these cannot be set on this camera: {', '.join(wrong)}"
+        return VisualSensorErrorRec(sensor, _Code.MULTIPLE_INVALID_PARAMETERS, text[:255])
+
+    def _name(self, sensor: int) -> str:
+        return self._cameras[sensor].source.setup.name
+
+    def _extended(self, sensor: int) -> _Ext:
+        across, down = _fields_of_view(self._cameras[sensor])
+        return _Ext(
+            sensor,
+            self._name(sensor),
+            supported_states=SupportedStates(1, 0, 0),
+            minimum_horizontal_field_of_view=across,
+            maximum_horizontal_field_of_view=across,
+            minimum_vertical_field_of_view=down,
+            maximum_vertical_field_of_view=down,
+        )
+
+    def _configuration(self, sensor: int) -> _Configuration:
+        across, down = _fields_of_view(self._cameras[sensor])
+        return _Configuration(
+            sensor,
+            sensor_state=ReportVisualSensorConfiguration.SensorState.ACTIVE,
+            horizontal_field_of_view=across,
+            vertical_field_of_view=down,
+            imaging_mode=ReportVisualSensorConfiguration.ImagingMode.COLOR,
+        )
+
+
+def _fields_of_view(camera: VideoCamera) -> tuple[float, float]:
+    """From left to right and from top to bottom, radians; the latter follows from the size of the pictures."""
+    across, size = camera.source.setup.fov, camera.source.settings
+    return across, 2.0 * math.atan(math.tan(across / 2.0) * size.height / size.width)

@@ -1,0 +1,323 @@
+"""CM-VIS: a client in control sets and runs the stream of a camera, others watch."""
+
+from __future__ import annotations
+
+import asyncio
+import math
+from datetime import UTC, datetime, timedelta
+
+import pytest
+
+from jauspy.errors import ConfigError
+from jauspy.ids import JausID
+from jauspy.messages import environment_sensing as m, registry
+from jauspy.messages.core import RequestControl, Resume
+from jauspy.messages.environment_sensing.v1_0.types import (
+    DigitalVideoSensorErrorRec,
+    SensorIDQueryRec,
+    SensorIdRec,
+    StaticGeometricPropertiesRec,
+    VisualSensorErrorRec,
+)
+from jauspy.modules import robots
+from jauspy.modules.config import AccessControlConfig
+from jauspy.modules.description import robot_model
+from jauspy.modules.hosts import host_of
+from jauspy.platform.kinematic import KinematicRobot
+from jauspy.platform.video_settings import VideoSettings
+from jauspy.services.environment_sensing.digital_resource_discovery import RTP
+from jauspy.services.environment_sensing.video_camera import address_of
+from jauspy.services.environment_sensing.viewers import LIFETIME, MOST
+
+CLIENT, OTHER = JausID(42, 1, 1), JausID(42, 2, 1)
+START = datetime(2026, 1, 1, tzinfo=UTC)
+Stream, Wanted = m.ControlDigitalVideoSensorStream, m.SetDigitalVideoSensorConfiguration
+Size = Wanted.FrameSize
+
+
+class FakeVideo:
+    """A camera that only remembers."""
+
+    def __init__(self, setup):
+        self.setup, self.settings, self.receivers = setup, VideoSettings(), {}
+
+    def watch(self, address, *, playing=True):
+        if address[1] == 666:
+            raise ConfigError("no more receivers")
+        self.receivers[address] = playing
+
+    def leave(self, address):
+        self.receivers.pop(address, None)
+
+
+class Module:
+    """The CM-VIS of the chassis camera of a kinematic inc1."""
+
+    def __init__(self, component=107, video=None):
+        config = robots.load("inc1")
+        model = robot_model(config)
+        self.robot = KinematicRobot(model)
+        self.now = 0.0
+        (module,) = (each for each in config.modules if each.component == component)
+        module = module.model_copy(update={"access_control": AccessControlConfig(timeout=0)})
+        (setup,) = (each for each in model.cameras if each.name == module.camera)
+        self.video = video(self.robot.cameras[module.camera]) if video else FakeVideo(setup)
+        clock = lambda: START + timedelta(seconds=self.now)  # noqa: E731
+        videos = {module.camera: self.video}
+        self.host = host_of(config, module, model, self.robot, {}, videos=videos, utc_now=clock, now=0.0)
+
+    def tell(self, *messages, client=CLIENT):
+        for message in messages:
+            self.host.receive(message.encode(), client, self.now)
+        return [registry.decode(each.payload) for each in self.host.poll_output(self.now)]
+
+    def ask(self, query, client=CLIENT):
+        (answer,) = self.tell(query, client=client)
+        return answer
+
+    def enter(self, url, client=CLIENT, server=RTP, sensor=1):
+        register = m.RegisterDigitalResourceEndpoint
+        record = register.DigitalResourceEndpointRec(server, url, None, sensor)
+        answer = self.ask(register(register.RequestIDRec(9), record), client)
+        assert answer.request_id == 9
+        return answer.id
+
+    def control(self, client=CLIENT):
+        self.tell(RequestControl(200), Resume(), client=client)
+
+
+@pytest.fixture
+def module():
+    made = Module()
+    yield made
+    made.robot.close()
+
+
+def setting(**values):
+    return Wanted(Wanted.RequestIdRec(5), [Wanted.DigitalVideoSensorConfigurationRec(1, **values)])
+
+
+def confirmed(answer):
+    assert answer.request_id_rec.request_id == 5
+    (record,) = answer.confirm_sensor_list
+    return record
+
+
+def flow(module):
+    report = module.ask(m.QueryDigitalVideoSensorStatus([SensorIDQueryRec(0)]))
+    return report.digital_video_sensor_status_list[0].streaming_state.name
+
+
+# --- end points
+
+
+def test_a_client_enters_an_address_and_the_camera_sends_there_until_it_is_removed(module):
+    assert flow(module) == "STOP"
+    number = module.enter("rtp://127.0.0.1:5004")
+    assert module.video.receivers == {("127.0.0.1", 5004): True}
+    assert flow(module) == "PLAY"
+    (entry,) = module.ask(m.QueryDigitalResourceEndpoint()).digital_resource_endpoint_list
+    assert (entry.server_type, entry.server_url, entry.resource_id) == (RTP, "rtp://127.0.0.1:5004", 1)
+    assert (entry.jaus_id.subsystem_id, entry.jaus_id.node_id, entry.jaus_id.component_id) == (101, 1, 107)
+    removed = module.ask(m.RemoveDigitalResourceEndpoint(number, 3))
+    assert (removed.id, removed.request_id) == (number, 3)
+    assert module.video.receivers == {}
+    assert module.ask(m.QueryDigitalResourceEndpoint()).digital_resource_endpoint_list == []
+
+
+def test_an_end_point_lasts_five_minutes_unless_it_is_entered_again(module):
+    number = module.enter("rtp://10.0.0.7:5004")
+    module.now = LIFETIME - 1.0
+    assert module.enter("rtp://10.0.0.7:5004") == number
+    module.now += LIFETIME - 1.0
+    module.host.handle_timeout(module.now)
+    assert module.video.receivers
+    module.now += 2.0
+    module.host.handle_timeout(module.now)
+    assert module.video.receivers == {}
+
+
+@pytest.mark.parametrize(
+    "url",
+    [
+        "rtp://robot:5004",
+        "rtp://10.0.0.7",
+        "rtp://10.0.0.7:0",
+        "http://10.0.0.7:80",
+        "",
+        "rtp://[",
+        "rtp://10.0.0.7:666",
+    ],
+)
+def test_what_cannot_be_sent_to_is_refused_with_number_0(module, url):
+    assert module.enter(url) == 0
+    assert module.video.receivers == {}
+    assert module.host.counters["endpoint_refused"] == 1
+
+
+def test_other_server_types_and_sensors_are_refused(module):
+    assert module.enter("rtp://10.0.0.7:5004", server=0) == 0
+    assert module.enter("rtp://10.0.0.7:5004", sensor=2) == 0
+    assert module.host.counters["endpoint_refused"] == 2
+
+
+def test_a_client_cannot_remove_or_take_over_what_another_entered(module):
+    number = module.enter("rtp://10.0.0.7:5004")
+    assert module.enter("rtp://10.0.0.7:5004", client=OTHER) == 0
+    assert module.ask(m.RemoveDigitalResourceEndpoint(number, 3), OTHER).id == 0
+    assert module.video.receivers == {("10.0.0.7", 5004): True}
+
+
+def test_there_is_a_limit(module):
+    numbers = [module.enter(f"rtp://10.0.0.7:{5000 + 2 * port}") for port in range(MOST + 1)]
+    assert numbers == [*range(1, MOST + 1), 0]
+
+
+def test_a_client_that_is_lost_is_sent_nothing_more(module):
+    module.enter("rtp://10.0.0.7:5004")
+    module.enter("rtp://10.0.0.8:5004", client=OTHER)
+    module.host.unreachable(OTHER, module.now)
+    assert module.video.receivers == {("10.0.0.7", 5004): True}
+
+
+def test_addresses_of_ipv6():
+    assert address_of("rtp://[fe80::1]:5004") == ("fe80::1", 5004)
+
+
+# --- streams
+
+
+def test_the_controlling_client_plays_pauses_and_stops_its_own(module):
+    module.enter("rtp://10.0.0.7:5004")
+    module.enter("rtp://10.0.0.8:5004", client=OTHER)
+    module.control()
+    module.tell(Stream(1, Stream.StreamState.PAUSE))
+    assert module.video.receivers == {("10.0.0.7", 5004): False, ("10.0.0.8", 5004): True}
+    module.tell(Stream(1, Stream.StreamState.STOP))
+    assert module.video.receivers == {("10.0.0.8", 5004): True}
+    assert flow(module) == "PLAY"
+    module.tell(Stream(1, Stream.StreamState.PLAY))
+    assert module.video.receivers == {("10.0.0.7", 5004): True, ("10.0.0.8", 5004): True}
+
+
+def test_without_control_nothing_is_changed(module):
+    module.enter("rtp://10.0.0.7:5004")
+    module.tell(Stream(1, Stream.StreamState.STOP), setting(frame_rate=5))
+    assert module.video.receivers == {("10.0.0.7", 5004): True}
+    assert module.video.settings == VideoSettings()
+
+
+def test_a_command_for_no_stream_of_the_clients_is_counted(module):
+    module.control()
+    module.tell(Stream(7, Stream.StreamState.PLAY))
+    assert module.host.counters["stream_unknown"] == 1
+
+
+# --- configuration
+
+
+def test_size_rates_and_bit_rate_are_set_at_once_and_reported(module):
+    module.control()
+    answer = module.ask(setting(frame_size=Size.HD720_1280_X720, frame_rate=25, maximum_bit_rate=4000))
+    assert confirmed(answer) == SensorIdRec(1)
+    assert module.video.settings == VideoSettings(1280, 720, 25, 4_000_000)
+    query = m.QueryDigitalVideoSensorConfiguration
+    record = query.QueryDigitalVideoConfigurationRec(1, 0x1F)
+    (found,) = module.ask(query([record])).digital_video_sensor_configuration_list
+    assert (found.frame_size, found.frame_rate, found.minimum_bit_rate, found.maximum_bit_rate) == (
+        Size.HD720_1280_X720,
+        25,
+        4000,
+        4000,
+    )
+    assert found.digital_format.name == "MPEG_4_AVC"
+
+
+Code = DigitalVideoSensorErrorRec.DigitalVideoErrorCode
+
+
+@pytest.mark.parametrize(
+    ("values", "code"),
+    [
+        ({"frame_rate": 0}, Code.FRAME_RATE_TOO_LOW),
+        ({"frame_rate": 61}, Code.FRAME_RATE_TOO_HIGH),
+        ({"frame_size": Size.WHUXGA_7680_X4800}, Code.INVALID_FRAME_SIZE),
+        ({"maximum_bit_rate": 63}, Code.INVALID_MAXIMUM_BIT_RATE),
+        ({"minimum_bit_rate": 3000, "maximum_bit_rate": 2000}, Code.INVALID_MINIMUM_BIT_RATE),
+        ({"digital_format": Wanted.DigitalFormat.MJPEG}, Code.INVALID_FORMAT),
+        ({"frame_rate": 0, "maximum_bit_rate": 1}, Code.MULTIPLE_INVALID_PARAMETERS),
+    ],
+)
+def test_what_cannot_be_set_is_refused_with_the_reason(module, values, code):
+    module.control()
+    refused = confirmed(module.ask(setting(**values)))
+    assert refused.digital_video_error_code == code
+    assert refused.error_message
+    assert module.video.settings == VideoSettings()
+
+
+@pytest.mark.parametrize("size", [size for size in Size if size.name.endswith(("640_X480", "176_X144", "1366_X768"))])
+def test_every_offered_size_can_be_set(module, size):
+    module.control()
+    assert confirmed(module.ask(setting(frame_size=size))) == SensorIdRec(1)
+    settings = module.video.settings
+    assert size.name.endswith(f"_{settings.width}_X{settings.height}")
+
+
+def test_capabilities(module):
+    query = m.QueryDigitalVideoSensorCapabilitiesExt
+    record = query.QueryDigitalVideoSensorCapabilitiesRec(0, 0xFF)
+    (found,) = module.ask(query([record])).digital_video_sensor_list
+    assert (found.minimum_frame_rate, found.maximum_frame_rate) == (1, 60)
+    assert (found.supported_frame_sizes.vga_640_x480, found.supported_frame_sizes.whuxga_7680_x4800) == (1, 0)
+    assert found.recording_supported.name == "UNSUPPORTED"
+
+
+def test_a_camera_with_a_fixed_lens_says_what_it_sees_and_refuses_the_rest(module):
+    query = m.QueryVisualSensorConfiguration
+    record = query.QueryVisualSensorConfigurationRec(1, 0xFFFF)
+    (found,) = module.ask(query([record])).visual_sensor_configuration_list
+    assert found.horizontal_field_of_view == pytest.approx(math.radians(80.0), abs=1e-6)
+    assert math.tan(found.vertical_field_of_view / 2) == pytest.approx(0.75 * math.tan(math.radians(40.0)), abs=1e-5)
+    assert found.zoom_level is None
+    module.control()
+    wanted = m.SetVisualSensorConfiguration
+    zoom = wanted.VisualSensorConfigurationRec(1, zoom_level=50.0)
+    refused = confirmed(module.ask(wanted(wanted.RequestIdRec(5), [zoom])))
+    assert isinstance(refused, VisualSensorErrorRec)
+    assert "zoom_level" in refused.error_message
+
+
+def test_where_the_camera_is_on_the_vehicle(module):
+    answer = module.ask(m.QuerySensorGeometricProperties([SensorIDQueryRec(1)]))
+    (found,) = answer.geometric_properties_list
+    properties = found.geometric_properties_variant
+    assert isinstance(properties, StaticGeometricPropertiesRec)
+    assert properties.sensor_position == pytest.approx([0.315, 0.0, -0.24], abs=1e-3)
+
+
+# --- for real
+
+
+async def test_a_client_watches_and_changes_a_real_camera():
+    pytest.importorskip("av", reason="the extra 'video' is not installed")
+    pytest.importorskip("cv2", reason="the extra 'video' is not installed")
+    from jauspy.video.camera_process import CameraProcess
+    from jauspy.video.decoder import H264Decoder
+    from jauspy.video.receiver import RtpReceiver
+
+    module = Module(video=lambda camera: CameraProcess(camera, VideoSettings(320, 240)))
+    decoder, shapes = H264Decoder(), []
+    async with module.video:
+        with RtpReceiver() as receiver:
+            assert module.enter(f"rtp://127.0.0.1:{receiver.port}")
+            module.control()
+            async with asyncio.timeout(30.0):
+                while (480, 640, 3) not in shapes:
+                    shapes += [decoder.decode(picture).shape for picture in receiver.take()]
+                    if shapes:
+                        module.tell(setting(frame_size=Size.VGA_640_X480))
+                    await asyncio.sleep(0.01)
+    module.robot.close()
+    assert shapes[0] == (240, 320, 3)
+    assert not receiver.counters.get("lost")
