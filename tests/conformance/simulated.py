@@ -1,4 +1,7 @@
-"""Our robots in memory: the same services as with `jauspy up`, on the kinematic backend and virtual time."""
+"""Our robots in memory: the same services as with `jauspy up`, on the kinematic backend and virtual time.
+
+Nobody opens the cameras: they take orders, and show nothing.
+"""
 
 from __future__ import annotations
 
@@ -12,6 +15,7 @@ from jauspy.modules.description import robot_model
 from jauspy.modules.hosts import host_of
 from jauspy.modules.robot import announced
 from jauspy.platform import backends
+from jauspy.video.camera_process import CameraProcess
 
 START = datetime(2026, 3, 14, 15, 9, 26, 535000, tzinfo=UTC)
 TARGET = JausID(105, 1, 255)
@@ -35,6 +39,7 @@ def robot(
         config = config.model_copy(update={"modules": modules})
     model = robot_model(config)
     body = backends.find("kinematic").open(model, config.world)
+    videos = {each.name: CameraProcess(body.cameras[each.name], each.settings()) for each in config.cameras}
     made: list[Bench] = []
 
     def utc_now() -> datetime:
@@ -42,7 +47,7 @@ def robot(
 
     parts = []
     for module in config.modules:
-        host = host_of(config, module, model, body, {}, utc_now=utc_now, now=0.0)
+        host = host_of(config, module, model, body, {}, videos=videos, utc_now=utc_now, now=0.0)
         parts.append(part(host, announced(host, module) or (lambda _: False)))
     made.append(bench(parts, **({"tick": body.advance} | options)))
     return made[0]

@@ -93,6 +93,7 @@ def test_what_ends_the_component_comes_last():
         ("ugv-1.0", "igvc 105.1.1"),
         ("manipulator-2.0", "inc1 101.1.104"),
         ("manipulator-2.0", "inc1 101.1.105"),
+        ("sensing-2.0", "inc1 101.1.106"),
     ],
 )
 def test_our_robot_passes(name, module):
