@@ -12,6 +12,8 @@ from jauspy.platform.description import RobotModel
 from jauspy.platform.scanner import Scanner
 from jauspy_sim import log
 from jauspy_sim.assembly import TIMESTEP, build, prefix
+from jauspy_sim.camera import SimulatedCamera
+from jauspy_sim.cameras import SimulatedCameras
 from jauspy_sim.joints import SimulatedJoints
 from jauspy_sim.lidar import simulated_lidar
 from jauspy_sim.tracks import TrackedDrive
@@ -42,6 +44,7 @@ class SimulatedRobot:
         self._run(SETTLING_STEPS)
         self._lidars = {setup.name: simulated_lidar(model, data, name_prefix, setup) for setup in robot.lidars}
         self._look()
+        self._cameras = SimulatedCameras(model, data, name_prefix, robot.cameras)
 
     @classmethod
     def open(cls, robot: RobotModel, world: str) -> SimulatedRobot:
@@ -75,6 +78,11 @@ class SimulatedRobot:
         return self._lidars
 
     @property
+    def cameras(self) -> Mapping[str, SimulatedCamera]:
+        """Its cameras, by name."""
+        return self._cameras.cameras
+
+    @property
     def time(self) -> float:
         """Seconds simulated, a whole number of steps."""
         return self._steps * TIMESTEP
@@ -91,12 +99,14 @@ class SimulatedRobot:
         before = self._drive.twist()
         self._run(steps)
         self._drive.moved(before, steps * TIMESTEP)
+        self._cameras.show()
 
     def close(self) -> None:
-        """Stop; MuJoCo's memory goes with the object."""
+        """Stop, and release what cameras share; MuJoCo's memory goes with the object."""
         self._drive.stop()
         for group in self._groups.values():
             group.hold()
+        self._cameras.close()
 
     def _run(self, steps: int) -> None:
         groups = tuple(self._groups.values())

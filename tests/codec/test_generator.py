@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
+from subprocess import run
 
 import pytest
 
@@ -14,6 +16,7 @@ from jauspy.errors import SchemaError
 from jauspy.schema import load_builtin, model as m
 
 MESSAGES = Path(__file__).parents[2] / "src" / "jauspy" / "messages"
+WHERE = m.Location("odd.xml", 1)
 
 
 def test_committed_messages_are_what_the_schemas_give() -> None:
@@ -48,6 +51,24 @@ def _schema(body: m.Composite) -> m.Schema:
     return m.Schema(services=(service,))
 
 
+def test_generated_code_is_typed(tmp_path: Path, odd_models: dict[str, m.Message]) -> None:
+    """Also where names are those of types, and numbers of a variable field integers and floats."""
+    names = ("List", "Int", "Float", "Str", "Bytes", "rt", "Size")
+    kinds: tuple[m.Scalar, ...] = ("u8", "f32", "u16")
+    choices = tuple(m.TypeChoice(index, kind, "one") for index, kind in enumerate(kinds))
+    fields = (*(m.FixedField(name=name, type="u8") for name in names), m.VariableField(name="Any", choices=choices))
+    first = m.Message(name="IntEnum", code=1, is_command=False, body=m.Record(name="R", fields=fields))
+    messages = (first, m.Message(name="Self", code=2, is_command=False, body=first.body), *odd_models.values())
+    service = m.Service(name="Odd", id="urn:odd:x:Odd", version="1.0", jsidl="1.1", outputs=messages, where=WHERE)
+    for path, text in generate(m.Schema(services=(service,)), "odd", "jauspy.messages").items():
+        file = tmp_path / "odd" / path
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text, encoding="utf-8")
+    command = [sys.executable, "-m", "mypy", "--strict", "odd"]
+    checked = run(command, check=False, cwd=tmp_path, capture_output=True, text=True)
+    assert checked.returncode == 0, checked.stdout
+
+
 @pytest.mark.parametrize(
     ("jaus", "ours"),
     [
@@ -62,6 +83,7 @@ def _schema(body: m.Composite) -> m.Schema:
         ("SensorIDs", "sensor_ids"),
         ("class", "class_"),
         ("encode", "encode_"),
+        ("List", "list_"),
         ("3rd", "n3_rd"),
         ("", "unnamed"),
     ],
@@ -78,6 +100,7 @@ def test_other_names() -> None:
         "GO": 2,
     }
     assert class_name("powerPlant status") == "PowerPlant_status"
+    assert class_name("IntEnum") == "IntEnum_"
     assert set_package("urn:jaus:jss:environmentSensing:Range") == "environment_sensing"
     assert set_package("urn:example:vendor:Lamp") == "vendor"
     assert set_package("urn:jaus:jss:exp:aeodrs:HealthMonitor") == "exp"

@@ -128,7 +128,7 @@ async def test_a_folder_where_the_status_should_be_is_told(root: Path) -> None:
 async def test_a_taken_metrics_port_is_told_and_nothing_stays_open(root: Path) -> None:
     with socket.create_server(("127.0.0.1", 0)) as taken:
         port = taken.getsockname()[1]
-        with pytest.raises(TransportError, match=f"cannot serve metrics on 127.0.0.1:{port}.*--metrics"):
+        with pytest.raises(TransportError, match=f"metrics on 127.0.0.1:{port}: Address already in use; .*--metrics"):
             await NodeManager(config(root, metrics=f"127.0.0.1:{port}")).open()
     assert list(root.iterdir()) == []
 

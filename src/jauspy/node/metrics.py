@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import os
 from collections.abc import Callable, Iterator
 from typing import Final
 
@@ -66,7 +67,8 @@ class MetricsServer:
         try:
             self._server = await asyncio.start_server(self._serve, *self._where, limit=MAX_REQUEST)
         except OSError as error:
-            told = f"cannot serve metrics on {self._where[0]}:{self._where[1]}: {error.strerror}"
+            why = os.strerror(error.errno) if error.errno else str(error)  # asyncio says the address once more
+            told = f"cannot serve metrics on {self._where[0]}:{self._where[1]}: {why}"
             raise TransportError(f"{told}; choose another with --metrics") from error
 
     async def __aexit__(self, *error: object) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import errno
 import logging
+import os
 from collections.abc import Callable, Iterable, Sequence
 from typing import Final
 
@@ -48,8 +49,13 @@ class TcpPeers:
             try:
                 self._server = await asyncio.get_running_loop().create_server(self._accept, hosts, number)
             except OSError as error:
-                what = "used by another process" if error.errno == errno.EADDRINUSE else error.strerror
-                raise TransportError(f"TCP {hosts[0]}:{number} is {what}; choose another tcp_port") from error
+                if error.errno == errno.EADDRINUSE:
+                    why = "it is used by another process"
+                else:
+                    why = os.strerror(error.errno) if error.errno else str(error)
+                raise TransportError(
+                    f"cannot listen on TCP {hosts[0]}:{number}: {why}; choose another tcp_port"
+                ) from error
         for port in peers:
             self._dialers[port] = Dialer((port.host, port.port), self._counters, self._receive_from(port))
 

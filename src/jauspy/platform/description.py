@@ -11,6 +11,7 @@ from enum import Enum
 from typing import Final
 
 from jauspy.errors import ConfigError
+from jauspy.platform.camera import CameraSetup
 from jauspy.platform.contract import Pose
 from jauspy.platform.pid import Gains
 from jauspy.platform.ranging import LidarSetup
@@ -131,3 +132,4 @@ class RobotModel:
     tracks: TrackSetup
     groups: Mapping[str, GroupSetup] = field(default_factory=dict)
     lidars: tuple[LidarSetup, ...] = ()
+    cameras: tuple[CameraSetup, ...] = ()
