@@ -28,6 +28,7 @@ from jauspy.cli import (
     send,
     tf,
     up,
+    video,
 )
 from jauspy.cli.help import help_text
 from jauspy.errors import JausError
@@ -105,6 +106,7 @@ VERBS: Final[dict[str, Callable[..., None]]] = {
     "send": send.send,
     "tf": tf.tf,
     "map": map_robot.map_robot,
+    "video": video.video,
     "decode": decode.decode,
     "conformance": conformance.conformance,
 }

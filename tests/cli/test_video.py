@@ -1,0 +1,113 @@
+"""`jauspy video` beside a robot whose cameras see sky and floor."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+
+import pytest
+
+pytest.importorskip("av", reason="the extra 'video' is not installed")
+pytest.importorskip("cv2", reason="the extra 'video' is not installed")
+
+import av
+
+from jauspy.video.receiver import RtpReceiver
+
+JAUSPY = [sys.executable, "-m", "jauspy.cli.main"]
+HEADLESS = {name: value for name, value in os.environ.items() if name not in {"DISPLAY", "WAYLAND_DISPLAY"}}
+
+
+def start(*arguments):
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
+    return subprocess.Popen([*JAUSPY, *arguments], env=HEADLESS, **pipes)
+
+
+def lines_until(process, text):
+    lines = []
+    for line in process.stdout:
+        lines.append(line)
+        if text in line:
+            return "".join(lines)
+    pytest.fail(f"{text!r} was never printed: {process.stderr.read()}")
+
+
+@pytest.fixture
+def robot(free_port, local_root):
+    """Where a robot listens."""
+    where = ["--port", str(free_port), "--local-root", str(local_root)]
+    with start("up", "inc1", "--backend", "kinematic", *where) as process:
+        lines_until(process, "stop it")
+        yield ["--connect", f"local:{local_root}"]
+        process.terminate()
+        process.communicate(timeout=20)
+
+
+@pytest.fixture
+def port():
+    with RtpReceiver() as receiver:
+        return receiver.port
+
+
+def test_it_records_a_film(robot, port, tmp_path):
+    film = tmp_path / "arm.mp4"
+    recording = start("video", "101.1.106", "--to", f"127.0.0.1:{port}", "--save", str(film), "--seconds", "6", *robot)
+    out, said = recording.communicate(timeout=60)
+    assert recording.returncode == 0, said
+    assert "0 packets were lost" in said
+    assert f"recording 101.1.106 to {film}" in out
+    with av.open(str(film)) as opened:
+        frames = list(opened.decode(video=0))
+    assert len(frames) > 10
+    assert (frames[0].width, frames[0].height) == (640, 480)
+
+
+def test_it_says_how_to_watch_and_the_robot_sends_until_it_ends(robot, tmp_path):
+    file = tmp_path / "chassis.sdp"
+    with RtpReceiver() as receiver:
+        to = f"127.0.0.1:{receiver.port}"
+        watching = start("video", "101.1.107", "--to", to, "--sdp", str(file), "--show", *robot)
+        try:
+            out = lines_until(watching, "Ctrl-C")
+            assert f"m=video {receiver.port} RTP/AVP 96" in file.read_text()
+            assert all(player in out for player in ("ffplay ", "gst-launch-1.0 ", "vlc "))
+            pictures = []
+            while not pictures:
+                pictures = receiver.take()
+            assert pictures[0].is_idr
+            asked = [*JAUSPY, "query", "101.1.107", "QueryDigitalResourceEndpoint", *robot]
+            entered = subprocess.run(asked, capture_output=True, text=True, check=True)
+            (entry,) = json.loads(entered.stdout)["fields"]["digital_resource_endpoint_list"]
+            assert entry["server_url"] == f"rtp://{to}"
+        finally:
+            watching.send_signal(signal.SIGTERM)
+            _, said = watching.communicate(timeout=20)
+        assert "there is no screen here" in said
+        entered = subprocess.run(asked, capture_output=True, text=True, check=True)
+        assert json.loads(entered.stdout)["fields"]["digital_resource_endpoint_list"] == []
+
+
+def test_a_sensor_that_is_not_there(robot):
+    watching = start("video", "101.1.107", "--sensor", "7", "--sdp", os.devnull, *robot)
+    _, said = watching.communicate(timeout=30)
+    assert watching.returncode == 1
+    assert "101.1.107 does not send sensor 7 to rtp://127.0.0.1:5004" in said
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["101.1.255"], "may be several"),
+        (["101.1.106", "--to", "robot:5004"], "an address in numbers"),
+        (["101.1.106", "--sdp", "/no/such/folder/x.sdp"], "name another file with --sdp"),
+        (["101.1.106", "--save", "x.mp4", "--show"], "watch, or record"),
+    ],
+)
+def test_wrong_use(arguments, said):
+    process = start("video", *arguments)
+    _, error = process.communicate(timeout=30)
+    assert process.returncode in {1, 2}
+    assert said in " ".join(error.split())
