@@ -50,6 +50,27 @@ def test_a_state_is_never_read_in_parts(pair):
     assert [state[0] for state in seen] == sorted(state[0] for state in seen)
 
 
+def test_a_reader_waits_for_a_writer_that_is_held_up_in_the_middle(pair, monkeypatch):
+    writer, reader = pair
+    writer.write(numbers(1.0))
+    unfinished = (3).to_bytes(8, "little")
+    writer._memory[:8] = unfinished
+    waited = []
+
+    def sleep(seconds: float) -> None:
+        waited.append(seconds)
+        if len(waited) == 20:
+            writer.write(numbers(2.0))
+
+    monkeypatch.setattr("time.sleep", sleep)
+    assert reader.read() == (12.5, numbers(2.0))
+    assert len(waited) == 20
+    writer._memory[:8] = unfinished
+    monkeypatch.setattr("time.sleep", lambda _: None)
+    with pytest.raises(RuntimeError, match="stopped in the middle of writing"):
+        reader.read()
+
+
 def test_a_state_of_another_length_is_an_error(pair):
     with pytest.raises(ValueError, match="8 bytes of state, and there is room for 4096"):
         pair[0].write(bytes(8))

@@ -13,7 +13,11 @@ _HEADER: Final = struct.Struct("=Qd")
 _NUMBER: Final = 8
 
 TRIES: Final = 1000
-"""Attempts of a reader, each disturbed by a write; a write takes microseconds, and there are some hundreds a second."""
+"""Attempts of a reader, each disturbed by a write. A write takes microseconds, but for a writer that has to wait for
+the processor in the middle of one."""
+
+PAUSE: Final = 0.001
+"""Seconds between two attempts."""
 
 
 class StateWriter:
@@ -63,7 +67,8 @@ class StateReader:
             version, written = _HEADER.unpack_from(data)
             if version % 2 == 0 and self._memory[:_NUMBER] == data[:_NUMBER]:
                 return written, data[_HEADER.size :]
-        raise RuntimeError("the robot's state changes faster than it can be read")
+            time.sleep(PAUSE)
+        raise RuntimeError("the robot's process has stopped in the middle of writing its state")
 
     def close(self) -> None:
         """Give the memory back; twice is fine."""

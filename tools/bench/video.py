@@ -1,0 +1,182 @@
+"""Video of the whole robot, both cameras at once, as an ffmpeg, a GStreamer and jauspy itself receive it.
+
+python tools/bench/video.py [--seconds 30] [--size 640x480] [--rate 15] [--backend sim]
+
+Each picture carries its number and the time of the state that it shows. From state to decoded pixels is what an
+operator waits for, but for the screen. Lost are numbers that were left out between the first and the last picture.
+"""
+
+from __future__ import annotations
+
+import argparse
+import asyncio
+import shutil
+import statistics
+import threading
+import time
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import AbstractContextManager, ExitStack, contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from subprocess import DEVNULL, PIPE, Popen
+from tempfile import TemporaryDirectory
+
+import numpy as np
+
+from jauspy.modules.config import RobotConfig
+from jauspy.modules.description import robot_model
+from jauspy.modules.realtime import RealTime
+from jauspy.modules.robots import load
+from jauspy.platform import backends
+from jauspy.platform.video_settings import VideoSettings
+from jauspy.video.camera_process import CameraProcess
+from jauspy.video.decoder import H264Decoder
+from jauspy.video.receiver import RtpReceiver
+from jauspy.video.sdp import session
+from jauspy.video.stamp import read
+
+WARM_UP = 5.0
+"""Seconds until the cameras are open and players have filled their buffers."""
+
+UNCOUNTED = 2.0
+"""Seconds of pictures at the beginning that are not counted."""
+
+
+@dataclass
+class Seen:
+    """What one receiver saw of one camera."""
+
+    numbers: list[int] = field(default_factory=list)
+    delays: list[float] = field(default_factory=list)
+
+    def take(self, image: np.ndarray) -> None:
+        """A picture has been decoded now."""
+        number, micros = read(image, rows=2)
+        self.numbers.append(number)
+        self.delays.append((round(time.monotonic() * 1e6) - micros & 0xFFFFFFFF) / 1e6)
+
+    def line(self, rate: int) -> str:
+        """Pictures, losses and delays in milliseconds."""
+        numbers, delays = self.numbers[int(UNCOUNTED * rate) :], self.delays[int(UNCOUNTED * rate) :]
+        if len(numbers) < 2:
+            return f"{len(self.numbers):9} pictures: too few"
+        lost = numbers[-1] - numbers[0] + 1 - len(numbers)
+        p95 = sorted(delays)[int(0.95 * len(delays))]
+        return f"{len(numbers):9}{lost:6}{1e3 * statistics.median(delays):11.0f}{1e3 * p95:8.0f}"
+
+
+def ffmpeg(folder: Path, port: int, _: VideoSettings) -> list[str]:
+    """Decodes to grey pictures on standard output."""
+    sdp = folder / f"{port}.sdp"
+    sdp.write_text(session("bench", "127.0.0.1", port), newline="")
+    quick = ["-nostdin", "-loglevel", "error", "-fflags", "nobuffer", "-flags", "low_delay", "-threads", "1"]
+    source = ["-protocol_whitelist", "file,udp,rtp", "-i", str(sdp)]
+    return ["ffmpeg", *quick, *source, "-fps_mode", "passthrough", "-f", "rawvideo", "-pix_fmt", "gray", "-"]
+
+
+def gstreamer(_: Path, port: int, settings: VideoSettings) -> list[str]:
+    """Decodes to grey pictures on standard output."""
+    caps = "application/x-rtp,media=video,clock-rate=90000,encoding-name=H264,payload=96"
+    raw = f"video/x-raw,format=GRAY8,width={settings.width},height={settings.height}"
+    stages = [["rtph264depay"], ["avdec_h264", "max-threads=1"], ["videoconvert"], [raw], ["fdsink", "fd=1"]]
+    return ["gst-launch-1.0", "-q", "udpsrc", f"port={port}", f"caps={caps}", *(w for s in stages for w in ("!", *s))]
+
+
+PLAYERS: dict[str, Callable[[Path, int, VideoSettings], list[str]]] = {"ffmpeg": ffmpeg, "gst-launch-1.0": gstreamer}
+
+
+@contextmanager
+def foreign(player: str, folder: Path, settings: VideoSettings, seen: Seen) -> Iterator[int]:
+    """A player that was not written by us; its port."""
+    with RtpReceiver() as free:
+        port = free.port
+    area = settings.width * settings.height
+
+    def pull(process: Popen[bytes]) -> None:
+        assert process.stdout is not None
+        while len(data := process.stdout.read(area)) == area:
+            seen.take(np.frombuffer(data, np.uint8).reshape(settings.height, settings.width))
+
+    with Popen(PLAYERS[player](folder, port, settings), stdout=PIPE, stderr=DEVNULL) as process:
+        while f":{port:04X} " not in Path("/proc/net/udp").read_text():
+            time.sleep(0.02)
+        puller = threading.Thread(target=pull, args=(process,))
+        puller.start()
+        yield port
+        process.kill()
+        puller.join()
+
+
+@contextmanager
+def own(seen: Seen) -> Iterator[int]:
+    """Our receiver; its port."""
+    ending = threading.Event()
+
+    def pull(receiver: RtpReceiver) -> None:
+        decoder = H264Decoder()
+        while not ending.wait(0.001):
+            for picture in receiver.take():
+                if (image := decoder.decode(picture)) is not None:
+                    seen.take(image)
+
+    with RtpReceiver() as receiver:
+        puller = threading.Thread(target=pull, args=(receiver,))
+        puller.start()
+        yield receiver.port
+        ending.set()
+        puller.join()
+
+
+async def film(config: RobotConfig, ports: Sequence[int], settings: VideoSettings, seconds: float) -> tuple[float, str]:
+    """Run the robot and its cameras, each to its port; robot seconds per second, and how pictures were made."""
+    robot = backends.find(config.backend).open(robot_model(config), config.world)
+    with RealTime(robot) as realtime:
+        videos = [CameraProcess(camera, settings, stamped=True) for camera in realtime.cameras.values()]
+        for video, port in zip(videos, ports, strict=True):
+            await video.open()
+            video.watch(("127.0.0.1", port))
+        await asyncio.sleep(WARM_UP)
+        begin, start = realtime.snapshot.time, time.monotonic()
+        realtime.drive.set_effort(0.0, 0.3)
+        await asyncio.sleep(seconds)
+        factor = (realtime.snapshot.time - begin) / (time.monotonic() - start)
+        for video in videos:
+            await video.close()
+    robot.close()
+    return factor, videos[0].description
+
+
+def main() -> None:
+    """A line for each receiver and camera."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--seconds", type=float, default=10.0)
+    parser.add_argument("--size", default="640x480")
+    parser.add_argument("--rate", type=int, default=15)
+    parser.add_argument("--backend", default="sim")
+    options = parser.parse_args()
+    width, height = map(int, options.size.split("x"))
+    settings = VideoSettings(width, height, options.rate)
+    config = load("inc1").model_copy(update={"backend": options.backend})
+    print(f"{'receiver and camera':28}{'pictures':>9}{'lost':>6}{'median ms':>11}{'95 %':>8}{'robot time':>12}")
+    for name in ("jauspy", *PLAYERS):
+        if name != "jauspy" and shutil.which(name) is None:
+            print(f"{name:28} is not installed")
+            continue
+        _measure(name, config, settings, options.seconds)
+
+
+def _receiving(name: str, folder: Path, settings: VideoSettings, seen: Seen) -> AbstractContextManager[int]:
+    return foreign(name, folder, settings, seen) if name in PLAYERS else own(seen)
+
+
+def _measure(name: str, config: RobotConfig, settings: VideoSettings, seconds: float) -> None:
+    seen = {camera.name: Seen() for camera in config.cameras}
+    with TemporaryDirectory() as folder, ExitStack() as stack:
+        ports = [stack.enter_context(_receiving(name, Path(folder), settings, each)) for each in seen.values()]
+        factor, how = asyncio.run(film(config, ports, settings, seconds))
+    for camera, each in seen.items():
+        print(f"{name + ', ' + camera:28}{each.line(settings.rate)}{factor:12.3f}  {how}")
+
+
+if __name__ == "__main__":
+    main()
