@@ -135,7 +135,12 @@ class Binder:
         method = self._method(owned.owner, message, f"{where}: Send of")
         make = self._by_name(method, literals, f"{where}: Send of {message}", quoted=False)
         reply = self._reply
-        return Step(f"{where}, Send {message}", lambda trigger: reply(make(trigger), trigger, to_source), sends=True)
+        return Step(
+            f"{where}, Send {message}",
+            lambda trigger: reply(make(trigger), trigger, to_source),
+            sends=True,
+            report=make if to_source else None,
+        )
 
     def _line(self, owner: model.Service) -> Iterator[model.Service]:
         """The definition and its ancestors, nearest first."""
