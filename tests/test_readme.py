@@ -47,7 +47,7 @@ async def test_the_ocu_drives_the_robot(root: Path) -> None:
         await asyncio.wait_for(names["main"](), 20)  # type: ignore[operator]
         assert robot.snapshot is not None
         assert robot.snapshot.pose.x == pytest.approx(2.0, abs=0.3)
-        mobility, _, _ = robot.components
+        mobility = robot.components[0]
         assert mobility.host.state.endswith("NotControlled.Available.Standby")
 
 

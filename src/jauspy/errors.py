@@ -18,6 +18,10 @@ JausError
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from jauspy.ids import JausID
 
 
 class JausError(Exception):
@@ -81,7 +85,12 @@ class ResponseTimeout(RequestError):
 
 
 class ControlRejected(RequestError):
-    """Access control was refused, taken back or lost."""
+    """Access control was refused, taken back or lost. `holder` has it instead, with `authority`; None if not known."""
+
+    def __init__(self, message: str, *, holder: JausID | None = None, authority: int | None = None) -> None:
+        self.holder = holder
+        self.authority = authority
+        super().__init__(message)
 
 
 class EventRejected(RequestError):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from importlib.resources import as_file, files
 from typing import Final
@@ -11,6 +12,7 @@ import numpy as np
 from lxml import etree
 
 from jauspy.errors import ConfigError
+from jauspy.platform.camera import CameraSetup
 from jauspy.platform.description import Description, Joint, JointKind, RobotModel, TrackSetup
 
 TIMESTEP: Final = 0.002
@@ -57,6 +59,8 @@ def robot_spec(robot: RobotModel) -> mujoco.MjSpec:
         _belt(spec, robot.description.joint(belt), robot.tracks)
     for link, coefficient in robot.description.friction.items():
         _grip(spec, link, coefficient)
+    for camera in robot.cameras:
+        _camera(spec, camera)
     for geom in spec.geoms:
         geom.group = SEEN if not (geom.contype or geom.conaffinity) else COLLIDING
     return spec
@@ -113,6 +117,13 @@ def _belt(spec: mujoco.MjSpec, joint: Joint, tracks: TrackSetup) -> None:
 def _grip(spec: mujoco.MjSpec, link: str, coefficient: float) -> None:
     for geom in spec.body(link).geoms:
         geom.friction = (coefficient, *geom.friction[1:])
+
+
+def _camera(spec: mujoco.MjSpec, camera: CameraSetup) -> None:
+    """MuJoCo's cameras look along -z with y up; the frame of a link looks along x with z up."""
+    added = spec.body(camera.link).add_camera(name=camera.name)
+    added.quat = (0.5, 0.5, -0.5, -0.5)
+    added.fovy = math.degrees(camera.fov)  # from top to bottom: set anew when the shape of the picture is known
 
 
 def _like(present: float | Sequence[float], value: float) -> float | tuple[float, ...]:

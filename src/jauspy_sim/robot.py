@@ -9,9 +9,13 @@ from typing import Final
 import mujoco
 
 from jauspy.platform.description import RobotModel
+from jauspy.platform.scanner import Scanner
 from jauspy_sim import log
 from jauspy_sim.assembly import TIMESTEP, build, prefix
+from jauspy_sim.camera import SimulatedCamera
+from jauspy_sim.cameras import SimulatedCameras
 from jauspy_sim.joints import SimulatedJoints
+from jauspy_sim.lidar import simulated_lidar
 from jauspy_sim.tracks import TrackedDrive
 
 SETTLING_STEPS: Final = 250
@@ -33,10 +37,14 @@ class SimulatedRobot:
             name: SimulatedJoints(model, data, name_prefix, robot.description, setup)
             for name, setup in robot.groups.items()
         }
+        self._lidars: dict[str, Scanner] = {}
         mujoco.mj_forward(model, data)
-        self._steps = 0
         self._owed = 0.0
+        self._steps = -SETTLING_STEPS
         self._run(SETTLING_STEPS)
+        self._lidars = {setup.name: simulated_lidar(model, data, name_prefix, setup) for setup in robot.lidars}
+        self._look()
+        self._cameras = SimulatedCameras(model, data, name_prefix, robot.cameras)
 
     @classmethod
     def open(cls, robot: RobotModel, world: str) -> SimulatedRobot:
@@ -65,6 +73,16 @@ class SimulatedRobot:
         return self._groups
 
     @property
+    def lidars(self) -> Mapping[str, Scanner]:
+        """Its lidars, by name."""
+        return self._lidars
+
+    @property
+    def cameras(self) -> Mapping[str, SimulatedCamera]:
+        """Its cameras, by name."""
+        return self._cameras.cameras
+
+    @property
     def time(self) -> float:
         """Seconds simulated, a whole number of steps."""
         return self._steps * TIMESTEP
@@ -80,14 +98,15 @@ class SimulatedRobot:
         self._owed -= steps
         before = self._drive.twist()
         self._run(steps)
-        self._steps += steps
         self._drive.moved(before, steps * TIMESTEP)
+        self._cameras.show()
 
     def close(self) -> None:
-        """Stop; MuJoCo's memory goes with the object."""
+        """Stop, and release what cameras share; MuJoCo's memory goes with the object."""
         self._drive.stop()
         for group in self._groups.values():
             group.hold()
+        self._cameras.close()
 
     def _run(self, steps: int) -> None:
         groups = tuple(self._groups.values())
@@ -96,3 +115,9 @@ class SimulatedRobot:
                 group.control()
             mujoco.mj_step(self._model, self._data)
             self._drive.rewind_belts()
+            self._steps += 1
+            self._look()
+
+    def _look(self) -> None:
+        for lidar in self._lidars.values():
+            lidar.step(self.time)

@@ -2,14 +2,17 @@
 
 import json
 import re
+from pathlib import Path
 
 import pytest
 from typer.testing import CliRunner
 
 from jauspy.cli.main import app
+from jauspy.codec.items_numbers import Number
 from jauspy.messages import registry
 from jauspy.messages.core import ConfirmControl
 
+LAMP = Path(__file__).parents[1] / "vendor" / "Lamp.xml"
 VERSIONS = len(registry.by_code(ConfirmControl.CODE))
 
 
@@ -66,10 +69,31 @@ def test_findings_are_saved(tmp_path, monkeypatch):
     assert run("replay", file).exit_code == 1
 
 
+def test_messages_of_ones_own(tmp_path):
+    result = run("codec", "--from", LAMP, "--cases", 30, "--out", tmp_path)
+    assert result.exit_code == 0, result.output
+    assert re.fullmatch(r"30 cases from \d+ seeds of 3 messages: nothing found\n", result.stdout)
+
+
+def test_findings_in_messages_of_ones_own(tmp_path, monkeypatch):
+    write = Number.write
+    monkeypatch.setattr(Number, "write", lambda self, writer, value, path: write(self, writer, value ^ 1, path))
+    result = run("codec", "--from", LAMP, "--cases", 20, "--message", "SetLamp", "--out", tmp_path)
+    (file,) = tmp_path.iterdir()
+    assert f"jauspy fuzz replay {file} --from {LAMP}\n" in result.stdout
+    assert result.stdout.endswith(": 1 finding\n")
+    assert run("replay", file, "--from", LAMP).exit_code == 1
+    monkeypatch.undo()
+    assert run("replay", file, "--from", LAMP).exit_code == 0
+    assert run("replay", file).exit_code == 2
+
+
 @pytest.mark.parametrize(
     "arguments",
     [
         ("codec", "no-such-file"),
+        ("codec", "--from", "no-such-file"),
+        ("codec", "--from", __file__),
         ("codec", "--message", "NoSuchMessage"),
         ("codec", "--cases", "0"),
         ("codec", __file__),

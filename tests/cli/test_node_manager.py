@@ -2,6 +2,7 @@
 
 import json
 import os
+import resource
 import signal
 import socket
 import stat
@@ -9,6 +10,8 @@ import subprocess
 import sys
 
 import pytest
+
+from jauspy.cli.node_serve import FILES
 
 COMMAND = [sys.executable, "-m", "jauspy.cli.main", "node-manager"]
 
@@ -69,6 +72,25 @@ def test_wrong_settings_get_a_sentence():
     )
     assert done.returncode == 1
     assert "write an IPv4 multicast address" in done.stderr
+
+
+def test_json_is_a_form_of_the_status():
+    ended = subprocess.run([*COMMAND, "--json"], check=False, capture_output=True, text=True, timeout=20)
+    assert ended.returncode == 2
+    assert "it goes with --status only" in ended.stderr
+
+
+def test_it_lets_itself_have_a_file_for_each_component(free_port, local_root):
+    limited = ["bash", "-c", 'ulimit -S -n 100; exec "$@"', "--", *COMMAND]
+    where = ["--port", str(free_port), "--local-root", str(local_root)]
+    process = subprocess.Popen([*limited, *where], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+    try:
+        assert process.stdout.readline().startswith("node manager ready")
+        _, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
+        assert resource.prlimit(process.pid, resource.RLIMIT_NOFILE)[0] == min(FILES, hard)
+    finally:
+        process.kill()
+        process.communicate()
 
 
 def test_the_mode_of_the_socket(free_port, local_root):

@@ -27,6 +27,9 @@ def objects(*arguments, status=0):
 
 EFFORT = """<fixed_field name="Effort{}" field_type="unsigned byte" field_units="percent" optional="true">
 <scale_range real_lower_limit="-100" real_upper_limit="100" integer_function="round"/></fixed_field>"""
+SCALE = '<scale_range real_lower_limit="-100" real_upper_limit="100" integer_function="round"/>'
+SPAN = """<value_set><value_range lower_limit="{}" lower_limit_type="inclusive"
+upper_limit="{}" upper_limit_type="inclusive"/></value_set>"""
 MESSAGE = """<message_def name="{}" message_id="{}" is_command="false"><description>It {}.</description>
 <declared_header name="H" declared_type_ref="core.MsgHeader"/><body name="B">{}</body><footer name="F"/>
 </message_def>"""
@@ -185,6 +188,23 @@ def test_show_json():
     )  # fmt: skip
     [service] = objects("show", "core:Time")
     assert (service["kind"], service["urn"]) == ("service", "urn:jaus:jss:core:Time")
+
+
+@pytest.mark.parametrize(
+    ("type", "inside", "shown"),
+    [
+        ("unsigned byte", SCALE, "-100..100 %, step 0.784"),
+        ("byte", SCALE, "-100..100 %, step 1.57"),  # raw values are 0..127
+        ("float", SCALE, "%"),
+        ("float", SPAN.format(0, 0.5), "0..0.5 %"),
+        ("long integer", SPAN.format(-(2**63), 7), "-9223372036854775808..7 %"),
+    ],
+)
+def test_show_ranges_with_their_units(changed, type, inside, shown):
+    before = 'field_type="unsigned byte"'
+    path = changed((f'name="EffortX" {before}', f'name="EffortX" field_type="{type}"'), (SCALE, inside))
+    rows = {row["name"]: row for row in objects("show", "SetThrust", "--from", path)[0]["layout"]}
+    assert rows["EffortX"]["values"] == [shown]
 
 
 def test_show_what_no_presence_bit_announces():

@@ -10,6 +10,10 @@ from pathlib import Path
 import psutil
 import pytest
 
+from jauspy.modules.robots import load
+
+INC1 = load("inc1")
+MODULES = [str(INC1.id_of(module)) for module in INC1.modules]
 JAUSPY = [sys.executable, "-m", "jauspy.cli.main"]
 
 
@@ -52,7 +56,7 @@ def test_list_query_and_send(robot, local_root, free_port):
     [found] = [json.loads(line) for line in jauspy("ls", "--json", "--connect", udp).stdout.splitlines()]
     assert found["subsystem"] == 101
     components = found["nodes"][0]["components"]
-    assert [each["id"] for each in components] == ["101.1.102", "101.1.104", "101.1.105"]
+    assert [each["id"] for each in components] == MODULES
     component = components[0]
     assert {"urn": "urn:jaus:jss:mobility:PrimitiveDriver", "version": "1.1"} in component["services"]
     to = component["id"]
@@ -73,6 +77,24 @@ def test_list_query_and_send(robot, local_root, free_port):
     assert "101.1.99 was sent QueryStatus" in nobody.stderr
 
 
+def test_frames_of_a_running_robot(robot, local_root):
+    local = f"local:{local_root}"
+    asked = jauspy("tf", "base_link", "lidar_link", "--json", "--connect", local)
+    (lidar,) = [json.loads(line) for line in asked.stdout.splitlines()]
+    assert (lidar["frame"], lidar["in"], lidar["position"]) == ("lidar_link", "base_link", [-0.2, 0.0, 0.44])
+    assert lidar["quaternion"] == [1.0, 0.0, 0.0, 0.0]
+    assert "base_link_to_flippers" in asked.stderr, "no service reports it"
+
+    tree = jauspy("tf", "--connect", local).stdout.splitlines()
+    assert tree[0].split()[:3] == ["base_link", "in", "local"]
+    assert any(line.startswith("tool_link ") for line in tree)
+
+    alone = jauspy("tf", "base_link", "--connect", local, status=1)
+    assert "give the frame to start from" in alone.stderr
+    wrong = jauspy("tf", "base_link", "nose", "--connect", local, status=1)
+    assert "no frame 'nose'; there are: arm_camera_link" in wrong.stderr
+
+
 def test_verbs_run_side_by_side_and_a_wildcard_names_who_answered(robot, local_root, free_port):
     for where in (f"local:{local_root}", f"udp://127.0.0.1:{free_port}"):
         asked = [start("query", "101.255.255", "QueryStatus", "--timeout", "1", "--connect", where) for _ in range(3)]
@@ -80,7 +102,7 @@ def test_verbs_run_side_by_side_and_a_wildcard_names_who_answered(robot, local_r
             out, err = each.communicate(timeout=20)
             assert err == ""
             sources = {json.loads(line)["source"] for line in out.splitlines()}
-            assert sources == {"101.1.102", "101.1.104", "101.1.105"}
+            assert sources == set(MODULES)
 
 
 def test_send_says_what_speaks_against_an_effect(robot, local_root):

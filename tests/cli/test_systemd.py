@@ -64,7 +64,7 @@ class Service:
         except (TimeoutError, BlockingIOError):
             return True
         finally:
-            self._socket.settimeout(20)
+            self._socket.settimeout(60)
         return False
 
 
@@ -75,7 +75,7 @@ def service(request: pytest.FixtureRequest, free_port: int, local_root: Path, tm
     name = str(local_root / "notify") if request.param == "path" else f"@jauspy-test-{os.getpid()}"
     with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as sock:
         sock.bind(name.replace("@", "\0"))
-        sock.settimeout(20)
+        sock.settimeout(60)
         environment = os.environ | {"NOTIFY_SOCKET": name, "WATCHDOG_USEC": str(int(WATCHDOG * 1e6))}
         with subprocess.Popen(
             [*COMMAND, "--config", str(file)],

@@ -111,12 +111,21 @@ EVERYTHING = m.Sequence(
         ),
     ),
 )
+ROUNDED = m.Record(
+    name="RoundedRec",
+    fields=(
+        number("Down", "u16", scale=m.Scale(-6.283185307179586, 1.5707963267948966, "floor")),
+        number("Up", "u32", scale=m.Scale(-90.0, 90.0, "ceiling")),
+        number("Signed", "i32", scale=m.Scale(3.14, 12.57, "floor")),
+    ),
+)
 MESSAGES = (
     m.Message(name="Everything", code=0xF001, is_command=False, body=EVERYTHING),
     m.Message(name="Options", code=0xF002, is_command=True, body=OPTIONS),
     m.Message(name="Nothing", code=0xF003, is_command=True, body=None),
     m.Message(name="Shapes", code=0xF004, is_command=False, body=SHAPE),
     m.Message(name="Points", code=0xF005, is_command=False, body=m.List(name="P", count=counted(), element=POINT)),
+    m.Message(name="Rounded", code=0xF006, is_command=False, body=ROUNDED),
 )
 SERVICE = m.Service(name="Odds", id="urn:example:test:Odds", version="1.0", jsidl="1.1", outputs=MESSAGES)
 SCHEMA = m.Schema(services=(SERVICE,))

@@ -87,12 +87,25 @@ def test_a_collision_with_a_built_in_message(folder: Any, caplog) -> None:
 
 def test_a_newer_set_replaces_an_older_one_under_other_names(folder: Any) -> None:
     """As the manipulator set did: services and messages were renamed from 1.0 to 2.0, their ids stayed."""
-    folder.add("JointEfforts", version="1.0", message="SetEfforts")
-    folder.add("JointEffort", version="2.0", message="SetEffort", type="unsigned short integer")
+    folder.add("JointEfforts", urn="urn:jaus:jss:arms:JointEfforts", message="SetEfforts")
+    kind = {"version": "2.0", "type": "unsigned short integer"}
+    folder.add("JointEffort", urn="urn:jaus:jss:arms:JointEffort", message="SetEffort", **kind)
     own = folder.load()
     assert fresh(own) == []
     assert own.decode(b"\x01\xd0\x05\x00").NAME == "SetEffort"
     assert own.decode(b"\x01\xd0\x05", version="1.0").NAME == "SetEfforts"
+
+
+def test_a_newer_service_of_a_vendor_does_not_hide_another_one(folder: Any) -> None:
+    """Vendors count the versions of each service; only the sets of the standard are published as a whole."""
+    lamp = folder.add("Lamp", version="1.0")
+    horn = folder.add("Horn", version="2.0", message="Honk", type="unsigned short integer")
+    own = folder.load()
+    [collision] = fresh(own)
+    assert set(collision.files) == {str(lamp), str(horn)}
+    assert own.decode(b"\x01\xd0\x05", service="Lamp").NAME == "SetLevel"
+    with pytest.raises(DecodeError, match="say which service is meant"):
+        own.decode(b"\x01\xd0\x05")
 
 
 def test_a_service_defined_again_replaces_the_built_in_one(folder: Any) -> None:

@@ -34,7 +34,7 @@ def service(uri: Any = "urn", major: Any = 1) -> RegisterServices.ServiceRec:
         (SetWrenchEffort(math.nan), "propulsive_linear_effort_x", "nan is outside"),
         (SetWrenchEffort(math.inf), "propulsive_linear_effort_x", "inf is outside"),
         (SetWrenchEffort("40"), "propulsive_linear_effort_x", "'40' is not a number"),
-        (SetWrenchEffort(10**400), "propulsive_linear_effort_x", "is not a number"),
+        (SetWrenchEffort(10**400), "propulsive_linear_effort_x", "is too large"),
         (SetWrenchEffort([1.0]), "propulsive_linear_effort_x", r"\[1.0\] is not a number"),
         (SetWrenchEffort(reserved_presence=1), "reserved_presence", "0x1 has bits outside 0xF000"),
         (SetWrenchEffort(reserved_presence=None), "reserved_presence", "None is not an integer"),

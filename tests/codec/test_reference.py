@@ -43,8 +43,11 @@ def test_explain_covers_every_byte(models: dict[str, m.Message]) -> None:
 
 
 def test_errors(models: dict[str, m.Message]) -> None:
-    with pytest.raises(DecodeError):
-        reference.parse(models["RegisterServices"], b"\x00\x0b\x02")
+    with pytest.raises(DecodeError) as caught:
+        reference.parse(models["ReportStatus"], b"\x02\x40\x01\x00")
+    assert (caught.value.path, caught.value.offset) == ("reserved", 4)
+    assert "stream read less" in caught.value.reason
+    assert "Error in path" not in caught.value.reason
     with pytest.raises(DecodeError, match="is not allowed"):
         reference.parse(models["ConfirmControl"], b"\x0f\x00\x07")
     with pytest.raises(EncodeError):

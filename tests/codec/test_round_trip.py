@@ -19,7 +19,7 @@ from jauspy.schema import load_builtin, model as m
 
 FEW = settings(max_examples=15, deadline=None, suppress_health_check=list(HealthCheck))
 MORE = settings(max_examples=120, deadline=None, suppress_health_check=list(HealthCheck))
-ODD = ("Everything", "Options", "Nothing", "Shapes", "Points")
+ODD = ("Everything", "Options", "Nothing", "Shapes", "Points", "Rounded")
 
 
 def check(message: Message) -> bytes:

@@ -1,4 +1,4 @@
-"""Our robot `igvc` in memory: the same services as `jauspy up igvc`, on the kinematic backend and virtual time."""
+"""Our robots in memory: the same services as with `jauspy up`, on the kinematic backend and virtual time."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from jauspy.conformance import Bench, Part, Profile, Report, Settings, find, run
 from jauspy.ids import JausID
 from jauspy.modules import robots
 from jauspy.modules.description import robot_model
-from jauspy.modules.mobility import cm_mob, vehicle_of
+from jauspy.modules.hosts import host_of
 from jauspy.modules.robot import announced
 from jauspy.platform import backends
 
@@ -20,10 +20,15 @@ Maker = Callable[..., Bench]
 
 
 def robot(
-    part: type[Part] = Part, bench: type[Bench] = Bench, *, timeout: int | None = None, **options: object
+    part: type[Part] = Part,
+    bench: type[Bench] = Bench,
+    *,
+    name: str = "igvc",
+    timeout: int | None = None,
+    **options: object,
 ) -> Bench:
     """The whole robot; `part` and `bench` may be broken ones, `timeout` is that of its access control."""
-    config = robots.load("igvc")
+    config = robots.load(name)
     if timeout is not None:
         access = config.modules[0].access_control.model_copy(update={"timeout": timeout})
         modules = tuple(each.model_copy(update={"access_control": access}) for each in config.modules)
@@ -37,8 +42,7 @@ def robot(
 
     parts = []
     for module in config.modules:
-        vehicle = vehicle_of(config, model, body.drive)
-        host = cm_mob(config.id_of(module), vehicle, module, identities={}, utc_now=utc_now, now=0.0)
+        host = host_of(config, module, model, body, {}, utc_now=utc_now, now=0.0)
         parts.append(part(host, announced(host, module) or (lambda _: False)))
     made.append(bench(parts, **({"tick": body.advance} | options)))
     return made[0]

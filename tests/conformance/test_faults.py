@@ -20,9 +20,9 @@ MEASURED = re.compile(r"has (x|y|event_id) \S+")
 
 
 @pytest.fixture(autouse=True)
-def _quiet_logs() -> None:
-    """Some faults are bugs of actions, which the robot logs."""
-    logging.getLogger("jauspy").setLevel(logging.CRITICAL)
+def _quiet_logs(caplog: pytest.LogCaptureFixture) -> None:
+    """Some faults are bugs of actions, which the robot logs; the level is put back after the test."""
+    caplog.set_level(logging.CRITICAL, logger="jauspy")
 
 
 def checks(report: Report, *, failed: bool = False) -> set[tuple[str, str]]:

@@ -85,9 +85,19 @@ def test_what_ends_the_component_comes_last():
     assert after == []
 
 
-@pytest.mark.parametrize("name", ["core-1.1", "mobility-1.1", "ugv-1.0"])
-def test_our_robot_passes(name):
-    report = examined(name, robot(timeout=5))
+@pytest.mark.parametrize(
+    ("name", "module"),
+    [
+        ("core-1.1", "igvc 105.1.1"),
+        ("mobility-1.1", "igvc 105.1.1"),
+        ("ugv-1.0", "igvc 105.1.1"),
+        ("manipulator-2.0", "inc1 101.1.104"),
+        ("manipulator-2.0", "inc1 101.1.105"),
+    ],
+)
+def test_our_robot_passes(name, module):
+    robot_name, target = module.split()
+    report = examined(name, robot(name=robot_name, timeout=5), JausID.parse(target))
     assert [f"{each.id}: {each.reason}" for each in report.failures] == []
     assert report.status == 0
     assert report.counts[Verdict.PASS] > 10

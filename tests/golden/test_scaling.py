@@ -7,7 +7,7 @@ import random
 import re
 from fractions import Fraction
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import pytest
 
@@ -89,3 +89,11 @@ def test_both_ends_are_exact() -> None:
         assert scale.real(scale.top) == scale.upper
         assert exact_raw(scale.lower, scale) == 0
         assert exact_raw(scale.upper, scale) == scale.top
+
+
+@pytest.mark.parametrize("function", ["floor", "ceiling"])
+def test_decoded_values_get_their_raw_value_back(function: Literal["floor", "ceiling"]) -> None:
+    scale = Scaling(-6.283185307179586, 1.5707963267948966, 0xFFFF, function)
+    assert [exact_raw(scale.real(raw), scale) for raw in range(0x10000)] == list(range(0x10000))
+    assert exact_raw(scale.lower + 1.7 * scale.step, scale) == (1 if function == "floor" else 2)
+    assert exact_raw(scale.lower + 1.2 * scale.step, scale) == (1 if function == "floor" else 2)

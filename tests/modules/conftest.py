@@ -10,6 +10,7 @@ from tests.modules.world import World
 
 from jauspy.platform.contract import Acceleration, Pose, Twist
 from jauspy.platform.joints import JointGroup
+from jauspy.platform.ranging import RangeFinder
 
 
 class FakeDrive:
@@ -41,6 +42,7 @@ class FakeRobot:
 
     def __init__(self, breaks_after: int | None = None) -> None:
         self.groups: dict[str, JointGroup] = {}
+        self.lidars: dict[str, RangeFinder] = {}
         self.drive = FakeDrive()
         self.time = 0.0
         self.closed = 0

@@ -34,7 +34,12 @@ def write(tmp_path):
 def test_inc1_comes_with_jauspy():
     config = load("inc1")
     assert "inc1" in known()
-    assert [str(config.id_of(module)) for module in config.modules] == ["101.1.102", "101.1.104", "101.1.105"]
+    assert [str(config.id_of(module)) for module in config.modules] == [
+        "101.1.102",
+        "101.1.104",
+        "101.1.105",
+        "101.1.108",
+    ]
     assert (config.backend, config.world) == ("sim", "demo")
 
 
@@ -115,6 +120,22 @@ def test_not_even_text(write, tmp_path):
             "component = 33",
             "component = 33\n[[modules]]\ntype = 'CM-MAN'\ncomponent = 34",
             r"modules: 34 moves the group 'arm', which is not there; there are: none",
+        ),
+        ("[[modules]]", "[[lidars]]\nname = 'l'\nlink = 'm'\nrays = 0\n[[modules]]", r"lidars\[0\]\.rays = 0: .*1"),
+        (
+            "[[modules]]",
+            "[[lidars]]\nname = 'l'\nlink = 'm'\nrange = [3, 2]\n[[modules]]",
+            r"range: \[3.0, 2.0\] is empty",
+        ),
+        (
+            "[[modules]]",
+            "[[lidars]]\nname = 'l'\nlink = 'm'\n[[lidars]]\nname = 'l'\nlink = 'n'\n[[modules]]",
+            r"lidars: l is there twice",
+        ),
+        (
+            "component = 33",
+            "component = 33\n[[modules]]\ntype = 'CM-SEN'\ncomponent = 34\nservices = ['RangeSensor']",
+            r"lidars: there is none, and 34 offers RangeSensor; add \[\[lidars\]\]",
         ),
         ("component = 33", "component = 33\nservices = []", r"none has the service Discovery; nobody could find"),
         ("component = 33", "component = 33\nservices = ['PrimitiveDriver']", r"none has the service Discovery"),

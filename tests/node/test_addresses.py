@@ -79,6 +79,10 @@ def test_fkie_s_yaml(tmp_path: Path) -> None:
         ("a.yaml", "transport: {}", "no key 'addrbook'"),
         ("a.yaml", "addrbook: {sctp: {}}", "only udp and tcp"),
         ("a.yaml", "addrbook: {udp: {x: [}", "a.yaml"),
+        ("a.yaml", "addrbook: {udp: [1, 2]}", "addrbook/udp = .*write lines such as"),
+        ("a.yaml", "addrbook: {tcp: hello}", "addrbook/tcp = 'hello'"),
+        ("a.toml", '[addresses]\n"1.1.1" = "udp://robot.local:3794"', "write the IP address"),
+        ("a.cfg", f'<X><AddressBook J{"9" * 5000}="10.0.0.5:1"/></X>', "J and the id in decimal"),
     ],
 )
 def test_mistakes_name_the_file_and_what_to_write(tmp_path: Path, name: str, text: str, told: str) -> None:

@@ -82,6 +82,12 @@ def test_the_command_line_goes_before_the_file(written: Path) -> None:
         ("metrics = '9794'", "metrics = '9794': write ADDRESS:PORT, as in 127.0.0.1:9794"),
         ('multicast_group6 = "ff15::1"', "multicast_group6: needs IPv6; set `address6`"),
         ('address6 = "::"\nmulticast_group6 = "fd00::1"', "write an IPv6 multicast address, as in ff15::"),
+        ("local_mode = 660", "local_mode = 660: write three octal digits, as in 0o660"),
+        ("multicast_interfaces = 'eth0'", "multicast_interfaces = 'eth0': write a list, as in [...]"),
+        ("networks = { name = 'b' }", "networks = {'name': 'b'}: write a table [[networks]] for each"),
+        ("networks = [5]", "networks[0] = 5: write a table"),
+        ("gateway = 5", "gateway = 5: write a table, as in [gateway]"),
+        ("addresses = 5", "addresses = 5: write a table, as in [addresses]"),
         ("port = ", "is not TOML"),
     ],
 )

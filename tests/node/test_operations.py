@@ -1,10 +1,13 @@
 """A running node manager is looked at, reloaded, mirrored and watched over."""
 
 import asyncio
+import contextlib
 import json
 import logging
+import os
 import socket
 import stat
+import urllib.request
 from pathlib import Path
 
 import dpkt
@@ -13,7 +16,7 @@ import pytest
 from jauspy.cli.node_serve import JsonLines
 from jauspy.errors import ConfigError, TransportError
 from jauspy.ids import JausID
-from jauspy.node import NodeConfig, NodeManager, status
+from jauspy.node import NodeConfig, NodeManager, metrics, mirror, status
 from jauspy.node.service_manager import ServiceManager
 from jauspy.protocol import judp, junior
 from jauspy.protocol.header import Packet
@@ -92,10 +95,40 @@ async def test_metrics_for_prometheus(root: Path, introduce, udp, free_port: int
         assert b"405" in await http(free_port, b"POST / HTTP/1.1\r\n\r\n")
 
 
+async def test_readers_of_the_metrics_that_say_nothing_are_bounded(root: Path, free_port: int) -> None:
+    async with NodeManager(config(root, metrics=f"127.0.0.1:{free_port}")):
+        with contextlib.ExitStack() as stack:
+            for _ in range(metrics.MAX_READERS + 1):
+                last = stack.enter_context(socket.create_connection(("127.0.0.1", free_port)))
+            last.setblocking(False)
+            async with asyncio.timeout(metrics.PATIENCE / 2):
+                assert await end_of(last)
+        assert await asyncio.to_thread(scrape, free_port)
+
+
+async def end_of(sock: socket.socket) -> bool:
+    try:
+        return await asyncio.get_running_loop().sock_recv(sock, 1) == b""
+    except ConnectionError:
+        return True
+
+
+def scrape(port: int) -> bytes:
+    with urllib.request.urlopen(f"http://127.0.0.1:{port}/metrics", timeout=20) as answer:
+        return answer.read()
+
+
+async def test_a_folder_where_the_status_should_be_is_told(root: Path) -> None:
+    (root / status.SOCKET_NAME).mkdir()
+    with pytest.raises(TransportError, match=r"cannot open the socket .*JuniorRTE\.status: Is a directory"):
+        await NodeManager(config(root)).open()
+    assert [each.name for each in root.iterdir()] == [status.SOCKET_NAME]
+
+
 async def test_a_taken_metrics_port_is_told_and_nothing_stays_open(root: Path) -> None:
     with socket.create_server(("127.0.0.1", 0)) as taken:
         port = taken.getsockname()[1]
-        with pytest.raises(TransportError, match=f"cannot serve metrics on 127.0.0.1:{port}.*--metrics"):
+        with pytest.raises(TransportError, match=f"metrics on 127.0.0.1:{port}: Address already in use; .*--metrics"):
             await NodeManager(config(root, metrics=f"127.0.0.1:{port}")).open()
     assert list(root.iterdir()) == []
 
@@ -157,10 +190,45 @@ async def test_a_mirror_that_nobody_looks_at_harms_nothing(root: Path, introduce
         assert node.counters["dropped.udp_unreachable"] == 0
 
 
+async def test_a_packet_that_is_too_long_for_the_mirror_is_counted_and_it_goes_on(root: Path, introduce, udp) -> None:
+    viewer = udp()
+    async with NodeManager(config(root, mirror="udp:{}:{}".format(*viewer.getsockname()))) as node:
+        component, peer = await traffic(node, introduce, udp)
+        await receive(viewer)
+        longest = judp.pack(Packet(FAR, HERE, bytes(65507 - 15), 2))
+        peer.sendto(longest, ("127.0.0.1", node.port))
+        assert await receive(component) == longest
+        peer.sendto(QUERY, ("127.0.0.1", node.port))
+        assert QUERY in await receive(viewer)
+        assert node.counters["mirror.lost"] == 1
+
+
+async def test_a_pipe_as_mirror_needs_a_reader_and_one_that_stops_reading_holds_up_nothing(
+    root: Path, tmp_path: Path, introduce, udp, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(mirror, "PATIENCE", 0.05)
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+    with pytest.raises(TransportError, match="a pipe that nobody reads yet"):
+        await NodeManager(config(root, mirror=str(pipe))).open()
+    reader = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)
+    try:
+        async with NodeManager(config(root, mirror=str(pipe))) as node:
+            component, peer = await traffic(node, introduce, udp)
+            large = judp.pack(Packet(FAR, HERE, bytes(30_000), 2))
+            while not node.counters["mirror.lost"]:
+                peer.sendto(large, ("127.0.0.1", node.port))
+                assert await receive(component) == large
+    finally:
+        os.close(reader)
+
+
 async def test_a_mirror_that_cannot_be_written_is_told_and_nothing_stays_open(root: Path, tmp_path: Path) -> None:
     file = tmp_path / "nowhere" / "all.pcapng"
     with pytest.raises(TransportError, match=f"cannot write the mirror {file}: No such file or directory"):
         await NodeManager(config(root, mirror=str(file))).open()
+    with pytest.raises(TransportError, match="cannot write the mirror /dev/full: No space left"):
+        await NodeManager(config(root, mirror="/dev/full")).open()
     assert list(root.iterdir()) == []
 
 

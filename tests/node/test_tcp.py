@@ -214,13 +214,45 @@ async def test_ipv6_both_ways(root: Path, free_port: int) -> None:
         await b.transport.close()
 
 
-async def test_connections_are_bounded(node: NodeManager, monkeypatch: pytest.MonkeyPatch) -> None:
+SPEAKS = "02 001000 01 02016400 0101c800 1112 0100"
+
+
+async def test_connections_are_bounded(node: NodeManager, here: Inbox, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(tcp, "MAX_CONNECTIONS", 1)
-    async with peer(node):
-        await until(lambda: node.counters["tcp.accepted"] == 1)
+    async with peer(node) as first:
+        first.send(SPEAKS)
+        await here.next()
         async with peer(node) as second:
             assert await second.ended()
     assert node.counters["tcp.refused"] == 1
+
+
+async def test_who_connects_and_says_nothing_gives_its_place_to_the_next(
+    node: NodeManager, here: Inbox, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(tcp, "MAX_CONNECTIONS", 2)
+    async with peer(node) as silent:
+        silent.send(SPEAKS[:-2])
+        await until(lambda: node.counters["tcp.accepted"] == 1)
+        async with peer(node) as one, peer(node) as other:
+            assert await silent.ended()
+            for each in (one, other):
+                each.send(SPEAKS)
+                await here.next()
+    assert (node.counters["tcp.refused"], node.counters["tcp.accepted"]) == (1, 3)
+
+
+async def test_a_flood_on_connections_delays_nobody_else(node: NodeManager, here: Inbox) -> None:
+    """Between any two turns of the event loop only so much is read of each."""
+    seen = []
+    async with peer(node) as first, peer(node) as second:
+        for each in (first, second):
+            each.writer.write(bytes.fromhex(SPEAKS)[:1] + bytes.fromhex(SPEAKS)[1:] * 20_000)
+        for _ in range(100):
+            before = node.counters["received.tcp"]
+            await asyncio.sleep(0)
+            seen.append(node.counters["received.tcp"] - before)
+    assert 0 < max(seen) <= 2 * (stream.READ_SIZE // 16 + 1)
 
 
 async def test_peers_of_the_address_book_are_connected_to_and_again(root: Path, free_port: int) -> None:

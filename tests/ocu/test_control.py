@@ -84,14 +84,18 @@ async def test_refusal_names_holder_and_authorities(world):
                 pytest.fail("two clients in control")
 
     assert str(refusal.value) == "101.1.1 is held by 42.1.1 with authority 220; you asked with 200"
+    assert (refusal.value.holder, refusal.value.authority) == (HOLDER, 220)
 
 
 async def test_too_little_authority_names_the_least(world):
     await world.robot()
     driver = await driver_of(await world.ocu())
-    with pytest.raises(ControlRejected, match=r"101\.1\.1 gives control to authority 1 and above; you asked with 0"):
+    with pytest.raises(
+        ControlRejected, match=r"101\.1\.1 gives control to authority 1 and above; you asked"
+    ) as refusal:
         async with driver.control(authority=0):
             pytest.fail("controlled without authority")
+    assert (refusal.value.holder, refusal.value.authority) == (None, None)
 
 
 async def test_emergency_gives_no_control(world):
@@ -124,6 +128,42 @@ async def test_preemption_stops_the_losers_commands_and_not_the_winners(world):
             assert robot.host.controller == JausID(43, 1, 1)
             assert not control.held
     assert len(world.network.sent(ReleaseControl, HOLDER)) == 0
+
+
+async def test_who_loses_control_is_told_who_has_it(world):
+    await world.robot()
+    weak, strong = await driver_of(await world.ocu()), await driver_of(await world.ocu("43.1.1"))
+
+    async with weak.control(authority=100) as control, strong.control(authority=200):
+        await asyncio.wait_for(control.until_lost(), 2)
+        assert control.lost == "101.1.1 took it back, and is held by 43.1.1 with authority 200; you had 100"
+        with pytest.raises(ControlRejected) as refusal:
+            control.check()
+        assert (refusal.value.holder, refusal.value.authority) == (JausID(43, 1, 1), 200)
+
+
+async def test_who_has_it_may_stay_unknown(world):
+    await world.robot()
+    weak, strong = await driver_of(await world.ocu()), await driver_of(await world.ocu("43.1.1"))
+
+    async with weak.control(authority=100) as control:
+        world.network.lose(ReportControl, times=100)
+        async with strong.control(authority=200):
+            await asyncio.wait_for(control.until_lost(), 4)
+            assert control.lost.startswith("101.1.1 took it back: another client outranked you")
+
+
+async def test_an_emergency_in_standby_does_not_lose_control(world):
+    await world.robot(timeout=1)
+    driver, other = await driver_of(await world.ocu()), await world.ocu("43.1.1")
+
+    async with driver.control() as control:
+        await other.send("101.1.1", SetEmergency(emergency_code=1))
+        await asyncio.sleep(2.5)
+        assert control.lost == ""
+        await other.send("101.1.1", ClearEmergency(emergency_code=1))
+        await driver.resume()
+        assert control.held
 
 
 async def test_control_is_kept_alive_beyond_its_timeout(world):

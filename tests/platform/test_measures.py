@@ -11,9 +11,7 @@ from jauspy.errors import ConfigError
 from jauspy.modules.description import robot_model
 from jauspy.modules.robots import load
 from jauspy.platform.chassis import chassis_of
-from jauspy.platform.contract import Pose
-from jauspy.platform.description import Description, GroupSetup, Joint, JointKind, RobotModel, TrackSetup
-from jauspy.platform.frames3d import frame_at, frame_of
+from jauspy.platform.description import Description, GroupSetup, RobotModel, TrackSetup
 from jauspy.platform.measures import measure
 from jauspy.platform.urdf import parse
 
@@ -53,14 +51,6 @@ def test_joints_are_where_they_start() -> None:
     leaning = measure(cart(math.pi / 2))
     assert leaning.centre_of_gravity == pytest.approx((0.5 / 4, 0.0, (3 * 0.1 + 0.2) / 4))
     assert leaning.high == pytest.approx((1.0, 0.25, 0.25))
-
-
-def test_a_prismatic_joint_shifts_and_a_pose_turns() -> None:
-    lift = Joint("lift", JointKind.PRISMATIC, "a", "b", Pose(x=1.0, yaw=math.pi / 2), axis=(1.0, 0.0, 0.0))
-    assert frame_at(lift, 2.0).of((0.0, 0.0, 0.0)) == pytest.approx((1.0, 2.0, 0.0))
-    there = frame_of(Pose(roll=0.1, pitch=-0.2, yaw=0.3)).then(frame_of(Pose(x=1.0)))
-    cp, sp = math.cos(-0.2), math.sin(-0.2)
-    assert there.origin == pytest.approx((math.cos(0.3) * cp, math.sin(0.3) * cp, -sp))
 
 
 def test_a_mass_that_is_no_number_names_its_link() -> None:

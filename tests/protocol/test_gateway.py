@@ -3,7 +3,7 @@
 import pytest
 
 from jauspy.ids import EVERYONE, JausID
-from jauspy.protocol import judp, junior
+from jauspy.protocol import judp, junior, rules
 from jauspy.protocol.gateway import Gateway
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet
 from jauspy.protocol.node import NodeCore
@@ -180,6 +180,16 @@ def test_fragments_follow_the_first_of_them() -> None:
             first = code if flag is DataFlag.FIRST else 0xFFFF
             data = message(OCU, MOB, sequence, first, data_flag=flag)
             assert bool(after(core, data, OCU_PORT)) is passes
+
+
+def test_the_first_fragment_opens_the_way_for_a_while_only() -> None:
+    core = gateway(Rule(allow=True, source=OCU, messages=(range(0x0405, 0x0406),)))
+    after(core, message(MOB, OCU), MOB_PORT)
+    assert after(core, message(OCU, MOB, 1, 0x0405, data_flag=DataFlag.FIRST), OCU_PORT)
+    late = rules.STREAM_PATIENCE - 1
+    assert after(core, message(OCU, MOB, 2, data_flag=DataFlag.MIDDLE), OCU_PORT, late)
+    assert after(core, message(OCU, MOB, 3, data_flag=DataFlag.MIDDLE), OCU_PORT, 2 * late)
+    assert not after(core, message(OCU, MOB, 4, data_flag=DataFlag.LAST), OCU_PORT, 2 * late + rules.STREAM_PATIENCE)
 
 
 def test_acknowledgements_pass_where_a_message_may() -> None:

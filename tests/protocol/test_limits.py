@@ -4,9 +4,10 @@ import pytest
 
 from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
-from jauspy.protocol import buckets, judp, junior, seal, sources
+from jauspy.protocol import buckets, directory, heard, judp, junior, reports, seal, sources
 from jauspy.protocol.buckets import TokenBuckets
 from jauspy.protocol.header import Packet, Priority, peek_priority
+from jauspy.protocol.heard import Heard
 from jauspy.protocol.node import NodeCore
 from jauspy.protocol.ports import LocalPort, UdpPort
 from jauspy.protocol.seal import Seal
@@ -69,6 +70,64 @@ def test_an_id_keeps_its_host_until_it_was_silent() -> None:
     assert node.counters["dropped.address_mismatch"] == 1
     assert received(node, query(3), now=10.0) == 1
     assert received(node, query(4), "10.0.0.66", 10.0 + sources.SILENCE) == 1
+
+
+def test_a_host_that_makes_up_ids_makes_nobody_elses_be_forgotten() -> None:
+    """Neither where they are to be heard, nor where they are reached."""
+    node = core()
+    node.receive(query(1), UdpPort("10.0.0.1", 3794), 0.0)
+    for number in range(2 * heard.MAX_IDS):
+        made_up = JausID.from_int(0x02000101 + (number << 8 & 0xFF0000) + (number & 0x7F))
+        other = judp.pack(Packet(made_up, FAR, b"", number & 0xFFFF))
+        node.receive(other, UdpPort("10.0.0.66", 3794), number * 1e-4)
+    node.poll_output()
+    assert len(node.address_book) <= heard.MAX_OF_HOST + 1
+    assert received(node, query(2), "10.0.0.66", 2.0) == 0
+    answer = judp.pack(Packet(HERE, FAR, b"\x02\x40", 3))
+    node.receive(answer, PORT, 2.0)
+    assert node.poll_output() == [(UdpPort("10.0.0.1", 3794), answer)]
+
+
+def test_ids_of_one_host_are_bounded_the_one_heard_longest_ago_goes_first() -> None:
+    places, port, other = Heard(limit=4, of_host=2), UdpPort("10.0.0.1", 3794), UdpPort("10.0.0.2", 3794)
+    for now, id in enumerate((1, 2, 1, 3)):
+        places.note(id, port, float(now))
+    places.note(4, other, 9.0)
+    assert [id for id, _, _ in places] == [1, 3, 4]
+    places.drop_older(3.0)
+    assert [id for id, _, _ in places] == [4]
+    for number, id in enumerate((5, 6, 7, 8)):
+        places.note(id, UdpPort(f"10.0.1.{number}", 1), 10.0)
+    assert len(places) == 4
+    assert places.get(4) is None
+
+
+def test_whoever_uses_an_id_twice_is_told_once_and_a_flood_of_them_is_only_counted(
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    node = core()
+    stolen = judp.pack(Packet(HERE, FAR, b"", 1))
+    for port in range(1000):
+        node.receive(stolen, UdpPort("10.0.0.66", port), 0.0)
+    assert len(caplog.records) == 1
+    for number in range(1000):
+        node.receive(stolen, UdpPort(f"10.0.{number >> 8}.{number & 255}", 3794), 1.0)
+    assert len(caplog.records) <= reports.BURST + 1
+    assert node.counters["dropped.hijack"] == 2000
+
+
+def test_components_by_udp_leave_places_for_those_with_a_socket() -> None:
+    node = NodeCore("/root")
+    for number in range(directory.MAX_BY_UDP + 10):
+        id = JausID(7, 1 + number // 200, 1 + number % 200)
+        node.receive(junior.connect(id), UdpPort("127.0.0.1", 5000 + number), 0.0)
+    assert len(node.components) == directory.MAX_BY_UDP
+    assert node.counters["dropped.component_refused"] == 10
+    node.receive(junior.connect(HERE), PORT, 0.0)
+    assert int(HERE) in node.components
+    node.receive(junior.cancel(JausID(7, 1, 1)), UdpPort("127.0.0.1", 5000), 0.0)
+    node.receive(junior.connect(JausID(9, 1, 1)), UdpPort("127.0.0.1", 4999), 0.0)
+    assert int(JausID(9, 1, 1)) in node.components
 
 
 def test_the_check_of_addresses_can_be_switched_off() -> None:

@@ -103,7 +103,8 @@ def test_ids_that_are_used_twice_are_reported_once_each(caplog: pytest.LogCaptur
     assert ["/root/thief" in told[0], "10.0.0.9:3794" in told[1], len(told)] == [True, True, 2]
     assert (core.counters["dropped.duplicate_id"], core.counters["dropped.hijack"]) == (2, 2)
     for number in range(reports.MEMORY + 5):
-        receive(core, judp.pack(Packet(OURS, THEIRS, b"\x02\x20")), UdpPort("10.0.0.8", number))
+        stolen = judp.pack(Packet(OURS, THEIRS, b"\x02\x20"))
+        core.receive(stolen, UdpPort(f"10.0.{number >> 8}.{number & 255}", 3794), 100.0 * number)
     assert len(core._reports._told) == reports.MEMORY
 
 

@@ -104,7 +104,29 @@ BODIES = {
     ),
     "empty string": (
         f'<record name="R">\n<fixed_length_string name="S" string_length="0"/>{HERE}</record>',
-        "string_length: expected at least 1, got 0",
+        "string_length: expected 1 to 1048576, got 0",
+    ),
+    "endless string": (
+        f'<record name="R">\n<fixed_length_string name="S" string_length="99999999999"/>{HERE}</record>',
+        "string_length: expected 1 to 1048576, got 99999999999",
+    ),
+    "endless array": (
+        f'<record name="R">\n<array name="A">{HERE}{BYTE}<dimension name="d" size="1048577"/></array></record>',
+        "array 'A' takes 1048577 bytes; 1048576 are the most",
+    ),
+    "more arms than tags": (
+        f'<variant name="V">{HERE}\n<vtag_field {U8}/>'
+        + "".join(RECORD.replace('"R"', f'"R{number}"') for number in range(257))
+        + "</variant>",
+        "257 arms, but its tag knows only 256; take a larger type",
+    ),
+    "values sent as distances": (
+        (
+            '<record name="R"><fixed_field name="N" field_type="byte" field_units="one">\n'
+            f'<value_set offset_to_lower_limit="true">{HERE}<value_enum enum_index="5" enum_const="A"/></value_set>'
+            "</fixed_field></record>"
+        ),
+        "distance from 5 are not supported; say false if they are sent as they are",
     ),
     "empty array": (
         f'<record name="R"><array name="A">{BYTE}\n<dimension name="d" size="0"/>{HERE}</array></record>',

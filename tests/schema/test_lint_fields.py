@@ -37,9 +37,16 @@ def optionals(count: int, here: str = "") -> str:
     return record(f"<presence_vector {U8}/>{here}\n{fields}")
 
 
-def scale(low: str, high: str, here: str = "") -> str:
+def scale(low: str, high: str, here: str = "", kind: str = "unsigned byte") -> str:
     limits = f'real_lower_limit="{low}" real_upper_limit="{high}"'
-    return number(f'<scale_range {limits} integer_function="round"/>{here}')
+    return number(f'<scale_range {limits} integer_function="round"/>{here}', kind)
+
+
+def nested(depth: int, here: str = "") -> str:
+    inner = RECORD
+    for _ in range(depth):
+        inner = f'<list name="L"><count_field {U8} {GOOD_COUNT}/>{inner}</list>'
+    return f"{here}{inner}"
 
 
 def values(inner: str, here: str = "", kind: str = "unsigned byte") -> str:
@@ -108,6 +115,11 @@ RULES = {
         "tag of 'V' allows 0..2, but its 2 arms are 0..1; write",
     ),
     "scale-limits": (scale("2", "1", HERE), scale("1", "2"), "scale of 'F' goes from 2 to 1; swap them"),
+    "scale-type": (
+        scale("0", "1", HERE, "float"),
+        scale("0", "1", kind="unsigned integer"),
+        "scale of 'F' means nothing, it is a float; write a value_set",
+    ),
     "value-range": (values(span(2, 1, HERE)), values(span(1, 2)), "range of 'F' goes from 2 to 1; swap them"),
     "value-set": (
         values(f"{enum(256, 'BIG')}\n{span(0, 1)}", HERE),
@@ -146,6 +158,21 @@ def test_wrong_is_found(jsidl, code):
 def test_right_is_not(jsidl, code):
     jsidl.service(body=RULES[code][1])
     assert jsidl.lint(code) == []
+
+
+@pytest.mark.parametrize("kind", ["unsigned long integer", "long integer"])
+def test_scales_finer_than_floats(jsidl, kind):
+    jsidl.service(body=scale("-1e6", "1e6", HERE, kind))
+    [message] = jsidl.lint("scale-type")
+    assert "steps of 'F' are finer than those of a float" in message
+
+
+def test_more_lists_in_lists_than_python_takes(jsidl):
+    messages = [jsidl.message(nested(depth), name=f"M{depth}", code=f"00{depth}") for depth in (16, 17)]
+    jsidl.service(messages="\n".join([messages[0], messages[1].replace(">\n", f">{HERE}\n", 1)]))
+    assert jsidl.lint("no-code") == [
+        "message M17: 'L' has more than 16 lists and arrays one inside the other; flatten it"
+    ]
 
 
 def test_unbounded_list(jsidl):

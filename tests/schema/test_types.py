@@ -55,11 +55,11 @@ def test_scale_with_constants(jsidl, function):
 def test_values(jsidl):
     field = jsidl.field(
         '<fixed_field name="N" field_type="byte" field_units="one" optional="false">'
-        '<value_set offset_to_lower_limit="true"><value_enum enum_index="-1" enum_const="OFF"/>'
+        '<value_set offset_to_lower_limit="true"><value_enum enum_index="1" enum_const="ON"/>'
         '<value_range lower_limit="0" lower_limit_type="exclusive" upper_limit="7" upper_limit_type="inclusive"/>'
         "</value_set></fixed_field>"
     )
-    assert field.values == m.ValueSet((m.ValueEnum(-1, "OFF"),), (m.ValueRange(0, 7, False, True),), True)
+    assert field.values == m.ValueSet((m.ValueEnum(1, "ON"),), (m.ValueRange(0, 7, False, True),), True)
 
 
 def test_declared_values(jsidl):

@@ -19,14 +19,15 @@ SCHEMA = load_builtin()
 SERVICES = [each for each in SCHEMA.services if each.behavior]
 IDS = [f"{each.id.rpartition(':')[0].rpartition(':')[2]}-{each.name}-{each.version}" for each in SERVICES]
 QUERY_STATUS = ("urn:jaus:jss:core:Management", "1.1", 0x2002)
+REPORTS = {snake(message.name) for each in SERVICES for message in each.outputs}
 TARGETS = {(each.cls.SERVICE, each.cls.VERSION, each.cls.CODE): each for each in targets(registry, SCHEMA)}
 
 
 class Willing(Service, private=True):
-    """Has a method for everything, does nothing and allows everything; lends nothing to those who inherit."""
+    """Has a method for everything, does and sends nothing and allows everything; lends nothing to those who inherit."""
 
     def __getattr__(self, name: str):
-        return lambda: True
+        return lambda: None if name in REPORTS else True
 
 
 class Bare(Service):

@@ -47,14 +47,14 @@ class Willing(Service):
     def __init__(self, script: Script) -> None:
         self.script = script
 
-    def __getattr__(self, name: str) -> Callable[[], bool]:
+    def __getattr__(self, name: str) -> Callable[[], bool | None]:
         return lambda: self._call(name)
 
-    def _call(self, name: str) -> bool:
+    def _call(self, name: str) -> bool | None:
         if name in self.script.truth:
             return self.script.truth[name]
         self.script.called.append(name)
-        return False
+        return None
 
 
 def lineage(definition: model.Service) -> list[model.Service]:

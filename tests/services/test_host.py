@@ -7,7 +7,6 @@ from pathlib import Path
 import pytest
 from hypothesis import HealthCheck, given, settings, strategies as st
 
-from jauspy.codec.base import Message
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages import registry
@@ -125,14 +124,19 @@ def test_services_choose_priority_and_broadcast(make) -> None:
     assert sent[0].payload == ReportHeartbeatPulse().encode()
 
 
-def test_what_cannot_be_encoded_is_counted_and_not_sent(make) -> None:
-    class Wrong(Liveness):
-        def report_heartbeat_pulse(self) -> Message:
-            return ReportWrenchEffort(propulsive_linear_effort_x=1000.0)
+def test_what_cannot_be_encoded_is_logged_as_a_bug_and_not_sent(make, caplog) -> None:
+    rig = make(Liveness())
+    rig.host.send(SOURCE, ReportWrenchEffort(propulsive_linear_effort_x=1000.0))
+    assert rig.sent() == []
+    assert (rig.host.counters["unencodable"], rig.host.counters["action_failed"]) == (1, 1)
+    assert "encoding ReportWrenchEffort failed" in caplog.text
+    assert "1000.0 is outside -100.0..100.0" in caplog.text
 
-    rig = make(Wrong())
-    assert rig.tell(A, QueryHeartbeatPulse()) == []
-    assert rig.host.counters["unencodable"] == 1
+
+def test_an_event_that_nothing_has_is_an_error(make) -> None:
+    rig = make(Management())
+    with pytest.raises(ConfigError, match=r"101\.1\.1 has an internal event Initialised; there are .*Init"):
+        rig.host.fire("Initialised")
 
 
 # --- late callers
@@ -193,7 +197,7 @@ def test_internal_events_that_bring_up_more_are_bounded(make) -> None:
         def initialize(self) -> None:
             for _ in range(3):
                 self.host.fire("Initialized")
-                self.host.fire("Nonsense")
+                self.host.fire("Timedout")
 
     rig = make(Endless())
     rig.tell(A, RequestControl(100))
@@ -201,7 +205,7 @@ def test_internal_events_that_bring_up_more_are_bounded(make) -> None:
     assert rig.host.status is ReportStatus.Status.STANDBY
     for _ in range(1000):
         rig.host._agenda._busy = True
-        rig.host.fire("Nonsense")
+        rig.host.fire("Timedout")
     assert rig.host.counters["event_dropped"] > 0
 
 

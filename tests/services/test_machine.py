@@ -9,6 +9,7 @@ import pytest
 
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
+from jauspy.messages.core import ReportTime
 from jauspy.schema import model
 from jauspy.services.bind import Binder
 from jauspy.services.isolation import Bugs
@@ -320,15 +321,24 @@ def test_a_private_parent_does_not_lend_its_actions() -> None:
         Rig(asks, parent, Child=Own(), S=Private())
 
 
+REPORT = ReportTime()
+
+
 class Sends(Service):
     def __init__(self) -> None:
         self.got: list[tuple[object, ...]] = []
+        self.answer: object = None
 
-    def report_it(self, query: str, source: JausID, code: str | None, extra: int = 5) -> str:
+    def report_time(self, query: str, source: JausID, code: str | None, extra: int = 5) -> ReportTime:
         self.got.append((query, source, code))
-        return "report"
+        return REPORT
+
+    def report_status(self) -> object:
+        return self.answer
 
     def wrong(self, message: str) -> None: ...
+
+    async def report_later(self) -> None: ...
 
 
 def sending(*arguments: str) -> model.Service:
@@ -344,10 +354,10 @@ def sending(*arguments: str) -> model.Service:
 @pytest.mark.parametrize(
     ("arguments", "code", "to_source"),
     [
-        (("'ReportIt'", "transportData"), None, True),
-        (("'ReportIt'", "msg", "transportData"), None, True),
-        (("'ReportIt'", "'A_CODE'"), "A_CODE", False),
-        (("'ReportIt'", "'A_CODE'", "'transportData'"), "A_CODE", True),
+        (("'ReportTime'", "transportData"), None, True),
+        (("'ReportTime'", "msg", "transportData"), None, True),
+        (("'ReportTime'", "'A_CODE'"), "A_CODE", False),
+        (("'ReportTime'", "'A_CODE'", "'transportData'"), "A_CODE", True),
     ],
 )
 def test_send_calls_the_report_method_by_name(arguments: tuple[str, ...], code: str | None, to_source: bool) -> None:
@@ -355,12 +365,26 @@ def test_send_calls_the_report_method_by_name(arguments: tuple[str, ...], code: 
     rig = Rig(sending(*arguments), S=service)
     rig.get("Ask")
     assert service.got == [("Ask", CLIENT, code)]
-    assert rig.sent == [("report", to_source)]
+    assert rig.sent == [(REPORT, to_source)]
 
 
 def test_an_unknown_parameter_is_refused() -> None:
     with pytest.raises(ConfigError, match="parameter `message` is not one of msg, query, source, code"):
         Rig(sending("'Wrong'"), S=Sends())
+
+
+@pytest.mark.parametrize("answer", [REPORT, ReportTime, {"status": 1}, True])
+def test_a_report_that_is_not_the_message_is_a_bug(answer: object) -> None:
+    service = Sends()
+    service.answer = answer
+    rig = Rig(sending("'ReportStatus'", "transportData"), S=service)
+    assert rig.get("Ask") is Outcome.FAILED
+    assert rig.sent == []
+
+
+def test_a_coroutine_is_refused() -> None:
+    with pytest.raises(ConfigError, match=r"state Top: Send of ReportLater: Sends\.report_later is `async def`"):
+        Rig(sending("'ReportLater'", "transportData"), S=Sends())
 
 
 def test_a_default_transition_takes_what_no_other_of_its_state_takes() -> None:

@@ -8,9 +8,10 @@ from typing import Any
 import pytest
 
 import jauspy
+from jauspy.errors import ConfigError, SchemaError
 from jauspy.messages.core import ConfirmEventRequest, CreateEvent, Event, RejectEventRequest
 from jauspy.schema import builtin_paths, load_files
-from jauspy.services.core import Discovery
+from jauspy.services.core import Discovery, Liveness
 from jauspy.services.service import Service
 
 JSIDL = """<?xml version="1.0" encoding="UTF-8"?>
@@ -127,3 +128,39 @@ def test_codes_for_experiments_can_be_subscribed_to_as_well(tmp_path: Path, make
     ((_, _, event),) = rig.run(0.5)
     assert event.report_message == report(charge=80).encode()
     assert isinstance(rig.ask("42.1.1", CreateEvent(1, 0, 1.0, report(charge=1).encode())), RejectEventRequest)
+
+
+def test_an_id_of_two_meanings_is_refused(tmp_path: Path, make) -> None:
+    file = tmp_path / "battery.xml"
+    file.write_text(JSIDL.replace("2FF0", "2202"))
+    registry = jauspy.load(file)
+
+    class Battery(Service, urn="urn:example:Battery", definitions=registry):
+        def report_battery(self) -> Any:
+            return None
+
+    make(Battery())
+    with pytest.raises(ConfigError, match="2202 is QueryBattery of urn:example:Battery and QueryHeartbeatPulse of urn"):
+        make(Battery(), Liveness())
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong", "problem"),
+    [
+        ("<internal/>", '<guard condition="a( and b"/><internal/>', r"46: guard 'a\( and b': expected"),
+        ("<internal/>", '<simple><end_state state="Receiving.Reddy"/></simple>', "46: .*no state 'Reddy'.*Ready"),
+        ('type="QueryBattery"', 'type="QueryBatery"', "46: .*receives 'QueryBatery'.*QueryBattery"),
+        ('initial_state="Ready"', 'initial_state="Rady"', "44: .*no state 'Rady'.*Ready"),
+    ],
+)
+def test_behaviour_that_cannot_run_is_told_with_file_and_line(tmp_path: Path, right: str, wrong: str, problem) -> None:
+    file = tmp_path / "battery.xml"
+    assert JSIDL.count(right) == 1
+    file.write_text(JSIDL.replace(right, wrong))
+
+    class Battery(Service, urn="urn:example:Battery", definitions=jauspy.load(file)):
+        def report_battery(self) -> Any:
+            return None
+
+    with pytest.raises(SchemaError, match=rf"battery\.xml:{problem}"):
+        jauspy.Component("101.1.120", [Battery()])

@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 from tests.services.conftest import FakeDrive, Rig
 
+from jauspy.errors import EncodeError
 from jauspy.messages.core import (
     CancelEvent,
     ClearEmergency,
@@ -43,6 +44,13 @@ CLIENTS = ("42.1.1", "42.2.1")
 STRANGER = "7.1.1"
 
 
+class Endless(ReportHeartbeatPulse):
+    """A report that cannot be encoded."""
+
+    def encode(self, **_: Any) -> bytes:
+        raise EncodeError("too long")
+
+
 class Moody(Liveness):
     """A heartbeat that does what report methods may do, good and bad."""
 
@@ -57,7 +65,7 @@ class Moody(Liveness):
             case "no message":
                 return 1
             case "unencodable":
-                return ReportTimeout(timeout=1000)
+                return Endless()
             case "chatty":
                 self.host.send(source, ReportTimeout(timeout=1))
             case "chatty with a bug":

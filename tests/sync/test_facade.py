@@ -15,12 +15,15 @@ from tests.ocu.test_elements import ROBOT, Driver, at, order, services, xs
 from jauspy.errors import ControlRejected, ElementRejected, ResponseTimeout, TransportError
 from jauspy.messages.core import QueryStatus, ReportStatus
 from jauspy.messages.mobility import QueryLocalPose, SetWrenchEffort
+from jauspy.modules.robots import load
 from jauspy.ocu import Appeared, Subsystem, Vanished
 from jauspy.sync import OCU
 from jauspy.sync.portal import Portal
 from jauspy.testing import LocalNode
 
 Status = ReportStatus.Status
+INC1 = load("inc1")
+MODULES = [str(INC1.id_of(module)) for module in INC1.modules]
 FULL = SetWrenchEffort(propulsive_linear_effort_x=60.0)
 
 
@@ -56,7 +59,7 @@ def test_the_whole_story(robot, node_manager, ocu):
         for pose in found.service("LocalPoseSensor").subscribe(QueryLocalPose(0x1FF), rate=10.0):
             if pose.x >= 0.2:
                 break
-    mobility, _, _ = robot.components
+    mobility = robot.components[0]
     assert mobility.host.state.endswith("NotControlled.Available.Standby")
     assert driver.status() == Status.STANDBY
     assert ocu.query(driver.id, QueryStatus(), expects=ReportStatus).status == Status.STANDBY
@@ -64,7 +67,7 @@ def test_the_whole_story(robot, node_manager, ocu):
 
 def test_each_answer_to_a_wildcard_and_subscriptions(robot, ocu):
     sources = {str(source) for source, _ in ocu.query_each("101.255.255", QueryStatus(), within=0.5)}
-    assert sources == {"101.1.102", "101.1.104", "101.1.105"}
+    assert sources == set(MODULES)
     sensor = ocu.discover_all(timeout=0.5)[0].service("LocalPoseSensor")
     with sensor.subscribe(QueryLocalPose(0x43), rate=20.0) as poses:
         assert poses.confirmed_rate == pytest.approx(20, abs=0.1)
@@ -202,5 +205,5 @@ def test_ctrl_c_leaves_the_robot_in_standby(robot, node_manager, ocu, wait):
         process.kill()
         process.wait()
     assert problems.endswith("KeyboardInterrupt\n")
-    mobility, _, _ = robot.components
+    mobility = robot.components[0]
     assert mobility.host.state.endswith("NotControlled.Available.Standby")

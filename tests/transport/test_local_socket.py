@@ -1,6 +1,7 @@
 """Unix sockets by name: who is alive, who is dead, and what a person is told who cannot have one."""
 
 import os
+import resource
 import socket
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -9,6 +10,8 @@ from pathlib import Path
 import pytest
 
 from jauspy.errors import TransportError
+from jauspy.node.sweep import nobody_has
+from jauspy.protocol.ports import UdpPort
 from jauspy.transport import local_socket
 
 
@@ -106,3 +109,17 @@ def test_only_dead_sockets_are_cleaned_up(root: Path) -> None:
         for path in (file, alive, dead, root / "nothing"):
             local_socket.clean_up(path)
         assert sorted(root.iterdir()) == [alive, file]
+
+
+def test_without_a_file_to_spare_nobody_is_taken_for_dead(tmp_path: Path) -> None:
+    """A probe needs a socket of its own; a process that has no more must not drop its components for it."""
+    path = tmp_path / "living"
+    soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
+    with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as sock:
+        sock.bind(str(path))
+        resource.setrlimit(resource.RLIMIT_NOFILE, (0, hard))
+        try:
+            found = local_socket.is_dead(path), nobody_has(UdpPort("127.0.0.1", 1))
+        finally:
+            resource.setrlimit(resource.RLIMIT_NOFILE, (soft, hard))
+    assert found == (False, False)

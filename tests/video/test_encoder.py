@@ -8,12 +8,12 @@ pytest.importorskip("cv2", reason="the extra 'video' is not installed")
 import numpy as np
 
 from jauspy.errors import ConfigError
+from jauspy.platform.video_settings import VideoSettings
 from jauspy.video import nal
 from jauspy.video.decoder import H264Decoder
 from jauspy.video.depacketiser import Picture
 from jauspy.video.encoder import H264Encoder
 from jauspy.video.packetiser import MAX_PAYLOAD
-from jauspy.video.settings import VideoSettings
 from jauspy.video.stamp import read
 
 

@@ -16,11 +16,11 @@ pytest.importorskip("cv2", reason="the extra 'video' is not installed")
 
 import numpy as np
 
+from jauspy.platform.video_settings import VideoSettings
 from jauspy.video.encoder import H264Encoder
 from jauspy.video.receiver import RtpReceiver
 from jauspy.video.sdp import session
 from jauspy.video.sender import RtpSender
-from jauspy.video.settings import VideoSettings
 from jauspy.video.stamp import read
 
 RATE = 15

@@ -11,13 +11,13 @@ pytest.importorskip("av", reason="the extra 'video' is not installed")
 pytest.importorskip("cv2", reason="the extra 'video' is not installed")
 
 from jauspy.errors import ConfigError, TransportError
+from jauspy.platform.video_settings import VideoSettings
 from jauspy.video import extra, rtcp
 from jauspy.video.decoder import H264Decoder
 from jauspy.video.encoder import H264Encoder
 from jauspy.video.receiver import RtpReceiver
 from jauspy.video.recorder import Recorder
 from jauspy.video.sender import IDR_PAUSE, MAX_RECEIVERS, RtpSender
-from jauspy.video.settings import VideoSettings
 from jauspy.video.stamp import read
 
 RATE = 15

@@ -179,7 +179,7 @@ EFFORT = 200 / 0xFFFF
 def efforts_decode(data: bytes) -> list[Effort]:
     """A list of numbers."""
     code, count = struct.unpack_from("<HB", data)
-    if code != 0x0601 or len(data) != 3 + 2 * count:
+    if code != 0xD601 or len(data) != 3 + 2 * count:
         raise ValueError(data)
     return [Effort(-100.0 + raw * EFFORT) for raw in struct.unpack_from(f"<{count}H", data, 3)]
 
@@ -187,4 +187,4 @@ def efforts_decode(data: bytes) -> list[Effort]:
 def efforts_encode(efforts: list[Effort]) -> bytes:
     """The same in the other direction."""
     raw = [_raw(effort.joint_effort, -100.0, 100.0, EFFORT) for effort in efforts]
-    return struct.pack(f"<HB{len(raw)}H", 0x0601, len(raw), *raw)
+    return struct.pack(f"<HB{len(raw)}H", 0xD601, len(raw), *raw)

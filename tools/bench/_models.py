@@ -50,7 +50,7 @@ def registry() -> Registry:
     """The messages, generated as those of a user's own JSIDL are."""
     efforts = m.List(name="EffortList", count=m.Count("u8", 0, 255), element=EFFORT)
     messages = (
-        message("SetEfforts", 0x0601, efforts),
+        message("SetEfforts", 0xD601, efforts),
         message("Attitude", 0xF00A, ATTITUDE),
         message("Odometry", 0xF00B, ODOMETRY),
     )

@@ -57,7 +57,7 @@ def against_hand(seconds: float) -> None:
     uri = b"urn:jaus:jss:mobility:PrimitiveDriver"
     component = b"\x01\x00\x04" + (bytes([len(uri)]) + uri + b"\x01\x01") * 4
     services = b"\x03\x4b\x02" + (b"\x01\x03" + component * 3) * 2
-    efforts = b"\x01\x06\x06" + bytes.fromhex("000034127856bc9adef0ffff")
+    efforts = b"\x01\xd6\x06" + bytes.fromhex("000034127856bc9adef0ffff")
     set_efforts = _models.registry().by_name("SetEfforts")
     rows: tuple[tuple[type[Message], bytes, Callable[[bytes], Any], Callable[[Any], bytes]], ...] = (
         (ReportVelocityState, velocity, hand.velocity_decode, hand.velocity_encode),

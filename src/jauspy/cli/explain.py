@@ -23,7 +23,7 @@ def explanation(content: Content, model_of: Callable[[type[Message]], model.Mess
     try:
         rows = reference.explain(model_of(type(content.message)), content.payload)
     except DecodeError as error:
-        yield Text(f"not explained: {error}", style="yellow")
+        yield Text(": ".join(filter(None, ("not explained", error.path, error.reason))), style="yellow")
         return
     cells = [("offset", "bytes", "field", "raw", "value")]
     cells += [

@@ -12,12 +12,20 @@ import typer
 
 from jauspy.cli import console
 from jauspy.cli.help import help_text
-from jauspy.errors import ConfigError
+from jauspy.errors import ConfigError, SchemaError
 
 if TYPE_CHECKING:
     from jauspy.fuzz.campaign import Outcome, Plan
     from jauspy.fuzz.findings import Finding
 
+Own = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--from",
+        metavar="FILE",
+        help="Your own JSIDL files, folders or patterns; their messages are tested, not those built in.",
+    ),
+]
 _LINES: Final = 10  # of progress in a pipe
 
 
@@ -32,6 +40,7 @@ def codec(
     message: Annotated[
         list[str] | None, typer.Option("--message", metavar="NAME", help="Only this message; may be repeated.")
     ] = None,
+    sources: Own = None,
     jobs: Annotated[int, typer.Option("--jobs", "-j", min=1, metavar="N", help="Processes to use.")] = 1,
 ) -> None:
     """Decode valid, random and damaged messages, and check what must hold for any bytes.
@@ -43,17 +52,21 @@ def codec(
     Examples:
       jauspy fuzz codec run.pcap --cases 1000000 --jobs 2
       jauspy fuzz codec --message ReportServices --seed 7
+      jauspy fuzz codec --from vendor/ --cases 20000
     """
+    from jauspy.codec.base import counted
     from jauspy.fuzz.campaign import Plan, run
 
     with _wrong_use():
         payloads = [payload for path in seeds or [] for payload in _payloads(path)]
-        plan = Plan(cases, seed, tuple(dict.fromkeys(payloads)), tuple(message or ()), jobs)
+        plan = Plan(cases, seed, tuple(dict.fromkeys(payloads)), tuple(message or ()), jobs, tuple(sources or ()))
         with _progress(plan) as show:
             outcome = run(plan, show)
     for finding in sorted(outcome.findings.values(), key=lambda finding: finding.case):
-        _print(finding, finding.save(out))
-    found = f"{len(outcome.findings)} findings" if outcome.findings else "nothing found"
+        _print(finding)
+        again = [str(finding.save(out)), *(f"--from {source}" for source in sources or ())]
+        print(f"  jauspy fuzz replay {' '.join(again)}")
+    found = counted(len(outcome.findings), "finding") if outcome.findings else "nothing found"
     print(f"{outcome.cases} cases from {outcome.seeds} seeds of {outcome.messages} messages: {found}")
     if outcome.findings:
         raise typer.Exit(1)
@@ -68,7 +81,11 @@ def _payloads(path: Path) -> list[bytes]:
     return found
 
 
-def replay(*, file: Annotated[Path, typer.Argument(metavar="FILE", help="A finding that was saved.")]) -> None:
+def replay(
+    *,
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="A finding that was saved.")],
+    sources: Own = None,
+) -> None:
     """Check the bytes of a finding again.
 
     Exit status: 0 nothing is wrong with them any more, 1 they still show a problem, 2 wrong use.
@@ -81,7 +98,7 @@ def replay(*, file: Annotated[Path, typer.Argument(metavar="FILE", help="A findi
 
     with _wrong_use():
         finding = load_finding(file)
-        again = fuzzer(Plan(0, finding.seed, only=(finding.message,))).replay(finding)
+        again = fuzzer(Plan(0, finding.seed, only=(finding.message,), own=tuple(sources or ()))).replay(finding)
     if again is None:
         print(f"{finding.cause}: not reproduced")
         return
@@ -94,17 +111,15 @@ def _wrong_use() -> Iterator[None]:
     """Files and names that are not there are wrong use."""
     try:
         yield
-    except ConfigError as error:
+    except (ConfigError, SchemaError) as error:
         console.error(str(error))
         raise typer.Exit(2) from None
 
 
-def _print(finding: Finding, path: Path | None = None) -> None:
+def _print(finding: Finding) -> None:
     console.stdout().print(f"[bold red]{finding.cause}[/]", highlight=False)
     print(f"  {finding.seen}")
     print(f"  {finding.hex if len(finding.hex) <= 200 else finding.hex[:200] + '...'} ({len(finding.data)} bytes)")
-    if path is not None:
-        print(f"  jauspy fuzz replay {path}")
 
 
 class _Show(Protocol):
@@ -141,7 +156,9 @@ class _Lines:
 
 
 def _state(outcome: Outcome) -> str:
-    return f"{outcome.accepted} valid, {len(outcome.findings)} findings"
+    from jauspy.codec.base import counted
+
+    return f"{outcome.accepted} valid, {counted(len(outcome.findings), 'finding')}"
 
 
 app = typer.Typer(

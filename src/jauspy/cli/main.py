@@ -13,7 +13,22 @@ import typer
 import typer.core
 
 from jauspy import __version__
-from jauspy.cli import conformance, console, decode, demo, fuzz, ls, new, node_manager, query, schema, send, up
+from jauspy.cli import (
+    conformance,
+    console,
+    decode,
+    demo,
+    fuzz,
+    ls,
+    map_robot,
+    new,
+    node_manager,
+    query,
+    schema,
+    send,
+    tf,
+    up,
+)
 from jauspy.cli.help import help_text
 from jauspy.errors import JausError
 
@@ -88,6 +103,8 @@ VERBS: Final[dict[str, Callable[..., None]]] = {
     "ls": ls.ls,
     "query": query.query,
     "send": send.send,
+    "tf": tf.tf,
+    "map": map_robot.map_robot,
     "decode": decode.decode,
     "conformance": conformance.conformance,
 }

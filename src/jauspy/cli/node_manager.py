@@ -52,7 +52,9 @@ def node_manager(
     interface: Annotated[
         list[str] | None,
         typer.Option(
-            "--interface", metavar="IP", help="Address of an interface to join the group on; may be repeated."
+            "--interface",
+            metavar="IP|NAME",
+            help='Interface to join the group on, by address or name, or "all"; may be repeated.',
         ),
     ] = None,
     metrics: Annotated[
@@ -102,6 +104,8 @@ def node_manager(
         "log": log,
         "log_level": "debug" if verbose else None,
     }
+    if as_json and not status:
+        raise typer.BadParameter("it goes with --status only", param_hint="--json")
     if status:
         return _status(local_root, config, as_json=as_json)
     settings = config_file.load(config, overrides)

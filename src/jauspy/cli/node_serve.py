@@ -5,10 +5,12 @@ from __future__ import annotations
 import asyncio
 import json
 import logging
+import resource
 import signal
 import sys
 from collections.abc import Callable, Mapping
 from datetime import UTC, datetime
+from typing import Final
 
 from jauspy.cli import console
 from jauspy.errors import ConfigError
@@ -17,6 +19,9 @@ from jauspy.node.service_manager import ServiceManager
 
 _LOGGER = logging.getLogger("jauspy.node")
 
+FILES: Final = 4096
+"""Files that the process may have open: a socket for each of 1024 components, connections, and what else there is."""
+
 
 async def serve(config: NodeConfig, read: Callable[[], NodeConfig] | None, *, quiet: bool) -> None:
     """Run a node manager until cancelled; say so when it is ready, print the counters at the end unless `quiet`.
@@ -24,6 +29,7 @@ async def serve(config: NodeConfig, read: Callable[[], NodeConfig] | None, *, qu
     `read` reads the configuration again, on SIGHUP.
     """
     start_log(config)
+    allow_files()
     async with NodeManager(config) as manager, ServiceManager() as services:
         loop = asyncio.get_running_loop()
         loop.add_signal_handler(signal.SIGUSR1, print_counters, manager.counters)
@@ -36,6 +42,14 @@ async def serve(config: NodeConfig, read: Callable[[], NodeConfig] | None, *, qu
         finally:
             if not quiet:
                 print_counters(manager.counters)
+
+
+def allow_files() -> None:
+    """Many systems begin with 1024, and let each process have more if it asks."""
+    soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
+    enough = FILES if hard == resource.RLIM_INFINITY else min(FILES, hard)
+    if soft != resource.RLIM_INFINITY and soft < enough:
+        resource.setrlimit(resource.RLIMIT_NOFILE, (enough, hard))
 
 
 def reload(manager: NodeManager, read: Callable[[], NodeConfig], services: ServiceManager) -> None:

@@ -5,11 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from importlib import import_module
-from typing import Any
+from typing import Any, Final
 
 from jauspy.codec.base import Message
 from jauspy.codec.shape import same_layout
 from jauspy.ids import is_called
+
+STANDARD: Final = "urn:jaus:jss:"
+"""How the URNs of published service sets begin."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,6 +32,11 @@ class Entry:
         assert isinstance(found, type)
         assert issubclass(found, Message)
         return found
+
+    @property
+    def edition(self) -> str:
+        """What gets its versions as a whole: a set of the standard, of anybody else each service."""
+        return self.service.rpartition(":")[0] if self.service.startswith(STANDARD) else self.service
 
     @property
     def order(self) -> tuple[int, ...]:

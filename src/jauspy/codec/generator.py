@@ -17,7 +17,7 @@ from jauspy.schema.model import Schema
 def generate(schema: Schema, package: str = "jauspy.messages", base: str | None = None) -> dict[str, str]:
     """The source of all files of `package`, by path relative to it; its registry is layered over that of `base`.
 
-    Raises `SchemaError` for what cannot be decoded in bounded time.
+    Raises `SchemaError` for what cannot be decoded in bounded time, and for lists that are nested too deeply.
     """
     modules = plan(schema)
     names = [module.name for module in modules]

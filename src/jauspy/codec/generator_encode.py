@@ -229,7 +229,7 @@ class _Encoder:
         lines = ["choice = self.choice"]
         for number, (index, plan) in enumerate(self.plan.choices):
             inner, values = self.checked.flat(plan, "self.value", "value")
-            body = [*inner, *self._append(["B", plan.code], ["choice", values[0]])]
+            body = [*inner, f"out += {self.constants.packer(f'B{plan.code}')}.pack(choice, {values[0]})"]
             lines += [f"{'el' if number else ''}if choice == {index}:", *indent(body)]
         return [*lines, "else: raise rt.Reject"]
 

@@ -67,7 +67,9 @@ def number_of(value: Any, path: str) -> float:
         raise EncodeError(f"{shown(value)} is not a number", path=path)
     try:
         number = float(value)
-    except (TypeError, ValueError, OverflowError) as error:
+    except OverflowError as error:
+        raise EncodeError(f"{shown(value)} is too large", path=path) from error
+    except (TypeError, ValueError) as error:
         raise EncodeError(f"{shown(value)} is not a number", path=path) from error
     return number
 

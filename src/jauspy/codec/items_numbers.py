@@ -32,7 +32,7 @@ def describe(intervals: Intervals, enum: type[IntEnum] | None) -> str:
     named = list(enum or ())
     parts = [f"{m.value} {m.name}" for m in named[:MOST_NAMES]]
     parts += [f"{len(named) - MOST_NAMES} more names"] if len(named) > MOST_NAMES else []
-    parts += [f"{lower:g}..{upper:g}" if lower != upper else f"{lower:g}" for lower, upper in intervals]
+    parts += [f"{lower}..{upper}" if lower != upper else f"{lower}" for lower, upper in intervals]
     return ", ".join(parts)
 
 

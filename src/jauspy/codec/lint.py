@@ -8,7 +8,12 @@ from typing import Final
 from lxml.etree import _Element as Element
 
 from jauspy.codec.names import attribute, constant, snake
+from jauspy.codec.planner import plan
+from jauspy.errors import SchemaError
 from jauspy.schema.lint import Problem, Rule, World
+from jauspy.schema.lint.fields import unbounded_list
+from jauspy.schema.lint.references import placed
+from jauspy.schema.own import load_own
 from jauspy.schema.reading import location
 
 _CONTAINERS: Final = ("record", "sequence", "variant", "bit_field")
@@ -39,4 +44,21 @@ def _collisions(elements: Iterable[Element], key: str, made: Callable[[str], str
             yield location(element), f"{reason}; one gets a number, rename it"
 
 
-RULES: Final = (Rule("python-name", "warning", "names that collide in Python", colliding_names),)
+def without_code(world: World) -> Iterator[Problem]:
+    """What loads, but no code can be made of; a rule of its own finds lists without bounds."""
+    if any(unbounded_list(world)):
+        return
+    try:
+        schema = load_own(world.paths)
+    except SchemaError:
+        return  # other rules say so
+    try:
+        plan(schema)
+    except SchemaError as error:
+        yield placed(error)
+
+
+RULES: Final = (
+    Rule("python-name", "warning", "names that collide in Python", colliding_names),
+    Rule("no-code", "error", "what no message class can be made of", without_code),
+)

@@ -22,7 +22,11 @@ _LETTERS = str.maketrans(
 )
 """Letters that Unicode does not take apart."""
 _DIMENSIONS = re.compile(r"(?<=\d)D(?![a-z])")
-_RESERVED = frozenset({"encode", "decode", "to_dict", "from_dict", "layout", "mro", "self", "cls"})
+_RESERVED = frozenset(
+    {"encode", "decode", "to_dict", "from_dict", "layout", "mro", "self", "cls"}  # of a message
+    | {"int", "float", "str", "bytes", "list", "rt"}  # in its annotations
+)
+_RESERVED_CLASSES = frozenset({"IntEnum", "Self"})
 
 
 def plain(name: str) -> str:
@@ -55,7 +59,9 @@ def class_name(name: str) -> str:
     """A valid class name that keeps the JAUS spelling where it can."""
     text = re.sub(r"\W+", "_", name).strip("_") or "Unnamed"
     text = text[0].upper() + text[1:]
-    return f"N{text}" if text[0].isdigit() else f"{text}_" if keyword.iskeyword(text) else text
+    if text[0].isdigit():
+        return f"N{text}"
+    return f"{text}_" if keyword.iskeyword(text) or text in _RESERVED_CLASSES else text
 
 
 def unique(name: str, taken: Callable[[str], bool]) -> str:

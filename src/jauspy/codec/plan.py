@@ -125,7 +125,8 @@ class ClassPlan:
     """A class to write. Which of the last fields count depends on `kind`.
 
     `called` says that its `_read` and `_write` are used; what is of one form only is read and written in place.
-    `same_as` is a message of another module that has the same body.
+    `same_as` is a message of another module that has the same body. `loops` are those that its code has one inside the
+    other where it is read and written in place.
     """
 
     kind: Literal["message", "composite", "bits", "choice", "format"]
@@ -146,6 +147,7 @@ class ClassPlan:
     aliases: dict[str, str] = field(default_factory=dict)
     called: bool = False
     same_as: str | None = None
+    loops: int = 0
 
 
 @dataclass(eq=False, slots=True)

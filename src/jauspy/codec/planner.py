@@ -69,6 +69,9 @@ QUERIES: Final = range(0x2000, 0x4000)
 REPORTS: Final = range(0x4000, 0x6000)
 ANSWERS: Final = ("Report", "Confirm", "Reject")
 
+MOST_LOOPS: Final = 16
+"""Python takes 20 blocks, one inside the other."""
+
 
 def plan(schema: Schema) -> list[ModulePlan]:
     """The modules of a schema: one per service, and one per set and version for declared types."""
@@ -98,10 +101,19 @@ def _service_module(service: Service, name: str, shared: SharedTypes) -> ModuleP
         if message.name not in taken:
             taken.add(message.name)
             owner = Owner(class_name(message.name), shared)
-            made = owner.message(message)
+            made = _located(owner, message)
             made.is_query = asks(message, service)
             module.classes.append(made)
     return module
+
+
+def _located(owner: Owner, message: Message) -> ClassPlan:
+    """The class of a message; a `SchemaError` says where the message is."""
+    try:
+        return owner.message(message)
+    except SchemaError as error:
+        file, line = (message.where.file, message.where.line) if message.where else (None, None)
+        raise SchemaError(f"message {message.name}: {error.reason}", file=file, line=line) from None
 
 
 def asks(message: Message, service: Service) -> bool:
@@ -196,6 +208,7 @@ class Owner:
         else:
             parts = (replace(node, optional=False),)
         made.slots = self._slots(parts, has_presence=made.presence is not None)
+        made.loops = 0 if made.presence else max((loops(slot.item) for slot in made.slots), default=0)
 
     def _slots(self, nodes: Sequence[Node], *, has_presence: bool) -> tuple[SlotPlan, ...]:
         names = attributes((node.name for node in nodes), "reserved_presence")
@@ -215,12 +228,12 @@ class Owner:
             case VariableLengthField():
                 return self._blob(node)
             case Array():
-                return GridPlan(self._item(node.element), tuple(d.size for d in node.dimensions))
+                return _shallow(node, GridPlan(self._item(node.element), tuple(d.size for d in node.dimensions)))
             case List():
                 item = self._item(node.element)
                 if not minimum(item):
                     raise SchemaError(f"list {node.name} repeats an item without content; the data cannot bound it")
-                return RepeatPlan(node.count, item)
+                return _shallow(node, RepeatPlan(node.count, item))
             case Variant() if node.arms:
                 return self._union(node)
             case _:
@@ -360,6 +373,26 @@ def intervals(values: ValueSet, code: str) -> tuple[tuple[float, float], ...]:
         if low <= high:
             made.append((low, high))
     return tuple(made)
+
+
+def loops(item: ItemPlan) -> int:
+    """How many loops its code has one inside the other; what has a method of its own begins anew."""
+    match item:
+        case RepeatPlan():
+            return 1 + loops(item.item)
+        case GridPlan():
+            return len(item.sizes) + loops(item.item)
+        case ObjectPlan():
+            return item.cls.loops
+        case _:
+            return 0
+
+
+def _shallow(node: Node, item: ItemPlan) -> ItemPlan:
+    """The item, if Python takes its code."""
+    if loops(item) > MOST_LOOPS:
+        raise SchemaError(f"'{node.name}' has more than {MOST_LOOPS} lists and arrays one inside the other; flatten it")
+    return item
 
 
 def minimum(item: ItemPlan) -> int:

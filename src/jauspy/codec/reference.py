@@ -58,6 +58,13 @@ def _parse(message: Message, data: bytes) -> Container:
     try:
         found = tree.parse(data)
     except ConstructError as error:
-        raise DecodeError(" ".join(str(error).split()), offset=len(data)) from error
+        *_, reason = str(error).splitlines() or [type(error).__name__]
+        raise DecodeError(reason, path=_path(error), offset=len(data)) from error
     assert isinstance(found, Container)
     return found
+
+
+def _path(error: ConstructError) -> str:
+    """The field that could not be read; construct's own names of the parts around it say nothing."""
+    parts = (error.path or "").split(" -> ")
+    return ".".join(part.removeprefix("f_") for part in parts if part.startswith("f_"))

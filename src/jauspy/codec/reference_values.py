@@ -282,16 +282,24 @@ def counted(data: bytes) -> dict[str, Any]:
 
 def real(raw: int, scale: m.Scale, top: int) -> float:
     """The real value, in rational arithmetic."""
-    lower, upper = Fraction(repr(float(scale.lower))), Fraction(repr(float(scale.upper)))
+    lower, upper = decimal_limits(scale)
     return float(lower + raw * (upper - lower) / top)
+
+
+def decimal_limits(scale: m.Scale) -> tuple[Fraction, Fraction]:
+    """Both ends of the range, which mean their shortest decimal form."""
+    return Fraction(repr(float(scale.lower))), Fraction(repr(float(scale.upper)))
 
 
 def raw_number(kind: m.FixedField | m.TypeChoice, value: Any) -> Any:
     """The raw form of a number."""
     code = CODES[kind.type]
     if kind.scale is not None and code not in FLOATS:
-        lower, upper = Fraction(repr(float(kind.scale.lower))), Fraction(repr(float(kind.scale.upper)))
-        return nearest_raw(value, lower, upper, limits(code)[1], kind.scale.function)
+        lower, upper, top = *decimal_limits(kind.scale), limits(code)[1]
+        nearest = nearest_raw(value, lower, upper, top)
+        if real(nearest, kind.scale, top) == value:
+            return nearest
+        return nearest_raw(value, lower, upper, top, kind.scale.function)
     return float(value) if code in FLOATS else number_of(value, kind.values)
 
 

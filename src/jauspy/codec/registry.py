@@ -78,8 +78,8 @@ class Registry:
         """The message ids that mean different things, lowest first.
 
         `decode` refuses them unless it is told the service, or the message where one service has one id twice. A newer
-        version of a message, in its own service or in another one of the same set, replaces the older one and collides
-        with nothing.
+        version of a message, in its own service or in another one of the same set of the standard, replaces the older
+        one and collides with nothing.
         """
         found = map(self.collision, sorted(self._codes))
         return tuple(collision for collision in found if collision)
@@ -99,12 +99,12 @@ class Registry:
         return tuple(candidates) if len(candidates) < 2 else meanings(candidates)
 
     def _candidates(self, entries: Iterable[Entry]) -> list[Entry]:
-        """Of each service set what counts: the entries of the same layer and version as its first one."""
+        """Of each edition what counts: the entries of the same layer and version as its first one."""
         firsts: dict[str, tuple[bool, str]] = {}
         found: list[Entry] = []
         for entry in entries:
             rank = (entry in self._own, entry.version)
-            if firsts.setdefault(entry.service.rpartition(":")[0], rank) == rank:
+            if firsts.setdefault(entry.edition, rank) == rank:
                 found.append(entry)
         return found
 

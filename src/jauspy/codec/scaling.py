@@ -83,6 +83,12 @@ def nearest_raw(value: float, lower: Fraction, upper: Fraction, top: int, functi
 
 @lru_cache(maxsize=4096)
 def exact_raw(value: float, scaling: Scaling) -> int:
-    """The raw value of a real within the range; the limits mean their shortest decimal form."""
+    """The raw value of a real within the range; the limits mean their shortest decimal form.
+
+    What a raw value is decoded to becomes that raw value again, also where floor or ceiling would take its neighbour.
+    """
     lower, upper = Fraction(repr(scaling.lower)), Fraction(repr(scaling.upper))
+    nearest = nearest_raw(value, lower, upper, scaling.top)
+    if scaling.function == "round" or scaling.real(nearest) == value:
+        return nearest
     return nearest_raw(value, lower, upper, scaling.top, scaling.function)

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field
 from multiprocessing import get_context
 from typing import Final
 
+from jauspy.codec.dynamic import load_schema
 from jauspy.fuzz.cases import Fuzzer
 from jauspy.fuzz.findings import Finding
 from jauspy.messages import registry
 from jauspy.schema import load_builtin
+from jauspy.schema.own import load_own
 
 CHUNK: Final = 500
 """Cases that a process does before it reports."""
@@ -19,13 +22,17 @@ CHUNK: Final = 500
 
 @dataclass(frozen=True, slots=True)
 class Plan:
-    """What to do: `cases` from number 0, with `payloads` as further seeds; `only` these messages when given."""
+    """What to do: `cases` from number 0, with `payloads` as further seeds; `only` these messages when given.
+
+    `own` are JSIDL files, folders or patterns, whose messages are tested instead of those that are built in.
+    """
 
     cases: int
     seed: int = 0
     payloads: Sequence[bytes] = ()
     only: Sequence[str] = ()
     jobs: int = 1
+    own: Sequence[str] = ()
 
 
 @dataclass(slots=True)
@@ -47,8 +54,10 @@ class _Report:
 
 
 def fuzzer(plan: Plan) -> Fuzzer:
-    """The fuzzer of a plan, over all built-in messages."""
-    return Fuzzer(registry, load_builtin(), plan.payloads, seed=plan.seed, only=plan.only)
+    """The fuzzer of a plan; raises `ConfigError` and `SchemaError` for what it names and is not there, or wrong."""
+    schema = load_own(plan.own) if plan.own else load_builtin()
+    known = load_schema(schema) if plan.own else registry
+    return Fuzzer(known, schema, plan.payloads, seed=plan.seed, only=plan.only)
 
 
 def run(plan: Plan, progress: Callable[[Outcome], None] = lambda _: None) -> Outcome:
@@ -88,7 +97,8 @@ _fuzzers: list[Fuzzer] = []
 
 
 def _start(plan: Plan) -> None:
-    """In a new process."""
+    """In a new process; the first one has said what there is to warn of."""
+    logging.disable(logging.WARNING)
     _fuzzers.append(fuzzer(plan))
 
 

@@ -17,13 +17,13 @@ def capability(
     id: JausID,
     config: ModuleConfig,
     services: Sequence[Service],
-    moving: Stoppable,
+    moving: Stoppable | None = None,
     *,
     identities: Mapping[int, Identity],
     utc_now: Callable[[], datetime],
     now: float,
 ) -> Host:
-    """The host of a module that moves something. `now`: seconds of the clock that runs the host."""
+    """The host of a module, with a watchdog on what it moves. `now`: seconds of the clock that runs the host."""
     access = config.access_control
     made: list[Service] = [
         Transport(),
@@ -35,5 +35,6 @@ def capability(
     optional = {"Discovery": lambda: Discovery(identities), "Time": Time, "Liveness": Liveness}
     made += [make() for name, make in optional.items() if config.offers(name)]
     host = Host(id, [*made, *services], utc_now=utc_now, now=now)
-    Watchdog(host, moving)
+    if moving is not None:
+        Watchdog(host, moving)
     return host

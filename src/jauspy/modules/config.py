@@ -11,6 +11,7 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field, model_validat
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.modules.config_joints import Groups, JointName, TracksConfig
+from jauspy.modules.config_sensors import LidarConfig
 
 
 def _on_the_wire(name: str) -> str:
@@ -75,6 +76,7 @@ SERVICES: Final[Mapping[str, tuple[str, ...]]] = {
         "ManipulatorToolOffsetService",
     ),
     "CM-EEF": (*_EVERYWHERE, "PrimitiveEndEffector"),
+    "CM-SEN": (*_EVERYWHERE, "RangeSensor"),
 }
 """What each type of module may offer beside Transport, Events, AccessControl and Management."""
 
@@ -98,7 +100,7 @@ class AccessControlConfig(_Strict):
 class ModuleConfig(_Strict):
     """One capability module: a JAUS component."""
 
-    type: Literal["CM-MOB", "CM-MAN", "CM-EEF"]
+    type: Literal["CM-MOB", "CM-MAN", "CM-EEF", "CM-SEN"]
     component: Annotated[int, Field(ge=1, le=254)]
     services: tuple[Service, ...] | None = None
     """Beside Transport, Events, AccessControl and Management; all that the type offers when left out."""
@@ -157,6 +159,7 @@ class RobotConfig(_Strict):
     tracks: TracksConfig
     groups: Groups = {}
     """Its other joints."""
+    lidars: Annotated[tuple[LidarConfig, ...], Field(max_length=16)] = ()
 
     @model_validator(mode="after")
     def _check_modules(self) -> Self:
@@ -166,6 +169,7 @@ class RobotConfig(_Strict):
             if count > 1:
                 raise ValueError(f"modules: {count} have the component id {component}; give each its own, 1..254")
         self._check_that_nothing_is_moved_twice()
+        self._check_lidars()
         if not any(module.offers("Discovery") for module in self.modules):
             raise ValueError("modules: none has the service Discovery; nobody could find the robot; add it to services")
         for module in self.modules:
@@ -180,6 +184,8 @@ class RobotConfig(_Strict):
         """Each module has an access control of its own: two clients would be in control of one thing."""
         moved: dict[str, int] = {}
         for module in self.modules:
+            if module.type == "CM-SEN":
+                continue
             what = f"group {module.moves!r}" if module.moves else "chassis"
             if what in moved:
                 raise ValueError(
@@ -192,6 +198,14 @@ class RobotConfig(_Strict):
                 raise ValueError(
                     f"modules: {module.component} moves the {what}, which is not there; there are: {known}"
                 )
+
+    def _check_lidars(self) -> None:
+        names = [lidar.name for lidar in self.lidars]
+        if len(set(names)) < len(names):
+            raise ValueError(f"lidars: {', '.join(sorted({n for n in names if names.count(n) > 1}))} is there twice")
+        for module in self.modules:
+            if not self.lidars and "RangeSensor" in (module.services or ()):
+                raise ValueError(f"lidars: there is none, and {module.component} offers RangeSensor; add [[lidars]]")
 
     def id_of(self, module: ModuleConfig) -> JausID:
         """The JAUS id of a module."""

@@ -19,7 +19,10 @@ def robot_model(config: RobotConfig) -> RobotModel:
     for name, group in config.groups.items():
         _check_group(f"groups.{name}", [joint.name for joint in group.joints], group.base, group.tip, description)
     groups = {name: group.setup() for name, group in config.groups.items()}
-    return RobotModel(description, config.tracks.setup(), groups)
+    lidars = tuple(lidar.setup() for lidar in config.lidars)
+    for number, lidar in enumerate(lidars):
+        _check_link(f"lidars[{number}].link", lidar.link, description)
+    return RobotModel(description, config.tracks.setup(), groups, lidars)
 
 
 def _expanded(path: str) -> str:
@@ -42,10 +45,14 @@ def _check_tracks(config: RobotConfig, description: Description) -> None:
             )
 
 
+def _check_link(key: str, link: str, description: Description) -> None:
+    if link not in description.links():
+        raise ConfigError(f"{key}: the URDF has no link {link!r}; it has: {', '.join(sorted(description.links()))}")
+
+
 def _check_group(key: str, names: list[str], base: str, tip: str, description: Description) -> None:
     for link in (base, tip):
-        if link not in description.links():
-            raise ConfigError(f"{key}: the URDF has no link {link!r}; it has: {', '.join(sorted(description.links()))}")
+        _check_link(key, link, description)
     for name in names:
         if description.joint(name).kind is JointKind.FIXED:
             raise ConfigError(f"{key}.joints: {name!r} does not move")

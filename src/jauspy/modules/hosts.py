@@ -11,15 +11,17 @@ from jauspy.modules.config import ModuleConfig, RobotConfig
 from jauspy.modules.end_effector import cm_eef
 from jauspy.modules.manipulator import cm_man
 from jauspy.modules.mobility import cm_mob, vehicle_of
+from jauspy.modules.sensors import cm_sen, mounted
 from jauspy.platform.contract import DriveBase
 from jauspy.platform.description import RobotModel
 from jauspy.platform.joints import JointGroup
+from jauspy.platform.ranging import RangeFinder
 from jauspy.services.core import Identity
 from jauspy.services.host import Host
 
 
 class Body(Protocol):
-    """What the modules move: a robot, or its parts as other threads see them."""
+    """What the modules move and read: a robot, or its parts as other threads see them."""
 
     @property
     def drive(self) -> DriveBase:
@@ -29,6 +31,11 @@ class Body(Protocol):
     @property
     def groups(self) -> Mapping[str, JointGroup]:
         """The other joints."""
+        ...
+
+    @property
+    def lidars(self) -> Mapping[str, RangeFinder]:
+        """The lidars."""
         ...
 
 
@@ -44,6 +51,9 @@ def host_of(
 ) -> Host:
     """The host of a module. `now`: seconds of the clock that runs it."""
     id = config.id_of(module)
+    if module.type == "CM-SEN":
+        lidars = mounted(model.description, body.lidars, body.groups)
+        return cm_sen(id, lidars, module, identities=identities, utc_now=utc_now, now=now)
     if module.moves is None:
         vehicle = vehicle_of(config, model, body.drive)
         return cm_mob(id, vehicle, module, identities=identities, utc_now=utc_now, now=now)

@@ -12,7 +12,7 @@ from types import TracebackType
 from typing import Final, Self
 
 from jauspy.modules.pace import Pace
-from jauspy.modules.shared import Order, SharedDrive, SharedJoints
+from jauspy.modules.shared import Order, SharedDrive, SharedJoints, SharedLidar
 from jauspy.modules.snapshot import Snapshot, look
 from jauspy.platform.contract import Robot
 
@@ -60,6 +60,7 @@ class RealTime:
         self._groups = {
             name: SharedJoints(name, group, self.order, self._sight) for name, group in robot.groups.items()
         }
+        self._lidars = {name: SharedLidar(lidar, self.order, self._sight) for name, lidar in robot.lidars.items()}
 
     @property
     def drive(self) -> SharedDrive:
@@ -70,6 +71,11 @@ class RealTime:
     def groups(self) -> Mapping[str, SharedJoints]:
         """The robot's other joints, for any thread."""
         return self._groups
+
+    @property
+    def lidars(self) -> Mapping[str, SharedLidar]:
+        """The robot's lidars, for any thread."""
+        return self._lidars
 
     @property
     def snapshot(self) -> Snapshot:

@@ -10,6 +10,7 @@ from jauspy.modules.snapshot import Snapshot
 from jauspy.platform.contract import Acceleration, Pose, Robot, Twist
 from jauspy.platform.description import Joint
 from jauspy.platform.joints import JointGroup, JointState, Target
+from jauspy.platform.ranging import LidarSetup, RangeFinder, RangeScan, ScanSettings
 
 Order: TypeAlias = Callable[[Robot], None]
 """What the robot's thread is to do."""
@@ -95,3 +96,39 @@ class SharedJoints:
         if holding:
             group.hold()
         group.command(targets)
+
+
+class SharedLidar:
+    """A `RangeFinder`."""
+
+    def __init__(self, lidar: RangeFinder, post: Post, sight: Sight) -> None:
+        self._setup, self._settings = lidar.setup, lidar.settings
+        self._post = post
+        self._sight = sight
+
+    @property
+    def setup(self) -> LidarSetup:
+        """What it can do."""
+        return self._setup
+
+    @property
+    def settings(self) -> ScanSettings:
+        """What it was told to do."""
+        return self._settings
+
+    def configure(self, settings: ScanSettings) -> None:
+        """Measure so from the next scan on."""
+        self._settings, name = settings, self._setup.name
+        self._post(f"lidar {name}", lambda robot: robot.lidars[name].configure(settings))
+
+    @property
+    def scan(self) -> RangeScan | None:
+        """The last scan; None while it is not active."""
+        return self._sight().scans[self._setup.name]
+
+    @property
+    def age(self) -> float:
+        """Seconds since the last scan; 0 without one."""
+        seen = self._sight()
+        scan = seen.scans[self._setup.name]
+        return seen.time - scan.time if scan else 0.0

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from jauspy.platform.contract import Acceleration, Pose, Robot, Twist
 from jauspy.platform.joints import JointState
+from jauspy.platform.ranging import RangeScan
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,10 +20,13 @@ class Snapshot:
     acceleration: Acceleration
     joints: Mapping[str, JointState]
     """The state of its other joints, by group."""
+    scans: Mapping[str, RangeScan | None]
+    """The last scans of its lidars."""
 
 
 def look(robot: Robot) -> Snapshot:
     """The robot's state now."""
     drive = robot.drive
     joints = {name: group.state() for name, group in robot.groups.items()}
-    return Snapshot(robot.time, drive.pose(), drive.twist(), drive.acceleration(), joints)
+    scans = {name: lidar.scan for name, lidar in robot.lidars.items()}
+    return Snapshot(robot.time, drive.pose(), drive.twist(), drive.acceleration(), joints, scans)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ipaddress
 import tomllib
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
@@ -19,7 +20,7 @@ from jauspy.protocol.ports import NetworkPort, SerialPort, TcpPort, UdpPort
 Entries = dict[JausID, tuple[NetworkPort, ...]]
 _Pairs = Iterator[tuple[JausID, NetworkPort]]
 
-FORMS: Final = "udp://HOST[:PORT], tcp://HOST[:PORT], serial:DEVICE or HOST:PORT (which means UDP)"
+FORMS: Final = "udp://IP[:PORT], tcp://HOST[:PORT], serial:DEVICE or IP:PORT (which means UDP)"
 _WRAPPED: Final = ":value"
 """FKIE's files may wrap a value, to keep its description beside it."""
 
@@ -65,7 +66,13 @@ def address(text: str) -> NetworkPort:
         host, port, parts = None, 0, urlsplit("")
     if not host or not 0 < port < 65536 or parts.path or parts.scheme not in ("udp", "tcp"):
         raise ConfigError(f"{text!r} is no address; write {FORMS}")
-    return TcpPort(host, port) if parts.scheme == "tcp" else UdpPort(host, port)
+    if parts.scheme == "tcp":
+        return TcpPort(host, port)
+    try:
+        ipaddress.ip_address(host)
+    except ValueError:
+        raise ConfigError(f"{text!r}: write the IP address; names of hosts are not looked up for UDP") from None
+    return UdpPort(host, port)
 
 
 def _collected(pairs: Iterable[tuple[JausID, NetworkPort]]) -> Entries:
@@ -98,7 +105,7 @@ def _xml(data: bytes) -> _Pairs:
     for element in root.iter("AddressBook"):
         for name, value in element.attrib.items():
             number = str(name).removeprefix("J")
-            if not (number.isascii() and number.isdigit() and int(number) <= 0xFFFFFFFF):
+            if not (number.isascii() and number.isdigit() and len(number) <= 10 and int(number) <= 0xFFFFFFFF):
                 raise ConfigError(f"{name!s}={value!r}: write J and the id in decimal, as in J8257803 for 126.1.11")
             yield JausID.from_int(int(number)), address(str(value))
 
@@ -112,7 +119,10 @@ def _yaml(data: bytes) -> _Pairs:
     for transport, table in book.items():
         if transport not in ("udp", "tcp"):
             raise ConfigError(f"addrbook/{transport}: only udp and tcp are known")
-        for where, ids in (_plain(table) or {}).items():
+        entries = _plain(table) or {}
+        if not isinstance(entries, dict):
+            raise ConfigError(f'addrbook/{transport} = {entries!r}: write lines such as "10.0.0.5:3794": 101.1.1')
+        for where, ids in entries.items():
             for id in _as_list(_plain(ids)):
                 yield JausID.parse(str(id)), address(f"{transport}://{where}")
 

@@ -22,9 +22,20 @@ def explain(problem: ErrorDetails, model: type[BaseModel]) -> str:
             )
         case "value_error" if not key:
             return str(problem["ctx"]["error"])
+        case "tuple_type" | "model_type" | "dict_type" | "mapping_type" as kind:
+            return f"{key} = {problem['input']!r}: {_form(kind, where, model)}"
         case _:
             told = problem["msg"].removeprefix("Value error, ")
             return f"{key} = {problem['input']!r}: {told[0].lower()}{told[1:]}"
+
+
+def _form(kind: str, where: tuple[int | str, ...], model: type[BaseModel]) -> str:
+    """How a list or a table is written in TOML."""
+    name = str(where[-1])
+    tables = len(where) == 1 and any(models_in(model.model_fields[name].annotation))
+    if kind == "tuple_type":
+        return f"write a table [[{name}]] for each" if tables else "write a list, as in [...]"
+    return f"write a table, as in [{name}]" if isinstance(where[-1], str) else "write a table"
 
 
 def _keys(where: tuple[int | str, ...], model: type[BaseModel]) -> list[str]:

@@ -299,13 +299,13 @@ class NodeManager:
             self._mailboxes.pop(path).close()
 
     def _watch_interfaces(self) -> None:
+        self._watch = self._loop.call_later(memberships.WATCH_INTERVAL, self._watch_interfaces)
         for network in self._networks.values():
             network.watch_interfaces()
-        self._watch = self._loop.call_later(memberships.WATCH_INTERVAL, self._watch_interfaces)
 
     def _sweep_components(self) -> None:
-        self._sweep.turn()
         self._sweeping = self._loop.call_later(sweep.INTERVAL, self._sweep_components)
+        self._sweep.turn()
 
     # --- time ----------------------------------------------------------------------------------------------------
 

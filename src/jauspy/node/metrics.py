@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import os
 from collections.abc import Callable, Iterator
 from typing import Final
 
@@ -19,6 +20,8 @@ from jauspy.protocol.reports import place
 PATIENCE: Final = 5.0
 """Seconds for a request and its answer."""
 MAX_REQUEST: Final = 8192
+MAX_READERS: Final = 16
+"""One more is not answered: each has a file of the process, and components need these."""
 
 
 class NodeCollector(Collector):
@@ -56,6 +59,7 @@ class MetricsServer:
         self._where = (host, port)
         self._registry = CollectorRegistry(auto_describe=False)
         self._collector = NodeCollector(state)
+        self._readers = 0
         self._server: asyncio.Server | None = None
 
     async def __aenter__(self) -> None:
@@ -63,7 +67,8 @@ class MetricsServer:
         try:
             self._server = await asyncio.start_server(self._serve, *self._where, limit=MAX_REQUEST)
         except OSError as error:
-            told = f"cannot serve metrics on {self._where[0]}:{self._where[1]}: {error.strerror}"
+            why = os.strerror(error.errno) if error.errno else str(error)  # asyncio says the address once more
+            told = f"cannot serve metrics on {self._where[0]}:{self._where[1]}: {why}"
             raise TransportError(f"{told}; choose another with --metrics") from error
 
     async def __aexit__(self, *error: object) -> None:
@@ -71,6 +76,10 @@ class MetricsServer:
             self._server.close()
 
     async def _serve(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        if self._readers >= MAX_READERS:
+            writer.transport.abort()
+            return
+        self._readers += 1
         try:
             async with asyncio.timeout(PATIENCE):
                 request = await reader.readuntil(b"\r\n\r\n")
@@ -79,6 +88,7 @@ class MetricsServer:
         except (OSError, TimeoutError, asyncio.IncompleteReadError, asyncio.LimitOverrunError):
             writer.transport.abort()
         finally:
+            self._readers -= 1
             writer.close()
 
     def _answer(self, request: bytes) -> bytes:

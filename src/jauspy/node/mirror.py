@@ -6,12 +6,15 @@ Components of this machine appear as 127.S.N.C, with the last byte of their subs
 from __future__ import annotations
 
 import asyncio
+import errno
 import logging
+import os
 import queue
 import socket
 import threading
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 from typing import Final, Self
 
@@ -29,6 +32,8 @@ DATAGRAM: Final = 1400
 MAX_CHUNKS: Final = 128
 FLUSH: Final = 0.2
 """Seconds."""
+PATIENCE: Final = 1.0
+"""Seconds that a reader has at the end, for what it was too slow to take."""
 
 
 class Mirror:
@@ -42,7 +47,7 @@ class Mirror:
         self._size = 0
         self._loop = asyncio.get_running_loop()
         self._timer: asyncio.TimerHandle | None = None
-        self._chunks: queue.Queue[bytes | None] = queue.Queue(MAX_CHUNKS)
+        self._chunks: queue.Queue[tuple[bytes, int] | None] = queue.Queue(MAX_CHUNKS)
         self._chunk = DATAGRAM if target.startswith("udp:") else CHUNK
         self._write, self._end = _to_udp(target[4:]) if target.startswith("udp:") else _to_file(Path(target), limit)
         self._thread = threading.Thread(target=self._work, name="mirror", daemon=True)
@@ -53,9 +58,13 @@ class Mirror:
 
     def __exit__(self, *error: object) -> None:
         self.flush()
-        self._chunks.put(None)
-        self._thread.join()
-        self._end()
+        with suppress(queue.Full):
+            self._chunks.put(None, timeout=PATIENCE)
+        self._thread.join(PATIENCE)
+        if self._thread.is_alive():  # as when nobody reads a pipe; it ends with the process
+            _LOGGER.warning("the mirror was not read to its end")
+        else:
+            self._end()
 
     def add(self, source: Port, destination: Port, datagram: bytes) -> None:
         """Note a routed packet."""
@@ -75,16 +84,23 @@ class Mirror:
         if not self._blocks:
             return
         try:
-            self._chunks.put_nowait(b"".join(self._blocks))
+            self._chunks.put_nowait((b"".join(self._blocks), len(self._blocks)))
         except queue.Full:
-            self._counters["mirror.lost"] += len(self._blocks)
+            self._lost(len(self._blocks))
         self._blocks.clear()
         self._size = 0
 
+    def _lost(self, packets: int) -> None:
+        self._counters["mirror.lost"] += packets
+
     def _work(self) -> None:
         while (chunk := self._chunks.get()) is not None:
+            data, packets = chunk
             try:
-                self._write(chunk)
+                self._write(data)
+            except _NotSentError:
+                with suppress(RuntimeError):  # the event loop is closed: nobody counts any more
+                    self._loop.call_soon_threadsafe(self._lost, packets)
             except OSError as error:
                 _LOGGER.warning("the mirror ends: %s", error)
                 self._write = _nowhere
@@ -111,6 +127,10 @@ class Mirror:
         return port.host, port.port
 
 
+class _NotSentError(Exception):
+    """A datagram is lost; the next may find its way."""
+
+
 def _to_udp(target: str) -> tuple[Callable[[bytes], object], Callable[[], None]]:
     """Each datagram is a pcapng file of its own, and so is a row of them."""
     host, _, port = target.rpartition(":")
@@ -120,18 +140,19 @@ def _to_udp(target: str) -> tuple[Callable[[bytes], object], Callable[[], None]]
     def write(chunk: bytes) -> None:
         try:
             sock.sendto(pcapng.preamble() + chunk, address)
-        except ConnectionRefusedError:
-            return
+        except OSError as error:  # too long, or no way there just now
+            raise _NotSentError from error
 
     return write, sock.close
 
 
 def _to_file(path: Path, limit: int) -> tuple[Callable[[bytes], object], Callable[[], None]]:
     try:
-        file = path.open("wb", buffering=0)
+        file = os.fdopen(_begun(path), "wb", buffering=0)
     except OSError as error:
-        raise TransportError(f"cannot write the mirror {path}: {error.strerror}") from error
-    left = limit - file.write(pcapng.preamble())
+        why = "it is a pipe that nobody reads yet" if error.errno == errno.ENXIO else error.strerror
+        raise TransportError(f"cannot write the mirror {path}: {why}") from error
+    left = limit - len(pcapng.preamble())
 
     def write(chunk: bytes) -> None:
         nonlocal left
@@ -141,6 +162,18 @@ def _to_file(path: Path, limit: int) -> tuple[Callable[[bytes], object], Callabl
         file.write(chunk)
 
     return write, file.close
+
+
+def _begun(path: Path) -> int:
+    """Opening a pipe would wait for its reader, and everything else with it; only the thread may wait."""
+    descriptor = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_TRUNC | os.O_NONBLOCK, 0o666)
+    try:
+        os.set_blocking(descriptor, True)
+        os.write(descriptor, pcapng.preamble())
+    except OSError:
+        os.close(descriptor)
+        raise
+    return descriptor
 
 
 def _nowhere(_: bytes) -> None:

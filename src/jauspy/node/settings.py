@@ -69,6 +69,12 @@ def _host_port(text: str) -> str:
     return f"{_ipv4(host)}:{int(port)}"
 
 
+def _mode(number: int) -> int:
+    if not 0 <= number <= 0o777:
+        raise ValueError("write three octal digits, as in 0o660")
+    return number
+
+
 def _mirror(text: str) -> str:
     return f"udp:{_host_port(text[4:])}" if text.startswith("udp:") else text
 
@@ -114,4 +120,4 @@ Mirror = Annotated[str, AfterValidator(_mirror)]
 Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9_-]{1,32}$")]
 IdPattern = Annotated[str, AfterValidator(_id_pattern)]
 MessageName = Annotated[str, BeforeValidator(_message)]
-Mode = Annotated[int, Field(ge=0, le=0o777, json_schema_extra={"octal": True})]
+Mode = Annotated[int, AfterValidator(_mode), Field(json_schema_extra={"octal": True})]

@@ -34,12 +34,13 @@ class StatusServer:
         self._server: asyncio.Server | None = None
 
     async def __aenter__(self) -> None:
-        self._path.unlink(missing_ok=True)
         try:
+            self._path.unlink(missing_ok=True)
             self._server = await asyncio.start_unix_server(self._serve, self._path)
             self._path.chmod(self._mode)
         except OSError as error:
-            raise TransportError(f"cannot open the socket {self._path}: {error.strerror}") from error
+            told = f"cannot open the socket {self._path}: {error.strerror}"
+            raise TransportError(f"{told}; {local_socket.ELSEWHERE}, or set `status` to false") from error
         local_socket.give_to_group(self._path, self._group)
 
     async def __aexit__(self, *error: object) -> None:

@@ -39,9 +39,9 @@ class Sweep:
 
 def nobody_has(port: UdpPort) -> bool:
     """True when a UDP port of this machine could be bound: asking its owner would be one more packet to understand."""
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
-        try:
+    try:
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
             probe.bind((port.host, port.port))
-        except OSError as error:
-            return error.errno not in (errno.EADDRINUSE, errno.EACCES)
+    except OSError as error:
+        return error.errno == errno.EADDRNOTAVAIL
     return True

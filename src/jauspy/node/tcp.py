@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import errno
 import logging
+import os
 from collections.abc import Callable, Iterable, Sequence
 from typing import Final
 
@@ -16,7 +17,7 @@ from jauspy.transport.stream import Dialer, StreamLink
 _LOGGER = logging.getLogger(__name__)
 
 MAX_CONNECTIONS: Final = 64
-"""Connections from outside; one more is closed at once."""
+"""Connections from outside; one more takes the place of the oldest that never sent a packet, or is closed at once."""
 
 
 class TcpPeers:
@@ -48,8 +49,13 @@ class TcpPeers:
             try:
                 self._server = await asyncio.get_running_loop().create_server(self._accept, hosts, number)
             except OSError as error:
-                what = "used by another process" if error.errno == errno.EADDRINUSE else error.strerror
-                raise TransportError(f"TCP {hosts[0]}:{number} is {what}; choose another tcp_port") from error
+                if error.errno == errno.EADDRINUSE:
+                    why = "it is used by another process"
+                else:
+                    why = os.strerror(error.errno) if error.errno else str(error)
+                raise TransportError(
+                    f"cannot listen on TCP {hosts[0]}:{number}: {why}; choose another tcp_port"
+                ) from error
         for port in peers:
             self._dialers[port] = Dialer((port.host, port.port), self._counters, self._receive_from(port))
 
@@ -90,19 +96,25 @@ class TcpPeers:
 
     def _began(self, link: StreamLink) -> None:
         if len(self._links) >= MAX_CONNECTIONS:
+            refused = next((each for each in self._links.values() if not each.has_spoken), link)
             self._counters["tcp.refused"] += 1
-            _LOGGER.warning("JTCP connection from %s refused: there are %d already", link.peer, MAX_CONNECTIONS)
-            link.close()
-            return
+            _LOGGER.info("JTCP connection from %s closed: there are %d already", refused.peer, MAX_CONNECTIONS)
+            refused.close()
+            if refused is link:
+                return
+            self._forget(refused)
         self._links[self._port(link)] = link
         self._counters["tcp.accepted"] += 1
 
     def _ended(self, link: StreamLink) -> None:
+        if self._links.get(self._port(link)) is link:
+            self._forget(link)
+
+    def _forget(self, link: StreamLink) -> None:
         port = self._port(link)
-        if self._links.get(port) is link:
-            del self._links[port]
-            self._counters["tcp.closed"] += 1
-            self._gone(port)
+        del self._links[port]
+        self._counters["tcp.closed"] += 1
+        self._gone(port)
 
     def _port(self, link: StreamLink) -> TcpPort:
         return TcpPort(*link.peer, self._network)

@@ -64,6 +64,7 @@ class Control:
         self.lost = ""
         """Why control was lost; empty while it is held."""
         self._taken = False
+        self._other: tuple[JausID | None, int | None] = (None, None)
         self._gone = asyncio.Event()
         self._ready = False
         self._calmed = False
@@ -72,6 +73,7 @@ class Control:
         self._confirmed_at = 0.0
         self._stack = ExitStack()
         self._keeper: asyncio.Task[None] | None = None
+        self._asker: asyncio.Task[None] | None = None
 
     @property
     def held(self) -> bool:
@@ -81,7 +83,7 @@ class Control:
     def check(self) -> None:
         """Raise `ControlRejected` when control was lost."""
         if self.lost:
-            raise ControlRejected(f"control of {self.id} was lost: {self.lost}")
+            raise self._rejected(f"control of {self.id} was lost: {self.lost}")
 
     async def until_lost(self) -> None:
         """Wait until control is lost; `lost` then says why."""
@@ -117,9 +119,10 @@ class Control:
                 await self._release()
         finally:
             self._link.drop_control(self.id, self)
-            if keeper is not None:
-                keeper.cancel()
-                await asyncio.wait({keeper})
+            if tasks := {each for each in (keeper, self._asker) if each is not None}:
+                for each in tasks:
+                    each.cancel()
+                await asyncio.wait(tasks)
 
     # --- taking ---------------------------------------------------------------------------------------------------
 
@@ -128,7 +131,7 @@ class Control:
         answer = await self._link.request(self.id, request, ConfirmControl, patience=self._patience)
         assert isinstance(answer, ConfirmControl)
         if answer.response_code != ConfirmControl.ResponseCode.CONTROL_ACCEPTED:
-            raise ControlRejected(await self._explain(answer.response_code))
+            raise self._rejected(await self._explain(answer.response_code))
         self._confirmed_at = asyncio.get_running_loop().time()
         report = await self._ask(QueryTimeout(), ASK_TIMEOUT)
         self.timeout = float(report.timeout) if isinstance(report, ReportTimeout) else ASSUMED_TIMEOUT
@@ -139,11 +142,8 @@ class Control:
             status = await self._ask(QueryStatus())
             now = f" (its status is {_status(status)})" if isinstance(status, ReportStatus) else ""
             return f"{self.id} is not available for control{now}; clear an emergency, or wait until it is ready"
-        control = await self._ask(QueryControl())
-        if isinstance(control, ReportControl):
-            holder = JausID(control.subsystem_id, control.node_id, control.component_id)
-            if holder != _NOBODY:
-                return f"{self.id} is held by {holder} with authority {control.authority_code}; {asked}"
+        if isinstance(control := await self._ask(QueryControl()), ReportControl) and self._is_elsewhere(control):
+            return f"{self.id} {self._held_by()}; {asked}"
         least = await self._ask(QueryAuthority())
         if isinstance(least, ReportAuthority):
             return f"{self.id} gives control to authority {least.authority_code} and above; {asked}"
@@ -188,12 +188,12 @@ class Control:
     async def _look(self, patience: Patience) -> None:
         """See whether the component still holds us for its controller, and is as we left it; silence says nothing."""
         control, status = await asyncio.gather(self._ask(QueryControl(), patience), self._ask(QueryStatus(), patience))
-        if isinstance(control, ReportControl):
-            holder = JausID(control.subsystem_id, control.node_id, control.component_id)
-            if holder == _NOBODY:
+        if isinstance(control, ReportControl) and not self.lost:
+            if self._is_elsewhere(control):
+                self._taken = True
+                self._lose(f"{self.id} {self._held_by()}")
+            elif _holder(control) == _NOBODY:
                 self._lose(f"{self.id} says that nobody is in control; it was started anew, or did not hear us in time")
-            elif holder != self._link.id:
-                self._take_from(f"{self.id} is held by {holder} with authority {control.authority_code}")
         if isinstance(status, ReportStatus) and not self._calmed:
             if status.status == ReportStatus.Status.READY:
                 self._ready = True
@@ -206,14 +206,40 @@ class Control:
             if message.response_code == RejectControl.ResponseCode.CONTROL_RELEASED:
                 self._take_from(f"{source} took it back: another client outranked you, or yours was silent too long")
         elif isinstance(message, ConfirmControl):
-            if message.response_code == ConfirmControl.ResponseCode.CONTROL_ACCEPTED:
-                self._confirmed_at = asyncio.get_running_loop().time()
-            elif message.response_code == ConfirmControl.ResponseCode.INSUFFICIENT_AUTHORITY:
+            if message.response_code == ConfirmControl.ResponseCode.INSUFFICIENT_AUTHORITY:
                 self._take_from(f"{source} gave it to another client; your authority of {self.authority} is too low")
+            else:  # in an emergency it is not available, but ours
+                self._confirmed_at = asyncio.get_running_loop().time()
 
     def _take_from(self, why: str) -> None:
-        self._lose(why)
-        self._taken = True
+        """It is lost from now on; who waits for that is told when it is known who has it."""
+        if not self._taken:
+            self._taken = True
+            self.lost = self.lost or why
+            self._asker = asyncio.create_task(self._ask_who(), name=f"who controls {self.id}")
+
+    async def _ask_who(self) -> None:
+        try:
+            control = await self._ask(QueryControl(), LEAVE)
+            if isinstance(control, ReportControl) and self._is_elsewhere(control):
+                self.lost = f"{self.id} took it back, and {self._held_by()}; you had {self.authority}"
+        finally:
+            self._gone.set()
+
+    def _is_elsewhere(self, control: ReportControl) -> bool:
+        """True when another client has control; remembers which."""
+        holder = _holder(control)
+        if holder in (_NOBODY, self._link.id):
+            return False
+        self._other = (holder, control.authority_code)
+        return True
+
+    def _held_by(self) -> str:
+        return "is held by {} with authority {}".format(*self._other)
+
+    def _rejected(self, why: str) -> ControlRejected:
+        holder, authority = self._other
+        return ControlRejected(why, holder=holder, authority=authority)
 
     def _lose(self, why: str) -> None:
         self.lost = self.lost or why
@@ -232,6 +258,10 @@ class Control:
             self._link.send(self.id, message)
         except TransportError:
             self._lose("the OCU was closed")
+
+
+def _holder(control: ReportControl) -> JausID:
+    return JausID(control.subsystem_id, control.node_id, control.component_id)
 
 
 def _status(report: ReportStatus) -> str:

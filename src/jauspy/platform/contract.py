@@ -11,8 +11,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
 
 if TYPE_CHECKING:
+    from jauspy.platform.camera import Camera
     from jauspy.platform.description import RobotModel
     from jauspy.platform.joints import JointGroup
+    from jauspy.platform.ranging import RangeFinder
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,6 +88,16 @@ class Robot(Protocol):
     @property
     def groups(self) -> Mapping[str, JointGroup]:
         """Its other joints, by the names that its description gives them: `arm`, `gripper`."""
+        ...
+
+    @property
+    def cameras(self) -> Mapping[str, Camera]:
+        """Its cameras, by name; each shows the state after the last `advance`."""
+        ...
+
+    @property
+    def lidars(self) -> Mapping[str, RangeFinder]:
+        """Its lidars, by name, in the order of its description."""
         ...
 
     @property

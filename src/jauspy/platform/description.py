@@ -11,8 +11,10 @@ from enum import Enum
 from typing import Final
 
 from jauspy.errors import ConfigError
+from jauspy.platform.camera import CameraSetup
 from jauspy.platform.contract import Pose
 from jauspy.platform.pid import Gains
+from jauspy.platform.ranging import LidarSetup
 
 HERE: Final = Pose()
 """No displacement."""
@@ -129,3 +131,5 @@ class RobotModel:
     description: Description
     tracks: TrackSetup
     groups: Mapping[str, GroupSetup] = field(default_factory=dict)
+    lidars: tuple[LidarSetup, ...] = ()
+    cameras: tuple[CameraSetup, ...] = ()

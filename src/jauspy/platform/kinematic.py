@@ -9,9 +9,12 @@ from typing import Final
 
 from jauspy.errors import ConfigError
 from jauspy.platform.acceleration import mean_acceleration
+from jauspy.platform.camera import Camera
 from jauspy.platform.contract import Acceleration, Pose, Twist
 from jauspy.platform.description import RobotModel
+from jauspy.platform.kinematic_cameras import KinematicCameras
 from jauspy.platform.kinematic_joints import KinematicJoints
+from jauspy.platform.scanner import Scanner
 from jauspy.platform.skid_steer import mix
 
 MAX_STEP: Final = 0.005
@@ -108,12 +111,15 @@ class SkidSteer:
 
 
 class KinematicRobot:
-    """A chassis on a floor, and joints without weight."""
+    """A chassis on a floor, joints without weight, and lidars that see nothing."""
 
     def __init__(self, robot: RobotModel) -> None:
         self._drive = SkidSteer(parameters_of(robot))
         self._groups = {name: KinematicJoints(robot.description, setup) for name, setup in robot.groups.items()}
+        self._cameras = KinematicCameras(robot, self._drive, self._groups)
+        self._lidars = {setup.name: Scanner(setup) for setup in robot.lidars}
         self._time = 0.0
+        self._look()
 
     @property
     def drive(self) -> SkidSteer:
@@ -124,6 +130,16 @@ class KinematicRobot:
     def groups(self) -> Mapping[str, KinematicJoints]:
         """Its other joints, by the names that its description gives them."""
         return self._groups
+
+    @property
+    def cameras(self) -> Mapping[str, Camera]:
+        """Its cameras, which see sky and floor."""
+        return self._cameras.cameras
+
+    @property
+    def lidars(self) -> Mapping[str, Scanner]:
+        """Its lidars, by name."""
+        return self._lidars
 
     @property
     def time(self) -> float:
@@ -143,12 +159,19 @@ class KinematicRobot:
         if steps:
             self._drive.moved(before, dt)
         self._time += dt
+        self._look()
+        self._cameras.show()
+
+    def _look(self) -> None:
+        for lidar in self._lidars.values():
+            lidar.step(self._time)
 
     def close(self) -> None:
-        """Stop; nothing else to release."""
+        """Stop, and release what cameras share."""
         self._drive.stop()
         for group in self._groups.values():
             group.hold()
+        self._cameras.close()
 
 
 class KinematicBackend:

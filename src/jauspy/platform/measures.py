@@ -7,8 +7,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from jauspy.platform.description import RobotModel
-from jauspy.platform.frames3d import Frame, Vector, frame_at, frame_of
+from jauspy.platform.transforms import FrameTree
 from jauspy.platform.urdf import Inertial, Shape, inertials, shapes
+from jauspy.platform.vectors import Transform, Vector
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,27 +28,20 @@ def measure(robot: RobotModel) -> Measures:
     """Of the robot as it stands when it is opened. Meshes, whose size URDF does not tell, are left out."""
     frames = _frames(robot)
     urdf = robot.description.urdf
-    masses = [(body, frames[body.link].then(frame_of(body.origin)).origin) for body in inertials(urdf)]
+    masses = [
+        (body, frames[body.link].apply((body.origin.x, body.origin.y, body.origin.z))) for body in inertials(urdf)
+    ]
     mass = sum(body.mass for body, _ in masses)
     corners = list(_corners(frames, shapes(urdf)))
     return Measures(mass, _middle(masses, mass), _least(corners), _most(corners))
 
 
-def _frames(robot: RobotModel) -> dict[str, Frame]:
+def _frames(robot: RobotModel) -> dict[str, Transform]:
     """Every link's frame in the root's."""
-    description = robot.description
     starts = {
         joint: start for group in robot.groups.values() for joint, start in zip(group.joints, group.start, strict=True)
     }
-    frames = {description.root(): Frame()}
-    waiting = list(description.joints.values())
-    while waiting:
-        ready = [joint for joint in waiting if joint.parent in frames]
-        for joint in ready:
-            position = starts.get(joint.mimics or joint.name, 0.0)
-            frames[joint.child] = frames[joint.parent].then(frame_at(joint, position))
-        waiting = [joint for joint in waiting if joint.parent not in frames or joint.child not in frames]
-    return frames
+    return FrameTree(robot.description).poses(starts)
 
 
 def _middle(masses: list[tuple[Inertial, Vector]], mass: float) -> Vector:
@@ -55,12 +49,12 @@ def _middle(masses: list[tuple[Inertial, Vector]], mass: float) -> Vector:
     return x, y, z
 
 
-def _corners(frames: dict[str, Frame], found: list[Shape]) -> Iterator[Vector]:
+def _corners(frames: dict[str, Transform], found: list[Shape]) -> Iterator[Vector]:
     for shape in found:
-        frame = frames[shape.link].then(frame_of(shape.origin))
+        frame = frames[shape.link] @ Transform.of(shape.origin)
         for signs in itertools.product((-1.0, 1.0), repeat=3):
             x, y, z = (sign * size / 2.0 for sign, size in zip(signs, shape.size, strict=True))
-            yield frame.of((x, y, z))
+            yield frame.apply((x, y, z))
 
 
 def _least(corners: list[Vector]) -> Vector:

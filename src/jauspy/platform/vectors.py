@@ -95,3 +95,13 @@ class Transform:
         """The frame of a pose with fixed-axis roll, pitch, yaw."""
         turn = Transform(about(Z, pose.yaw)) @ Transform(about(Y, pose.pitch)) @ Transform(about(X, pose.roll))
         return cls(turn.rotation, (pose.x, pose.y, pose.z))
+
+    def pose(self) -> Pose:
+        """The same as position and fixed-axis roll, pitch, yaw; straight up or down the roll is zero."""
+        (xx, _, _), (yx, yy, _), (zx, zy, zz) = self.rotation
+        across = math.hypot(xx, yx)
+        if across < 1e-9:
+            roll, yaw = 0.0, math.atan2(-self.rotation[0][1], yy)
+        else:
+            roll, yaw = math.atan2(zy, zz), math.atan2(yx, xx)
+        return Pose(*self.position, roll, math.atan2(-zx, across), yaw)

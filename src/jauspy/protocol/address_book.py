@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections import OrderedDict
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Final, TypeAlias
 
 from jauspy.protocol import addressing
+from jauspy.protocol.heard import MAX_IDS, Heard
 from jauspy.protocol.ports import NetworkPort
 
 Address: TypeAlias = tuple[str, int]
@@ -14,7 +14,6 @@ Address: TypeAlias = tuple[str, int]
 Entries: TypeAlias = Mapping[int, Sequence[NetworkPort]]
 """Addresses by id, a 32-bit number which may have wildcards."""
 
-MAX_LEARNED: Final = 4096
 LIFETIME: Final = 600.0
 """Seconds without a word after which a learned address is forgotten, and asked for again."""
 
@@ -25,9 +24,8 @@ class AddressBook:
     An exact static entry goes before a learned one, and that before a static one with wildcards.
     """
 
-    def __init__(self, static: Entries | None = None, *, limit: int = MAX_LEARNED, lifetime: float = LIFETIME) -> None:
-        self._learned: OrderedDict[int, tuple[NetworkPort, float]] = OrderedDict()
-        self._limit = limit
+    def __init__(self, static: Entries | None = None, *, limit: int = MAX_IDS, lifetime: float = LIFETIME) -> None:
+        self._learned = Heard(limit)
         self._lifetime = lifetime
         self.tell(static or {})
 
@@ -43,7 +41,7 @@ class AddressBook:
     def __iter__(self) -> Iterator[tuple[int, NetworkPort, float | None]]:
         """Id, address, and when it was heard last; None for what the configuration told."""
         yield from ((id, port, None) for id, ports in self._static for port in ports)
-        yield from ((id, port, heard) for id, (port, heard) in self._learned.items())
+        yield from ((id, port, heard) for id, port, heard in self._learned)
 
     def find(self, id: int, now: float) -> NetworkPort | None:
         """Where to send what is for this id."""
@@ -54,7 +52,7 @@ class AddressBook:
         if learned is not None:
             if now - learned[1] < self._lifetime:
                 return learned[0]
-            del self._learned[id]
+            self._learned.drop(id)
         return next((port for pattern, port in self._patterns if addressing.reaches(pattern, id)), None)
 
     def learn(self, id: int, port: NetworkPort, now: float) -> bool:
@@ -62,16 +60,13 @@ class AddressBook:
         if id in self._exact:
             return False
         known = self._learned.get(id)
-        self._learned[id] = (port, now)
-        self._learned.move_to_end(id)
-        while len(self._learned) > self._limit or now - next(iter(self._learned.values()))[1] >= self._lifetime:
-            self._learned.popitem(last=False)
+        self._learned.drop_older(now - self._lifetime)
+        self._learned.note(id, port, now)
         return known is None or known[0] != port or now - known[1] >= self._lifetime
 
     def forget(self, port: NetworkPort) -> None:
         """Nothing is reached there any more, as when a connection was closed."""
-        for id in [id for id, (known, _) in self._learned.items() if known == port]:
-            del self._learned[id]
+        self._learned.drop_at(port)
 
     def told_about(self, destination: int) -> list[NetworkPort]:
         """The static addresses of all that a broadcast may be for, each once: not every network has multicast."""

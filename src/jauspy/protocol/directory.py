@@ -9,6 +9,8 @@ from jauspy.protocol import addressing
 from jauspy.protocol.ports import LocalPort, UdpPort
 
 MAX_COMPONENTS: Final = 1024
+MAX_BY_UDP: Final = 256
+"""Of these, by UDP: any user of this machine can send it, and must not fill the places of those with a socket."""
 
 ComponentPort: TypeAlias = LocalPort | UdpPort
 """A component's Unix socket, or its UDP port on this machine, as ROS/IOP components have it."""
@@ -21,6 +23,7 @@ class Directory:
         self._changed = changed
         self._ports: dict[int, ComponentPort] = {}
         self._ids: dict[ComponentPort, set[int]] = {}
+        self._by_udp = 0
 
     def __len__(self) -> int:
         return len(self._ports)
@@ -41,11 +44,15 @@ class Directory:
 
     def register(self, id: int, port: ComponentPort) -> bool:
         """Note that `id` listens on `port`, the last one to say so wins; False when there is no room or no id."""
-        if id == 0 or (id not in self._ports and len(self._ports) >= MAX_COMPONENTS):
+        known, by_udp = self._ports.get(id), isinstance(port, UdpPort)
+        if id == 0 or (known is None and len(self._ports) >= MAX_COMPONENTS):
             return False
-        if self._ports.get(id) != port:
+        if by_udp and not isinstance(known, UdpPort) and self._by_udp >= MAX_BY_UDP:
+            return False
+        if known != port:
             self.remove(id)
             self._ports[id] = port
+            self._by_udp += by_udp
             self._ids.setdefault(port, set()).add(id)
             self._changed(id)
         return True
@@ -54,6 +61,7 @@ class Directory:
         """Forget a component."""
         port = self._ports.pop(id, None)
         if port is not None:
+            self._by_udp -= isinstance(port, UdpPort)
             self._ids[port].discard(id)
             if not self._ids[port]:
                 del self._ids[port]

@@ -179,13 +179,13 @@ class NodeCore:
     def _from_component(self, data: bytes, port: ComponentPort, now: float) -> None:
         control = junior.parse(data)
         if control is not None:
-            self._control(control, port)
+            self._control(control, port, now)
             return
         for raw, datagram, _ in wire.packets(data):
             own = self._named(port, raw.source)
             if self._is_taken(raw.source, besides=own):
                 self.counters.drop("duplicate_id", f"{JausID.from_int(raw.source)} also speaks on {own}")
-                self._reports.twice(raw.source, own)
+                self._reports.twice(raw.source, own, now)
             elif self.sources.are_limited and not self.sources.within_rate(raw.source, raw.priority, now):
                 self.counters.drop("rate", JausID.from_int(raw.source))
             elif self._register(raw.source, own):
@@ -207,7 +207,7 @@ class NodeCore:
                 self._deliver(port, datagram)
         return True
 
-    def _control(self, control: junior.Control, port: ComponentPort) -> None:
+    def _control(self, control: junior.Control, port: ComponentPort, now: float) -> None:
         id = int(control.id)
         own = self._named(port, id)
         if control.kind is junior.ControlKind.CONNECT:
@@ -216,10 +216,10 @@ class NodeCore:
                 isinstance(own, UdpPort) and isinstance(known, LocalPort) and self._is_taken(id)
             ):  # any user may send UDP, not any use a socket
                 self.counters.drop("duplicate_id", f"{control.id} from {own}")
-                self._reports.twice(id, own)
+                self._reports.twice(id, own, now)
                 return
             if known not in (None, own):
-                self._reports.moved(id, own)
+                self._reports.moved(id, own, now)
             if self._register(id, own, junior.accept(control.id)):
                 self.counters["connects"] += 1
         elif control.kind is junior.ControlKind.CANCEL and self.components.port(id) == own:
@@ -274,7 +274,7 @@ class NodeCore:
         """Why a packet is not taken from this network address."""
         source = raw.source
         if self._is_taken(source):
-            self._reports.twice(source, port)
+            self._reports.twice(source, port, now)
             return "hijack"
         if not settled and not addressing.is_vague(source) and not self.sources.is_at_home(source, port, now):
             return "address_mismatch"

@@ -1,4 +1,4 @@
-"""Telling people, once each, that an id is used by two: counters alone do not say by whom."""
+"""Telling people that an id is used by two, once each and not too often: counters alone do not say by whom."""
 
 from __future__ import annotations
 
@@ -7,36 +7,41 @@ from collections import OrderedDict
 from typing import Final
 
 from jauspy.ids import JausID
-from jauspy.protocol.ports import Port
+from jauspy.protocol.buckets import TokenBuckets
+from jauspy.protocol.ports import LocalPort, Port
 
 MEMORY: Final = 256
 """Cases to remember as told; an attacker who makes up more of them is told about again."""
+RATE: Final = 0.1
+BURST: Final = 16.0
+"""Lines per second, and at once: what more is made up is only counted."""
 
 
 class Reports:
-    """Warnings about ids, each once per id and place."""
+    """Warnings about ids, each once per id and host, or local socket."""
 
     def __init__(self, logger: logging.Logger) -> None:
         self._logger = logger
-        self._told: OrderedDict[tuple[int, Port], None] = OrderedDict()
+        self._told: OrderedDict[tuple[int, str], None] = OrderedDict()
+        self._lines = TokenBuckets(RATE, BURST)
 
-    def twice(self, id: int, port: Port) -> None:
+    def twice(self, id: int, port: Port, now: float) -> None:
         """Somebody at `port` uses the id of a component that is registered here."""
-        if self._is_news(id, port):
+        if self._is_news(id, port, now):
             self._logger.warning(
                 "%s is used twice: a component has it here, and %s sends with it too; the latter is not heard",
                 JausID.from_int(id),
                 place(port),
             )
 
-    def moved(self, id: int, port: Port) -> None:
+    def moved(self, id: int, port: Port, now: float) -> None:
         """A component has connected whose id was registered elsewhere."""
-        if self._is_news(id, port):
+        if self._is_news(id, port, now):
             self._logger.info("component %s is now on %s", JausID.from_int(id), place(port))
 
-    def _is_news(self, id: int, port: Port) -> bool:
-        key = (id, port)
-        if key in self._told:
+    def _is_news(self, id: int, port: Port, now: float) -> bool:
+        key = (id, port.path if isinstance(port, LocalPort) else port[0])
+        if key in self._told or not self._lines.take(None, now):
             return False
         self._told[key] = None
         if len(self._told) > MEMORY:

@@ -13,6 +13,8 @@ from jauspy.protocol.header import DataFlag, RawPacket
 
 MAX_STREAMS: Final = 1024
 """Large messages whose first fragment was allowed, and whose others are to follow."""
+STREAM_PATIENCE: Final = 10.0
+"""Seconds after the last fragment that passed until another needs a first one again."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +53,8 @@ class Rules:
         self._buckets = {
             index: TokenBuckets(rule.rate, rule.rate) for index, rule in enumerate(rules) if rule.rate is not None
         }
-        self._streams: OrderedDict[tuple[int, int, str], bool] = OrderedDict()
+        self._streams: OrderedDict[tuple[int, int, str], float] = OrderedDict()
+        """When each was last heard; only those that may pass."""
 
     def refusal(self, raw: RawPacket, data: bytes, network: str, now: float) -> str | None:
         """Why this packet from `network` may not pass (a short name for counters); None when it may."""
@@ -60,14 +63,23 @@ class Rules:
         flag = raw.control >> 6
         stream = (raw.source, raw.destination, network)
         if flag in (DataFlag.MIDDLE, DataFlag.LAST):
-            return None if self._streams.get(stream) else "rule"
+            if now - self._streams.get(stream, float("-inf")) >= STREAM_PATIENCE:
+                return "rule"
+            self._note(stream, now)
+            return None
         why = self._judge(raw, data, network, now)
         if flag == DataFlag.FIRST:
-            self._streams[stream] = why is None
-            self._streams.move_to_end(stream)
-            if len(self._streams) > MAX_STREAMS:
-                self._streams.popitem(last=False)
+            if why is None:
+                self._note(stream, now)
+            else:
+                self._streams.pop(stream, None)
         return why
+
+    def _note(self, stream: tuple[int, int, str], now: float) -> None:
+        self._streams[stream] = now
+        self._streams.move_to_end(stream)
+        if len(self._streams) > MAX_STREAMS:
+            self._streams.popitem(last=False)
 
     def _judge(self, raw: RawPacket, data: bytes, network: str, now: float) -> str | None:
         inside = network in self._inside

@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from collections import OrderedDict
 from dataclasses import dataclass
 from typing import Final
 
 from jauspy.protocol.buckets import TokenBuckets
 from jauspy.protocol.header import Priority
+from jauspy.protocol.heard import Heard
 from jauspy.protocol.ports import NetworkPort
 
 SILENCE: Final = 30.0
 """Seconds after which an id that was not heard may come from elsewhere."""
 SETTLED: Final = 1.0
 """Seconds between two notes of the same id at the same place."""
-MAX_SOURCES: Final = 4096
 _URGENT: Final = 1 << 32
 
 
@@ -31,7 +30,7 @@ class Sources:
     """Keys are ids as 32-bit numbers."""
 
     def __init__(self, limits: SourceLimits | None = None) -> None:
-        self._places: OrderedDict[int, tuple[NetworkPort, float]] = OrderedDict()
+        self._places = Heard()
         self.limit(limits or SourceLimits())
 
     def limit(self, limits: SourceLimits) -> None:
@@ -54,17 +53,13 @@ class Sources:
 
     def forget(self, port: NetworkPort) -> None:
         """What came from there may come from anywhere now, as when a connection was closed."""
-        for id in [id for id, (known, _) in self._places.items() if known == port]:
-            del self._places[id]
+        self._places.drop_at(port)
 
     def is_at_home(self, id: int, port: NetworkPort, now: float) -> bool:
         """False when this id was heard from another host or network lately; another port is fine."""
-        known, heard = self._places.get(id, (port, now))
+        known, heard = self._places.get(id) or (port, now)
         moved = known.host != port.host or known.network != port.network
         if moved and self._limits.check_address and now - heard < SILENCE:
             return False
-        self._places[id] = (port, now)
-        self._places.move_to_end(id)
-        if len(self._places) > MAX_SOURCES:
-            self._places.popitem(last=False)
+        self._places.note(id, port, now)
         return True

@@ -11,7 +11,7 @@ from jauspy.schema.grammar import DECLARED
 from jauspy.schema.library import Scope
 from jauspy.schema.model import Composite, List, Node, Record, Sequence, Unsigned, Variant
 from jauspy.schema.reading import child, flag, prose, required, wrong
-from jauspy.schema.values import read_count, unsigned
+from jauspy.schema.values import BITS, read_count, unsigned
 
 _AUXILIARY = frozenset(("presence_vector", "count_field", "vtag_field"))
 _MAX_EMPTY_ARMS = 256
@@ -93,6 +93,8 @@ def _variant(element: Element, scope: Scope) -> Variant:
     tag = read_count(child(element, "vtag_field"), scope)
     arms = tuple(read_composite(member, scope) for member in _members(element))
     _check_names(element, arms)
+    if len(arms) > 2 ** BITS[tag.type]:
+        raise wrong(element, f"{len(arms)} arms, but its tag knows only {2 ** BITS[tag.type]}; take a larger type")
     if not arms:  # a public definition has a variant that is a tag and nothing else
         arms = tuple(Record(name=f"Empty{index}", fields=()) for index in range(min(tag.maximum + 1, _MAX_EMPTY_ARMS)))
     return Variant(

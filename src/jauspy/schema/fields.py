@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from typing import Final
 
 from lxml.etree import _Element as Element
 
@@ -24,7 +25,11 @@ from jauspy.schema.model import (
     VariableString,
 )
 from jauspy.schema.reading import bounded, child, flag, prose, required, wrong
+from jauspy.schema.sizes import sizes
 from jauspy.schema.values import BITS, read_count, read_scale, read_values, scalar, unsigned
+
+LARGEST: Final = 1 << 20
+"""Bytes of a string or array of fixed size: each message has them all, and must be taken apart in memory."""
 
 
 def read_field(element: Element, scope: Scope) -> Field:
@@ -93,8 +98,8 @@ def _type_choice(element: Element, scope: Scope) -> TypeChoice:
 
 def _fixed_string(element: Element, scope: Scope) -> FixedString:
     length = scope.integer(element, "string_length")
-    if length < 1:
-        raise wrong(element, f"string_length: expected at least 1, got {length}")
+    if not 1 <= length <= LARGEST:
+        raise wrong(element, f"string_length: expected 1 to {LARGEST}, got {length}")
     return FixedString(
         name=required(element, "name"), optional=flag(element, "optional"), doc=prose(element), length=length
     )
@@ -131,13 +136,17 @@ def _variable_format_field(element: Element, scope: Scope) -> VariableFormatFiel
 
 
 def _array(element: Element, scope: Scope) -> Array:
-    return Array(
+    array = Array(
         name=required(element, "name"),
         optional=flag(element, "optional"),
         doc=prose(element),
         element=read_simple(element[0], scope),
         dimensions=tuple(_dimension(part, scope) for part in element.iterchildren("dimension")),
     )
+    size, _ = sizes(array)
+    if size > LARGEST:
+        raise wrong(element, f"array '{array.name}' takes {size} bytes; {LARGEST} are the most")
+    return array
 
 
 def _dimension(element: Element, scope: Scope) -> Dimension:

@@ -61,7 +61,8 @@ class ValueRange:
 class ValueSet:
     """The allowed values of a number: names and intervals; empty means any.
 
-    `offset_to_lower_limit` is kept as written; public definitions set it only where the lowest value is 0.
+    `offset_to_lower_limit` is kept as written; the loader takes it only where the lowest value is 0,
+    so that it means nothing.
     """
 
     enums: tuple[ValueEnum, ...] = ()

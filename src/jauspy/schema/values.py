@@ -62,11 +62,15 @@ def read_scale(parent: Element, scope: Scope) -> Scale | None:
     element = parent.find("scale_range")
     if element is None:
         return None
-    lower = float(scope.number(element, "real_lower_limit"))
-    upper = float(scope.number(element, "real_upper_limit"))
+    lower, upper = read_limits(element, scope)
     if lower >= upper:
         raise wrong(element, f"expected real_lower_limit < real_upper_limit, got {lower} and {upper}")
     return Scale(lower, upper, choice(element, "integer_function", _FUNCTIONS))
+
+
+def read_limits(element: Element, scope: Scope) -> tuple[float, float]:
+    """Both ends of a scale range, as they are written."""
+    return float(scope.number(element, "real_lower_limit")), float(scope.number(element, "real_upper_limit"))
 
 
 def read_values(parent: Element, scope: Scope) -> ValueSet | None:
@@ -81,11 +85,16 @@ def read_value_set(element: Element, scope: Scope) -> ValueSet:
     if element.tag == "declared_value_set":
         home, found = scope.find(element)
         return home.once(required(found, "name"), element, lambda: read_value_set(found, home))
-    return ValueSet(
+    values = ValueSet(
         tuple(_enum(enum) for enum in element.iterchildren("value_enum")),
         tuple(_range(interval, scope) for interval in element.iterchildren("value_range")),
         offset_to_lower_limit=flag(element, "offset_to_lower_limit"),
     )
+    lowest = min([*(enum.value for enum in values.enums), *(each.lower for each in values.ranges)])
+    if values.offset_to_lower_limit and lowest:
+        reason = f"offset_to_lower_limit: values that are sent as their distance from {lowest} are not supported"
+        raise wrong(element, f"{reason}; say false if they are sent as they are")
+    return values
 
 
 def _enum(element: Element) -> ValueEnum:

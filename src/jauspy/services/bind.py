@@ -26,6 +26,8 @@ _GETTERS: Final[Mapping[str, Callable[[Trigger], object]]] = {
     "source": attrgetter("source"),
 }
 
+_ASYNC: Final = "{} is `async def`, and nobody awaits it; start a task there, which calls `wake()` of the component"
+
 
 class Binder:
     """Finds the method for each action, predicate and Send; what is not found is collected in `problems`."""
@@ -135,11 +137,16 @@ class Binder:
         method = self._method(owned.owner, message, f"{where}: Send of")
         make = self._by_name(method, literals, f"{where}: Send of {message}", quoted=False)
         reply = self._reply
+
+        def report(trigger: Trigger) -> Message | None:
+            made = make(trigger)
+            return None if made is None else _checked(made, message, method)
+
         return Step(
             f"{where}, Send {message}",
-            lambda trigger: reply(make(trigger), trigger, to_source),
+            lambda trigger: reply(report(trigger), trigger, to_source),
             sends=True,
-            report=make if to_source else None,
+            report=report if to_source else None,
         )
 
     def _line(self, owner: model.Service) -> Iterator[model.Service]:
@@ -156,6 +163,8 @@ class Binder:
             service = self._services[definition.id]
             method = getattr(service, name, None)
             if callable(method) and (definition is owner or not service.private):
+                if inspect.iscoroutinefunction(method):
+                    self.problems.append(f"{what} {dotted}: {_ASYNC.format(f'{type(service).__name__}.{name}')}")
                 return method  # type: ignore[no-any-return]  # getattr by a computed name
             if definition is owner and name in service.omits:
                 return _nothing
@@ -192,6 +201,14 @@ class Binder:
 
 def _literals(arguments: tuple[str, ...] | list[str]) -> list[str]:
     return [argument[1:-1] for argument in arguments if argument[:1] in ("'", '"')]
+
+
+def _checked(report: object, name: str, method: Callable[..., object]) -> Message:
+    """The report, if it is the message that the definition sends."""
+    if isinstance(report, Message) and name == report.NAME:
+        return report
+    what = report.NAME if isinstance(report, Message) else repr(report)
+    raise TypeError(f"{method.__qualname__} is to return a {name} or None, and returned {what}")
 
 
 def _described(transition: model.Transition) -> str:

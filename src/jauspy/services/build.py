@@ -17,7 +17,7 @@ from jauspy.services.lineage import definitions_of
 from jauspy.services.machine import BoundState, Machine, Rule
 from jauspy.services.service import Service
 from jauspy.services.tree import merge, start_of
-from jauspy.services.trigger import Key
+from jauspy.services.trigger import ANY_MESSAGE, ANY_TRIGGER, Key
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,6 +32,8 @@ class Built:
     inputs: Mapping[int, type[Message]]
     events: Mapping[Key, Machine]
     """The machine that each internal event is for."""
+    event_names: frozenset[str]
+    """The internal events that the definitions have, whether a transition waits for them or not."""
     queries: frozenset[int]
     """Codes of messages that are answered without a change of state."""
 
@@ -50,11 +52,14 @@ def build(services: Iterable[Service], schema: Schema | None, registry: Registry
     starts = {name: start_of(root, name, list(definitions.values())) for name, root in roots.items()}
     machines = {name: Machine(states, starts[name], bugs) for name, states in bound.items()}
     rules = [(rule, name) for name, states in bound.items() for rule in _rules(states.values())]
-    events: dict[Key, Machine] = {rule.key: machines[name] for rule, name in rules if isinstance(rule.key, str)}
+    awaited = {rule.key: machines[name] for rule, name in rules if isinstance(rule.key, str)}
+    events: dict[Key, Machine] = {**awaited}
     received = {rule.key for rule, _ in rules if isinstance(rule.key, int)}
     queries = frozenset(rule.key for rule, _ in rules if isinstance(rule.key, int) and _answers(rule))
     inputs = _inputs(definitions.values(), received, registry)
-    return Built(all_services, definitions, machines, machines.get("ReceiveFSM"), inputs, events, queries)
+    names = frozenset(event.name for each in definitions.values() for event in each.internal_events) | awaited.keys()
+    names -= {ANY_MESSAGE, ANY_TRIGGER}
+    return Built(all_services, definitions, machines, machines.get("ReceiveFSM"), inputs, events, names, queries)
 
 
 def _rules(states: Iterable[BoundState]) -> Iterable[Rule]:
@@ -92,5 +97,14 @@ def _inputs(
             if message in definition.inputs or message.code in received:
                 for kind in registry.by_code(message.code):
                     if definition.id == kind.SERVICE and definition.version == kind.VERSION:
-                        found.setdefault(message.code, kind)
+                        _distinct(found.setdefault(message.code, kind), kind)
     return found
+
+
+def _distinct(first: type[Message], second: type[Message]) -> None:
+    """Refuse two inputs of different services with one id."""
+    if first.NAME != second.NAME and first.SERVICE != second.SERVICE:
+        raise ConfigError(
+            f"message id {first.CODE:04X} is {first.NAME} of {first.SERVICE} and {second.NAME} of {second.SERVICE}; "
+            "a component cannot tell them apart: change one id, or give the services to two components"
+        )

@@ -8,16 +8,24 @@ from jauspy import messages
 from jauspy.codec.registry import Registry
 from jauspy.schema.model import Schema
 from jauspy.schema.needed import Wanted, load_needed, versions_of
+from jauspy.schema.states import check_states
 from jauspy.services.service import Service
 
 
 def schema_for(services: Iterable[Service]) -> Schema:
-    """The definitions of these services and of all they inherit from; those that services bring along come first."""
+    """The definitions of these services and of all they inherit from; those that services bring along come first.
+
+    Raises `SchemaError` with file and line when one that is brought along cannot run: it was loaded for its messages.
+    """
     services = list(services)
-    newest = _schema(services, every_version=False)
-    ids = [each.id for each in newest.services]
-    # Two versions of one parent: some service must be content with an older version of itself.
-    return newest if len(set(ids)) == len(ids) else _schema(services, every_version=True)
+    schema = _schema(services, every_version=False)
+    ids = [each.id for each in schema.services]
+    if len(set(ids)) < len(ids):
+        # Two versions of one parent: some service must be content with an older version of itself.
+        schema = _schema(services, every_version=True)
+    brought = {service.urn for service in services if service.definitions is not None}
+    check_states([each for each in schema.services if each.id in brought], schema.services)
+    return schema
 
 
 def _schema(services: Iterable[Service], *, every_version: bool) -> Schema:

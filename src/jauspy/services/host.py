@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal, TypeVar
 
 from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
+from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.protocol.header import Broadcast, Priority
 from jauspy.schema.model import Schema, Service as Definition
@@ -67,7 +68,7 @@ class Host:
         self._timers = Timers()
         self._agenda = Agenda(self._dispatch, lambda trigger: self.count("event_dropped", f"{trigger.key}"))
         self._bugs = Bugs(self.counters, self._fail if on_action_error == "failure" else lambda: None)
-        self._sending = Sending(self._dispatch, self._bugs, self.count)
+        self._sending = Sending(self._dispatch, self._bugs, self.counters)
         self._found: dict[type[Service], Service | None] = {}
         given = list(services)
         registry = registry or registry_for(given)
@@ -196,7 +197,7 @@ class Host:
         priority: Priority = Priority.STANDARD,
         broadcast: Broadcast = Broadcast.NONE,
     ) -> None:
-        """Send a message; one that cannot be encoded is logged, counted and not sent."""
+        """Send a message; one that cannot be encoded is a bug: it is logged, counted and not sent."""
         self._sending.send(destination, message, priority, broadcast)
 
     def output(self, outgoing: Outgoing) -> None:
@@ -208,7 +209,13 @@ class Host:
         return self._sending.answer(self._built.machines["ReceiveFSM"], Trigger(query.CODE, query, source))
 
     def fire(self, event: str, msg: Any = None, source: JausID | None = None) -> None:
-        """Raise an internal event of the JSIDL; handled as soon as what happens now is done."""
+        """Raise an internal event of the JSIDL; handled as soon as what happens now is done.
+
+        Raises `ConfigError` for one that no service of the component has.
+        """
+        if event not in self._built.event_names:
+            known = ", ".join(sorted(self._built.event_names))
+            raise ConfigError(f"no service of {self.id} has an internal event {event}; there are {known}")
         self._agenda.put(Trigger(event, msg, source))
 
     def perform(self, command: Message, source: JausID, ended: Callable[[bool], None]) -> None:
@@ -261,8 +268,8 @@ class Host:
                 self._bugs.met(f"{type(service).__name__}.{what.key}", what, error)
 
     def _fail(self) -> None:
-        """Go to Failure, unless the component is there already: an action that fails there must not start over."""
-        if "Failure" not in self.path:
+        """Go to Failure, if it has one and is not there already: an action that fails there must not start over."""
+        if "Failure" in self._built.event_names and "Failure" not in self.path:
             self.fire("Failure")
 
     def _dispatch(self, trigger: Trigger) -> Outcome:

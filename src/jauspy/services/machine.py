@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import Final, Literal
 
+from jauspy.codec.base import Message
 from jauspy.services.isolation import Bugs
 from jauspy.services.tree import StateNode
 from jauspy.services.trigger import ANY_MESSAGE, ANY_TRIGGER, STAY, Key, Trigger
@@ -24,7 +25,7 @@ class Step:
     call: Callable[[Trigger], object]
     sends: bool = False
     """True for `Send`: a message goes out."""
-    report: Callable[[Trigger], object] | None = None
+    report: Callable[[Trigger], Message | None] | None = None
     """For a `Send` to who asked: what makes the message."""
 
 

@@ -21,15 +21,15 @@ def mask(report: Message, query: Message) -> Message:
     A query's `presence_vector` masks the report's body record. A field named after a part of the body, as
     `VelocityVarPresenceVector` is after `VelocityVar`, masks the record in that part.
     """
-    masked = report
+    found = report
     for vector, part in _vectors(type(query)):
         asked = getattr(query, vector)
         if not part:
-            masked = _masked(masked, asked)
-        elif hasattr(masked, part):
-            masked = copy(masked)
-            setattr(masked, part, _masked(getattr(masked, part), asked))
-    return masked
+            found = masked(found, asked)
+        elif hasattr(found, part):
+            found = copy(found)
+            setattr(found, part, masked(getattr(found, part), asked))
+    return found
 
 
 def _vectors(query: type[Message]) -> tuple[tuple[str, str], ...]:
@@ -52,7 +52,8 @@ def _slots(kind: type[Struct]) -> tuple[Slot, ...]:
     return layout.slots if isinstance(layout, Composite) else ()
 
 
-def _masked(record: S, asked: int) -> S:
+def masked(record: S, asked: int) -> S:
+    """The record without the optional fields that were not asked for: bit i asks for the i-th of them."""
     optional = enumerate(_optional(type(record)))
     unasked = [name for bit, name in optional if not asked >> bit & 1 and getattr(record, name) is not None]
     if unasked:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable
 from typing import Final
 
@@ -9,7 +10,6 @@ from jauspy.codec.base import Message
 from jauspy.errors import EncodeError
 from jauspy.ids import JausID
 from jauspy.protocol.header import Broadcast, Priority
-from jauspy.services.drops import Count
 from jauspy.services.isolation import Bugs
 from jauspy.services.machine import Machine, Outcome, Step
 from jauspy.services.outbox import Outgoing
@@ -23,14 +23,14 @@ _EVENTS: Final = ("Send", "BroadcastLocal", "BroadcastGlobal")
 class Sending:
     """Encodes messages and hands them to `dispatch`."""
 
-    def __init__(self, dispatch: Callable[[Trigger], Outcome], bugs: Bugs, count: Count) -> None:
+    def __init__(self, dispatch: Callable[[Trigger], Outcome], bugs: Bugs, counters: Counter[str]) -> None:
         self._dispatch = dispatch
         self._bugs = bugs
-        self._count = count
+        self._counters = counters
         self._kept: list[Outgoing] | None = None
 
     def send(self, destination: JausID, message: Message, priority: Priority, broadcast: Broadcast) -> None:
-        """Send a message; one that cannot be encoded is logged, counted and not sent."""
+        """Send a message; one that cannot be encoded is a bug: it is logged, counted and not sent."""
         payload = self._encoded(message)
         if payload is None:
             return
@@ -56,11 +56,13 @@ class Sending:
         finally:
             self._kept = outer
 
-    def _made(self, step: Step, make: Callable[[Trigger], object], trigger: Trigger) -> tuple[Outcome, bytes | None]:
+    def _made(
+        self, step: Step, make: Callable[[Trigger], Message | None], trigger: Trigger
+    ) -> tuple[Outcome, bytes | None]:
         """The short cut of most queries: the report itself, not what a machine does to send it."""
         try:
             report = make(trigger)
-            answer = self._encoded(masked(report, trigger)) if isinstance(report, Message) else None
+            answer = None if report is None else self._encoded(masked(report, trigger))
         except Exception as error:  # noqa: BLE001 - any bug of a service
             self._bugs.met(step.name, trigger, error)
             return Outcome.FAILED, None
@@ -70,7 +72,8 @@ class Sending:
         try:
             return message.encode()
         except EncodeError as error:
-            self._count("unencodable", f"{message.NAME}: {error}")
+            self._counters["unencodable"] += 1
+            self._bugs.met(f"encoding {message.NAME}", Trigger("send", message), error)
             return None
 
 

@@ -120,9 +120,11 @@ def _entry(found: dict[str, Need], name: str, kind: Kind, reports: str, literals
 
 
 def _reported(name: str, outputs: set[str]) -> str:
-    """The output that an action is named for: `Send('ReportX')`, `sendReportX`, `sendX` for ReportX."""
+    """The output that an action is named for: `Send('ReportX')`, `sendReportX`, `sendX`, `sendReportXInY`."""
     bare = name.removeprefix("send") if name.startswith("send") else name[:1].upper() + name[1:]
-    return next((each for each in (name, bare, f"Report{bare}") if each in outputs), "")
+    exact = next((each for each in (name, bare, f"Report{bare}") if each in outputs), "")
+    begun = [each for each in outputs if name.startswith("send") and bare.startswith(each)]
+    return exact or max(begun, key=len, default="")
 
 
 def _once(names: list[str], name: str) -> None:

@@ -94,9 +94,9 @@ def clean_up(path: Path) -> None:
 
 def _probe(path: Path) -> int:
     """The error number of an attempt to connect, 0 when it worked."""
-    with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as probe:
-        try:
+    try:
+        with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as probe:
             probe.connect(str(path))
-        except OSError as error:
-            return error.errno or errno.ENAMETOOLONG
+    except OSError as error:
+        return error.errno or errno.ENAMETOOLONG
     return 0

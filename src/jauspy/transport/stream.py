@@ -16,12 +16,14 @@ _LOGGER = logging.getLogger(__name__)
 
 HIGH_WATER: Final = 64 * 1024
 """Bytes handed to the kernel and not taken yet, from which on packets wait here, by priority and in bounds."""
+READ_SIZE: Final = 2048
+"""Bytes read per turn of the event loop: a hundred of the smallest packets, so that a flood delays nobody else."""
 CONNECT_TIMEOUT: Final = 5.0
 FIRST_RETRY: Final = 0.1
 LAST_RETRY: Final = 10.0
 
 
-class StreamLink(asyncio.Protocol):
+class StreamLink(asyncio.BufferedProtocol):
     """An open connection. `took(link, datagram)` gets each packet, `ended(link)` is called once when it is closed.
 
     A stream that lost its boundaries is closed: nothing else brings them back. A link is bound to one version: who
@@ -36,11 +38,14 @@ class StreamLink(asyncio.Protocol):
         began: Callable[[StreamLink], None] | None = None,
     ) -> None:
         self.peer: Address = ("", 0)
+        self.has_spoken = False
+        """True when a whole packet has come."""
         self._counters = counters
         self._took = took
         self._ended = ended
         self._began = began
         self._decoder = jtcp.StreamDecoder()
+        self._buffer = bytearray(READ_SIZE)
         self._greeted: int | None = None
         self._transport: asyncio.Transport | None = None
         self._paused = False
@@ -69,18 +74,23 @@ class StreamLink(asyncio.Protocol):
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
         """Greet, or tell the owner that somebody has called."""
         self._transport = cast("asyncio.Transport", transport)
-        self.peer = transport.get_extra_info("peername")[:2]
+        self.peer = (transport.get_extra_info("peername") or self.peer)[:2]
         self._transport.set_write_buffer_limits(high=HIGH_WATER)
         if self._began is not None:
             self._began(self)
         else:
             self._greet(self._transport)
 
-    def data_received(self, data: bytes) -> None:
+    def get_buffer(self, _sizehint: int) -> bytearray:
+        """Where the next bytes are read to."""
+        return self._buffer
+
+    def buffer_updated(self, nbytes: int) -> None:
         """Hand up whole packets."""
         if self._transport is None or self._transport.is_closing():
             return
-        datagrams, error = self._decoder.feed(data)
+        datagrams, error = self._decoder.feed(bytes(self._buffer[:nbytes]))
+        self.has_spoken = self.has_spoken or bool(datagrams)
         for datagram in datagrams:
             self._took(self, datagram)
         if error is not None:

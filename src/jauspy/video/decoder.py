@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from typing import TYPE_CHECKING
 
 import av
 from av.codec.context import Flags
@@ -11,7 +12,9 @@ from av.video.codeccontext import VideoCodecContext
 
 from jauspy.video import nal
 from jauspy.video.depacketiser import Picture
-from jauspy.video.encoder import Image
+
+if TYPE_CHECKING:
+    from jauspy.platform.camera import Image
 
 
 class H264Decoder:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import Final, TypeAlias
+from typing import TYPE_CHECKING, Final
 
 import av
 import cv2
@@ -13,12 +13,12 @@ from av.video.frame import PictureType
 from numpy.typing import NDArray
 
 from jauspy.errors import ConfigError
+from jauspy.platform.video_settings import VideoSettings
 from jauspy.video import nal
 from jauspy.video.packetiser import MAX_PAYLOAD
-from jauspy.video.settings import VideoSettings
 
-Image: TypeAlias = NDArray[np.uint8]
-"""Rows of pixels from top to bottom: red, green, blue; shape (height, width, 3)."""
+if TYPE_CHECKING:
+    from jauspy.platform.camera import Image
 
 BUFFER: Final = 0.25
 """Seconds of the bit rate that one picture may take at most, so that an IDR is no flood."""

@@ -7,16 +7,14 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from types import TracebackType
-from typing import Final, Self, TypeAlias
+from typing import Final, Self
 
 from jauspy.errors import ConfigError, TransportError
 from jauspy.video import nal
+from jauspy.video.orders import Address
 from jauspy.video.packetiser import payloads
 from jauspy.video.rtcp import asks_for_picture
 from jauspy.video.stream import RtpStream
-
-Address: TypeAlias = tuple[str, int]
-"""Host and port for RTP; RTCP goes to the port above it."""
 
 MAX_RECEIVERS: Final = 8
 

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from jauspy.video.encoder import Image
+if TYPE_CHECKING:
+    from jauspy.platform.camera import Image
+
 
 BITS: Final = 32
 """Squares in a row, the most significant bit on the left. A row takes the whole width of the picture."""

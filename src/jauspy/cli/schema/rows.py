@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from jauspy.cli.render import unit_symbol
+from jauspy.codec.wire import CODES, FLOATS, limits
 from jauspy.schema import model as m
 from jauspy.schema.sizes import Sizes, can_be_there, scalar_size, sizes
 from jauspy.schema.values import BITS
@@ -192,21 +193,26 @@ def _choice(part: m.TypeChoice) -> _Inside:
 
 def _values(kind: m.Scalar, units: str, scale: m.Scale | None, values: m.ValueSet | None) -> Iterator[str]:
     symbol = unit_symbol(units)
-    if scale is not None:
-        step = (scale.upper - scale.lower) / (2 ** int(kind[1:]) - 1)
-        unit, how = f" {symbol}" if symbol else "", "" if scale.function == "round" else f", {scale.function}"
+    unit = f" {symbol}" if symbol else ""
+    if scale is not None and CODES[kind] not in FLOATS:
+        step = (scale.upper - scale.lower) / limits(CODES[kind])[1]
+        how = "" if scale.function == "round" else f", {scale.function}"
         yield f"{scale.lower:.9g}..{scale.upper:.9g}{unit}, step {step:.3g}{how}"
         return
-    found = list(_value_set(values))
+    found = list(_value_set(values, unit))
     yield from found
     if symbol and not found:
         yield symbol
 
 
-def _value_set(values: m.ValueSet | None) -> Iterator[str]:
+def _value_set(values: m.ValueSet | None, unit: str = "") -> Iterator[str]:
     if values is None:
         return
     yield from (f"{enum.value} {enum.name}" for enum in values.enums)
     for part in values.ranges:
         low, high = ("" if part.lower_inclusive else ">", "" if part.upper_inclusive else "<")
-        yield f"{low}{part.lower:.9g}..{high}{part.upper:.9g}"
+        yield f"{low}{_limit(part.lower)}..{high}{_limit(part.upper)}{unit}"
+
+
+def _limit(value: float) -> str:
+    return f"{value}" if isinstance(value, int) else f"{value:.9g}"

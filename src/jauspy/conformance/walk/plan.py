@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
-from jauspy.codec.base import Message
+from jauspy.codec.base import Message, Struct
 from jauspy.conformance.checks import Check, that
 from jauspy.conformance.offers import Offers, ServiceKey
 from jauspy.conformance.outcome import Skipped
@@ -166,12 +166,13 @@ class Planner:
         if known:
             return known
         kind = self.subject.kind(name)
-        if not presence_fields(kind):
+        vectors = presence_fields(kind)
+        if not vectors:
             return [Stimulus(name, lambda _: neutral(kind))]
         report = name.replace("Query", "Report", 1)
         return [
             Stimulus(name, lambda _, asked=asked: neutral(kind, asks_for=asked), variant, checks={report: checks})  # type: ignore[misc]  # a bound loop variable
-            for variant, asked, checks in (("all fields", EVERYTHING, ()), ("no fields", 0, (NO_FIELDS,)))
+            for variant, asked, checks in (("all fields", EVERYTHING, ()), ("no fields", 0, (no_fields(vectors),)))
         ]
 
     def _spontaneous(self, situation: Situation) -> Iterator[Stimulus]:
@@ -221,19 +222,22 @@ SENDING: Final = ("Send", "BroadcastLocal", "BroadcastGlobal")
 """Events of the machine that sends, which every other step is about."""
 
 
-def _is_bare(report: Message) -> bool:
-    slots = getattr(report.layout(), "slots", ())
-    parts = [report, *(getattr(report, slot.name) for slot in slots)]
-    return not any(
-        getattr(part, slot.name) is not None
-        for part in parts
-        if hasattr(part, "layout")
-        for slot in getattr(part.layout(), "slots", ())
-        if slot.optional
-    )
+def no_fields(vectors: Iterable[str]) -> Check:
+    """Nothing in the parts of the report that these presence vectors of the query are about; all were zero."""
+    names = [vector.removesuffix("presence_vector").rstrip("_") for vector in vectors]
 
+    def is_bare(report: Message) -> bool:
+        parts = [getattr(report, name, None) if name else report for name in names]
+        return not any(
+            getattr(part, slot.name) is not None
+            for part in parts
+            if isinstance(part, Struct)
+            for slot in getattr(part.layout(), "slots", ())
+            if slot.optional
+        )
 
-NO_FIELDS: Final[Check] = that("carries no field that was not asked for", _is_bare)
+    return that("carries no field that was not asked for", is_bare)
+
 
 _STEERED: Final = {
     each.message: each for each in RECIPES if (each.message, each.variant) == ("RequestControl", "the same authority")

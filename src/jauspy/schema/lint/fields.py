@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 from lxml.etree import _Element as Element
@@ -14,7 +15,7 @@ from jauspy.schema.lint.world import World
 from jauspy.schema.model import List, Scalar, ValueSet
 from jauspy.schema.reading import location
 from jauspy.schema.sizes import sizes
-from jauspy.schema.values import BITS, SCALARS, UNSIGNED, read_count, read_value_set
+from jauspy.schema.values import BITS, SCALARS, UNSIGNED, read_count, read_limits, read_value_set
 
 COUNTS = ("count_field", "vtag_field")
 _VALUE_SETS = ("value_set", "declared_value_set")
@@ -117,6 +118,8 @@ def tag_limits(world: World) -> Iterator[Problem]:
         arms = sum(1 for part in variant if part.tag != "vtag_field")
         for tag in variant.iterchildren("vtag_field"):
             count = world.attempt(lambda tag=tag, scope=scope: read_count(tag, scope))  # type: ignore[misc]
+            if arms > 2 ** bits_of(tag):
+                continue  # refused
             if count is not None and arms and (count.minimum, count.maximum) != (0, arms - 1):
                 reason = f"tag of {named(variant)} allows {count.minimum}..{count.maximum}, but its {arms} arms are "
                 yield location(tag), f'{reason}0..{arms - 1}; write min_count="0" max_count="{arms - 1}"'
@@ -153,15 +156,26 @@ def unbounded_list(world: World) -> Iterator[Problem]:
 def scale_limits(world: World) -> Iterator[Problem]:
     """Scales with nothing between their limits."""
     for element, scope in world.elements("scale_range"):
-        limits = world.attempt(
-            lambda element=element, scope=scope: (  # type: ignore[misc]
-                scope.number(element, "real_lower_limit"),
-                scope.number(element, "real_upper_limit"),
-            )
-        )
+        limits = world.attempt(lambda element=element, scope=scope: read_limits(element, scope))  # type: ignore[misc]
         if limits is not None and limits[0] >= limits[1]:
             what = "swap them" if limits[0] > limits[1] else "they need a distance"
             yield location(element), f"scale of {named(element)} goes from {limits[0]:g} to {limits[1]:g}; {what}"
+
+
+def scale_types(world: World) -> Iterator[Problem]:
+    """Scales of floats, which mean nothing, and those with finer steps than floats have."""
+    for element, scope in world.elements("scale_range"):
+        holder = element.getparent()
+        kind = None if holder is None else SCALARS.get(" ".join(holder.get("field_type", "").split()))
+        limits = world.attempt(lambda element=element, scope=scope: read_limits(element, scope))  # type: ignore[misc]
+        if kind is None or limits is None:
+            continue
+        top = 2 ** (int(kind[1:]) - (not kind.startswith("u"))) - 1
+        if kind.startswith("f"):
+            yield location(element), f"scale of {named(element)} means nothing, it is a float; write a value_set"
+        elif (limits[1] - limits[0]) / top < 2 * math.ulp(max(map(abs, limits))):
+            reason = f"steps of {named(element)} are finer than those of a float, so bytes change when they are sent on"
+            yield location(element), f"{reason}; take a smaller type"
 
 
 def duplicate_name(world: World) -> Iterator[Problem]:

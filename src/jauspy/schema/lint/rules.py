@@ -40,6 +40,7 @@ RULES: tuple[Rule, ...] = (
     Rule("unbounded-list", "error", "a list of items that may have no content", fields.unbounded_list),
     Rule("tag-limits", "warning", "limits of a variant's tag that are not those of its arms", fields.tag_limits),
     Rule("scale-limits", "error", "a scale with nothing between its limits", fields.scale_limits),
+    Rule("scale-type", "warning", "a scale that a float cannot follow", fields.scale_types),
     Rule("value-range", "error", "a range of values upside down", fields.value_range_limits),
     Rule("value-set", "error", "values that the type cannot carry", fields.values_beyond_type),
     Rule("duplicate-value", "warning", "two names for one value", fields.duplicate_value),

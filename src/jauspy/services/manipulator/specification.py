@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Final
-
 from jauspy.messages.manipulator import ManipulatorCoordinateSystemRec, ReportManipulatorSpecifications
-from jauspy.platform.vectors import Transform, X, about
+from jauspy.platform.vectors import Transform
+from jauspy.services.axes import JAUS_FROM_REP_103
 from jauspy.services.manipulator.arm import Arm
 from jauspy.services.manipulator.denavit_hartenberg import Link
 from jauspy.services.manipulator.quaternion import quaternion
 from jauspy.services.service import Service
-
-JAUS_FROM_REP_103: Final = Transform(about(X, 3.141592653589793))
-"""JAUS's vehicle frame has y to the right and z down."""
 
 
 class ManipulatorSpecification(Service, urn="urn:jaus:jss:manipulator:ManipulatorSpecificationService"):

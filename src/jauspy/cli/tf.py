@@ -1,0 +1,98 @@
+"""`jauspy tf`: where the frames of a running robot are."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from jauspy.cli.options import Connect, Json, OwnId, Timeout
+
+if TYPE_CHECKING:
+    from jauspy.platform.description import RobotModel
+    from jauspy.platform.transforms import Frames
+    from jauspy.platform.vectors import Transform
+
+
+def tf(
+    *,
+    source: Annotated[str | None, typer.Argument(metavar="[FROM]", help="The frame to give poses in.")] = None,
+    target: Annotated[str | None, typer.Argument(metavar="[TO]", help="The frame whose pose is wanted.")] = None,
+    robot: Annotated[
+        str,
+        typer.Option("--robot", metavar="ROBOT", help="The robot's name, as in inc1, or the path of its .toml file."),
+    ] = "inc1",
+    connect: Connect = None,
+    own_id: OwnId = None,
+    timeout: Timeout = 5.0,
+    as_json: Json = False,
+) -> None:
+    """Show where the frames of a running robot are: all in their parents, or TO as FROM has it.
+
+    Frames are the links of the robot's description, and `local`, in which its pose sensor reports. What moves is asked
+    for over JAUS, so it works with any robot that has the services: LocalPoseSensor, and of each arm the
+    specification and the positions of its joints. Joints that no service reports are taken to be where they start;
+    it says which. Metres and radians, x forward, y left, z up; quaternions are w, x, y, z.
+
+    Examples:
+      jauspy tf
+      jauspy tf base_link tool_link
+      jauspy tf --robot my_robot.toml local lidar_link --json
+    """
+    import json
+
+    from jauspy.cli import addresses, console
+    from jauspy.cli.run import run
+    from jauspy.errors import ConfigError
+    from jauspy.modules import robots
+    from jauspy.modules.description import robot_model
+
+    if (source is None) != (target is None):
+        raise ConfigError(f"{source} alone is not enough: give the frame to start from and the one that is wanted")
+    config = robots.load(robot)
+    model = robot_model(config)
+    found = run(_look(addresses.own_id(own_id, connect), connect, config.subsystem, model, timeout))
+    if found is None:
+        return
+    frames, assumed = found
+    if source is not None and target is not None:
+        rows = [_row(target, source, frames.pose(target, source))]
+    else:
+        rows = [_row(name, parent, frames.in_parent(name)) for name, parent in frames.parents.items()]
+    for row in rows:
+        print(json.dumps(row) if as_json else _line(row))
+    if assumed:
+        console.note(f"where they start, for no service reports them: {', '.join(assumed)}")
+
+
+async def _look(
+    own_id: str, connect: str | None, subsystem: int, model: RobotModel, patience: float
+) -> tuple[Frames, list[str]]:
+    from jauspy.ocu import OCU
+    from jauspy.ocu.frames import RobotFrames
+
+    async with OCU(own_id, connect, timeout=patience / 3, retries=2) as ocu:
+        reader = RobotFrames(await ocu.discover(subsystem, timeout=patience), model)
+        return await reader.look(), reader.assumed
+
+
+def _row(frame: str, parent: str, pose: Transform) -> dict[str, Any]:
+    from jauspy.services.manipulator.quaternion import quaternion
+
+    angles = pose.pose()
+    return {
+        "frame": frame,
+        "in": parent,
+        "position": [round(value, 6) for value in pose.position],
+        "roll_pitch_yaw": [round(value, 6) for value in (angles.roll, angles.pitch, angles.yaw)],
+        "quaternion": [round(value, 6) for value in quaternion(pose.rotation)],
+    }
+
+
+def _line(row: dict[str, Any]) -> str:
+    x, y, z = row["position"]
+    roll, pitch, yaw = row["roll_pitch_yaw"]
+    return (
+        f"{row['frame']:24} in {row['in']:24}"
+        f"  x {x:8.4f}  y {y:8.4f}  z {z:8.4f} m  roll {roll:7.4f}  pitch {pitch:7.4f}  yaw {yaw:7.4f} rad"
+    )

@@ -1,0 +1,51 @@
+"""Maps in files as ROS's map_server writes and reads them: a PGM picture, and YAML that says where it is."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+import yaml
+from numpy.typing import NDArray
+
+from jauspy.errors import ConfigError
+from jauspy.mapping.grid import FREE, OCCUPIED, OccupancyGrid
+
+SHADES: Final = {100: 0, 0: 254, -1: 205}
+"""Grey of cells that are occupied, free and unknown."""
+
+
+def save(grid: OccupancyGrid, path: Path) -> tuple[Path, Path]:
+    """Write PATH.pgm and PATH.yaml, without what lies around the known part; returns both paths."""
+    cells = grid.occupancy()
+    rows, columns = (np.flatnonzero((cells != -1).any(axis=axis)) for axis in (1, 0))
+    top, bottom = (rows[0], rows[-1] + 1) if len(rows) else (0, 1)
+    left, right = (columns[0], columns[-1] + 1) if len(columns) else (0, 1)
+    picture, notes = path.with_suffix(".pgm"), path.with_suffix(".yaml")
+    low = [float(grid.low + first * grid.resolution) for first in (left, top)]
+    try:
+        picture.write_bytes(_pgm(cells[top:bottom, left:right]))
+        notes.write_text(yaml.safe_dump(_notes(picture.name, grid.resolution, low), sort_keys=False), encoding="utf-8")
+    except OSError as error:
+        raise ConfigError(f"{path}: the map cannot be written: {error.strerror}") from error
+    return picture, notes
+
+
+def _notes(image: str, resolution: float, low: list[float]) -> dict[str, Any]:
+    return {
+        "image": image,
+        "resolution": resolution,
+        "origin": [*low, 0.0],
+        "negate": 0,
+        "occupied_thresh": OCCUPIED,
+        "free_thresh": FREE,
+    }
+
+
+def _pgm(cells: NDArray[np.int8]) -> bytes:
+    shades = np.full(cells.shape, SHADES[-1], np.uint8)
+    for value, shade in SHADES.items():
+        shades[cells == value] = shade
+    height, width = cells.shape
+    return b"P5\n%d %d\n255\n" % (width, height) + shades[::-1].tobytes()  # the first row of a picture is its top

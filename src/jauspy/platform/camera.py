@@ -1,0 +1,66 @@
+"""The contract with cameras: what a camera is, and how a process of its own looks through it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Protocol, TypeAlias
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Image: TypeAlias = NDArray[np.uint8]
+    """Rows of pixels from top to bottom: red, green, blue; shape (height, width, 3)."""
+
+
+@dataclass(frozen=True, slots=True)
+class CameraSetup:
+    """A camera of a robot: it looks along its link's x axis, z is up."""
+
+    name: str
+    link: str
+    fov: float
+    """From the left edge of the picture to the right one, radians."""
+
+
+@dataclass(frozen=True, slots=True)
+class Frame:
+    """A picture, and when the robot was as it shows: seconds of the machine's monotonic clock."""
+
+    image: Image
+    taken: float
+
+
+class Eye(Protocol):
+    """An open camera. It belongs to one thread."""
+
+    @property
+    def description(self) -> str:
+        """How it comes to its pictures, for the log; says so when it does worse than it could."""
+        ...
+
+    def look(self, width: int, height: int) -> Frame:
+        """The robot's newest state as a picture of that size."""
+        ...
+
+    def close(self) -> None:
+        """Release what it holds; twice is fine."""
+        ...
+
+
+class Camera(Protocol):
+    """How to open a camera: can be pickled, and sent to the process that will look through it."""
+
+    @property
+    def setup(self) -> CameraSetup:
+        """What it is."""
+        ...
+
+    @property
+    def descriptors(self) -> tuple[int, ...]:
+        """Open files that the other process must inherit under the same numbers."""
+        ...
+
+    def open(self) -> Eye:
+        """In the other process; `ConfigError` when a package is missing there."""
+        ...

@@ -1,0 +1,106 @@
+"""Cameras of the kinematic robot: a sky, and a floor of squares of one metre, seen from where the camera is."""
+
+from __future__ import annotations
+
+import math
+import struct
+from collections.abc import Sequence
+from dataclasses import dataclass
+from types import ModuleType
+from typing import TYPE_CHECKING, Final
+
+from jauspy.errors import ConfigError
+from jauspy.platform.camera import CameraSetup, Frame
+from jauspy.platform.shared_state import StateReader
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from jauspy.platform.camera import Image
+
+NUMBERS: Final = 12
+"""Of the camera's frame in the world: the rows of its rotation, then its origin."""
+
+FAR: Final = 30.0
+"""Metres at which the floor is lost in the haze."""
+
+SHADES: Final = 64
+SKY: Final = 2 * SHADES
+"""The last number of the palette."""
+
+_SKY: Final = (150, 190, 230)
+_LIGHT: Final = (170, 165, 150)
+_DARK: Final = (95, 100, 90)
+
+
+@dataclass(frozen=True, slots=True)
+class FloorCamera:
+    """A `Camera`; the state is its frame in the world."""
+
+    setup: CameraSetup
+    descriptor: int
+
+    @property
+    def descriptors(self) -> tuple[int, ...]:
+        """The robot's state."""
+        return (self.descriptor,)
+
+    def open(self) -> FloorEye:
+        """Needs NumPy."""
+        try:
+            return FloorEye(self)
+        except ImportError as error:
+            raise ConfigError(f"cameras need NumPy: pip install 'jauspy[video]' ({error})") from error
+
+
+class FloorEye:
+    """An `Eye`."""
+
+    description: str = "draws sky and floor; the kinematic backend has nothing else to see"
+
+    def __init__(self, camera: FloorCamera) -> None:
+        import numpy  # noqa: PLC0415 - an extra
+
+        self._np = numpy
+        self._spread = math.tan(camera.setup.fov / 2.0)
+        self._palette = numpy.array(_palette(), numpy.uint8)
+        self._state = StateReader(camera.descriptor)
+
+    def look(self, width: int, height: int) -> Frame:
+        """The floor in squares, darker where it is far."""
+        taken, data = self._state.read()
+        numbers = struct.unpack(f"={NUMBERS}d", data)
+        return Frame(self._picture(numbers[:9], numbers[9:], width, height), taken)
+
+    def close(self) -> None:
+        """Give the state's memory back."""
+        self._state.close()
+
+    def _picture(self, rotation: Sequence[float], origin: Sequence[float], width: int, height: int) -> Image:
+        np = self._np
+        left = np.linspace(self._spread, -self._spread, width, dtype=np.float32)[None, :]
+        edge = self._spread * height / width
+        up = np.linspace(edge, -edge, height, dtype=np.float32)[:, None]
+        rows = np.array(rotation, np.float32).reshape(3, 3)
+        x, y, z = (row[0] + row[1] * left + row[2] * up for row in rows)
+        far = np.float32(-origin[2]) / np.minimum(z, np.float32(-1e-3))
+        squares = (_whole(np, origin[0] + far * x) + _whole(np, origin[1] + far * y)) & 1
+        shades = np.minimum(far, np.float32(FAR)) * np.float32((SHADES - 1) / FAR)
+        image: Image = self._palette[np.where(z < 0.0, squares * SHADES + shades.astype(np.int32), SKY)]
+        return image
+
+
+def _whole(numpy: ModuleType, values: NDArray[np.float32]) -> NDArray[np.int32]:
+    whole: NDArray[np.int32] = numpy.floor(numpy.clip(values, -1e6, 1e6)).astype(numpy.int32)
+    return whole
+
+
+def _palette() -> list[tuple[int, ...]]:
+    """Light and dark squares, from near to far, where they are lost in the haze; and the sky."""
+    mixed = [
+        tuple(round(near + (sky - near) * shade / (SHADES - 1)) for near, sky in zip(colour, _SKY, strict=True))
+        for colour in (_LIGHT, _DARK)
+        for shade in range(SHADES)
+    ]
+    return [*mixed, _SKY]

@@ -1,0 +1,88 @@
+"""A lidar out of something that measures distances: when it scans, and what of that it can see."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import Final, TypeAlias
+
+from jauspy.platform.ranging import LidarSetup, RangeScan, ScanSettings
+
+Measure: TypeAlias = Callable[[Sequence[float]], Sequence[float]]
+"""Distances along rays, given as angles in the plane of the lidar's link: metres, inf where nothing is."""
+
+EARLY: Final = 1e-6
+"""Seconds by which a scan may be early: sums of steps are not exact."""
+
+SLACK: Final = 1e-6
+"""Radians by which a ray may be outside of the angles that are set: they come rounded."""
+
+
+def sees_nothing(angles: Sequence[float]) -> list[float]:
+    """The `Measure` of a world without obstacles."""
+    return [math.inf] * len(angles)
+
+
+class Scanner:
+    """A `RangeFinder`; `step` lets it live."""
+
+    def __init__(self, setup: LidarSetup, measure: Measure = sees_nothing) -> None:
+        self._setup = setup
+        self._measure = measure
+        self._settings = setup.settings()
+        self._angles = setup.angles()
+        self._now = 0.0
+        self._due = 0.0
+        self._scan: RangeScan | None = None
+
+    @property
+    def setup(self) -> LidarSetup:
+        """What it can do."""
+        return self._setup
+
+    @property
+    def settings(self) -> ScanSettings:
+        """What it was told to do."""
+        return self._settings
+
+    @property
+    def scan(self) -> RangeScan | None:
+        """The last scan; None while it is not active."""
+        return self._scan
+
+    @property
+    def age(self) -> float:
+        """Seconds since the last scan; 0 without one."""
+        return self._now - self._scan.time if self._scan else 0.0
+
+    def configure(self, settings: ScanSettings) -> None:
+        """Measure so from the next scan on, which comes with the next step."""
+        setup = self._setup
+        settings = replace(
+            settings,
+            rate=min(setup.rate, settings.rate),
+            least=max(setup.least, settings.least),
+            most=min(setup.most, settings.most),
+        )
+        self._settings = settings
+        first, last = settings.start - SLACK, settings.stop + SLACK
+        self._angles = tuple(angle for angle in setup.angles() if first <= angle <= last)
+        self._due = self._now
+        if not settings.active:
+            self._scan = None
+
+    def step(self, now: float) -> None:
+        """The robot's time is `now`; never earlier than in the call before."""
+        self._now = now
+        if not self._settings.active or now < self._due - EARLY:
+            return
+        period = 1.0 / self._settings.rate
+        self._due = self._due + period if self._due + period > now else now + period
+        ranges = tuple(self._limited(distance) for distance in self._measure(self._angles))
+        self._scan = RangeScan(now, self._setup.link, self._angles, ranges)
+
+    def _limited(self, distance: float) -> float:
+        if distance > self._settings.most:
+            return math.inf
+        return distance if distance >= self._settings.least else -math.inf

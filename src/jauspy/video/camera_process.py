@@ -1,0 +1,237 @@
+"""A camera in a process of its own, as the robot's process has it: it starts it, tells it what to do, restarts it."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import os
+import sys
+from collections import Counter
+from collections.abc import Callable, Mapping
+from contextlib import suppress
+from types import TracebackType
+from typing import Final, Self
+
+from jauspy.errors import ConfigError
+from jauspy.platform.camera import Camera
+from jauspy.platform.video_settings import VideoSettings
+from jauspy.video.extra import need_video
+from jauspy.video.orders import (
+    LENGTH,
+    Address,
+    Begin,
+    Change,
+    Counted,
+    Format,
+    Leave,
+    Opened,
+    Order,
+    Still,
+    Take,
+    Watch,
+    length,
+    packed,
+    unpacked,
+)
+from jauspy.video.sender import MAX_RECEIVERS
+
+PAUSES: Final = (0.5, 10.0)
+"""Seconds before a process that died is started again: at first, and at most; doubled from time to time."""
+
+STEADY: Final = 30.0
+"""Seconds that a process must have lived for the pause to be short again."""
+
+BACKLOG: Final = 1 << 16
+"""Bytes of orders that the process may leave unread; one that leaves more hangs, and is ended."""
+
+MAX_STILLS: Final = 8
+"""Still images that wait to be taken; one more is refused."""
+
+STOP_TIMEOUT: Final = 5.0
+
+_LOG: Final = logging.getLogger("jauspy.video")
+
+
+class CameraProcess:
+    """`async with` starts and ends it. Orders may be given from the first moment; what holds survives a restart.
+
+    Counters: those of the sender; `started` processes, `hung` ones, `stills` taken, and `stills_lost` with a process.
+    """
+
+    def __init__(self, camera: Camera, settings: VideoSettings, *, stamped: bool = False) -> None:
+        need_video()
+        self._camera, self._settings, self._stamped = camera, settings, stamped
+        self._receivers: dict[Address, bool] = {}
+        self._stills: dict[int, Callable[[bytes | None], None]] = {}
+        self._number = 0
+        self._own: Counter[str] = Counter()
+        self._sent: Counter[str] = Counter()
+        self._before: Counter[str] = Counter()
+        self._description = ""
+        self._process: asyncio.subprocess.Process | None = None
+        self._keeper: asyncio.Task[None] | None = None
+
+    @property
+    def pid(self) -> int | None:
+        """Of the process that runs; None between two."""
+        return None if self._process is None else self._process.pid
+
+    @property
+    def counters(self) -> Mapping[str, int]:
+        """What was counted so far, by all its processes."""
+        return self._own + self._before + self._sent
+
+    @property
+    def description(self) -> str:
+        """How the camera comes to its pictures; empty before it is open."""
+        return self._description
+
+    @property
+    def settings(self) -> VideoSettings:
+        """How the stream is encoded."""
+        return self._settings
+
+    @settings.setter
+    def settings(self, settings: VideoSettings) -> None:
+        self._settings = settings
+        self._order(Change(settings))
+
+    @property
+    def receivers(self) -> Mapping[Address, bool]:
+        """Who is sent to, and whether they play."""
+        return dict(self._receivers)
+
+    def watch(self, address: Address, *, playing: bool = True) -> None:
+        """Send there, beginning with an IDR, or pause; `ConfigError` for one receiver too many."""
+        if address not in self._receivers and len(self._receivers) >= MAX_RECEIVERS:
+            raise ConfigError(f"{MAX_RECEIVERS} receivers watch this camera already; one must leave first")
+        self._receivers[address] = playing
+        self._order(Watch(address, playing))
+
+    def leave(self, address: Address) -> None:
+        """Send there no longer; unknown ones are no error."""
+        if self._receivers.pop(address, None) is not None:
+            self._order(Leave(address))
+
+    def take(self, width: int, height: int, format: Format, then: Callable[[bytes | None], None]) -> bool:
+        """Take a still image; `then` gets its file, or None if its process dies. False when too many wait."""
+        if len(self._stills) >= MAX_STILLS or self._process is None:
+            return False
+        self._number += 1
+        self._stills[self._number] = then
+        self._order(Take(self._number, width, height, format))
+        return True
+
+    async def open(self) -> None:
+        """Start; twice is fine."""
+        if self._keeper is None:
+            await self._start()
+            self._keeper = asyncio.create_task(self._keep(), name=f"camera {self._camera.setup.name}")
+
+    async def close(self) -> None:
+        """End the process; twice is fine."""
+        if self._keeper is not None:
+            self._keeper.cancel()
+            with suppress(asyncio.CancelledError):
+                await self._keeper
+            self._keeper = None
+        await self._stop()
+
+    async def __aenter__(self) -> Self:
+        await self.open()
+        return self
+
+    async def __aexit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        await self.close()
+
+    def _order(self, order: Order) -> None:
+        process = self._process
+        if process is None or process.stdin is None or process.stdin.is_closing():
+            return
+        process.stdin.write(packed(order))
+        if process.stdin.transport.get_write_buffer_size() > BACKLOG:
+            self._own["hung"] += 1
+            with suppress(ProcessLookupError):
+                process.kill()
+
+    async def _start(self) -> None:
+        self._process = await asyncio.create_subprocess_exec(
+            sys.executable,
+            "-m",
+            "jauspy.video.worker",
+            stdin=asyncio.subprocess.PIPE,
+            stdout=asyncio.subprocess.PIPE,
+            pass_fds=self._camera.descriptors,
+            start_new_session=True,
+            env={**os.environ, "PYTHONUNBUFFERED": "1"},
+        )
+        self._own["started"] += 1
+        assert self._process.stdin is not None
+        self._process.stdin.write(packed(Begin(self._camera, self._settings, self._stamped)))
+        with suppress(ConnectionError):  # it ended already; who keeps it will see
+            await self._process.stdin.drain()
+        for address, playing in self._receivers.items():
+            self._order(Watch(address, playing))
+
+    async def _keep(self) -> None:
+        """Hears what the process says, and starts another one when it has ended."""
+        pause, longest = PAUSES
+        loop = asyncio.get_running_loop()
+        while True:
+            born = loop.time()
+            status = await self._listen()
+            pause = PAUSES[0] if loop.time() - born > STEADY else pause
+            name = self._camera.setup.name
+            _LOG.warning("camera %s: its process ended (%s); it starts again in %.1f s", name, status, pause)
+            await asyncio.sleep(pause)
+            pause = min(longest, 2.0 * pause)
+            await self._start()
+
+    async def _listen(self) -> int:
+        process = self._process
+        assert process is not None
+        assert process.stdout is not None
+        with suppress(asyncio.IncompleteReadError):
+            while True:
+                head = await process.stdout.readexactly(LENGTH)
+                self._hear(unpacked(await process.stdout.readexactly(length(head))))
+        status = await process.wait()
+        self._end()
+        return status
+
+    def _hear(self, word: object) -> None:
+        match word:
+            case Opened(description):
+                if description != self._description:
+                    _LOG.info("camera %s: %s", self._camera.setup.name, description)
+                self._description = description
+            case Still(number, image):
+                self._own["stills"] += 1
+                self._stills.pop(number)(image)
+            case Counted(counters):
+                self._sent = Counter(counters)
+
+    def _end(self) -> None:
+        self._process = None
+        self._before += self._sent
+        self._sent = Counter()
+        waiting, self._stills = self._stills, {}
+        self._own["stills_lost"] += len(waiting)
+        for then in waiting.values():
+            then(None)
+
+    async def _stop(self) -> None:
+        process = self._process
+        if process is None:
+            return
+        assert process.stdin is not None
+        process.stdin.close()
+        try:
+            async with asyncio.timeout(STOP_TIMEOUT):
+                await process.communicate()
+        except TimeoutError:
+            process.kill()
+            await process.communicate()
+        self._end()

@@ -1,0 +1,105 @@
+"""What a camera's process does: looks through the camera, encodes, sends, takes still images."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Final
+
+import cv2
+
+from jauspy.errors import JausError
+from jauspy.video import stamp
+from jauspy.video.encoder import H264Encoder
+from jauspy.video.orders import Begin, Change, Counted, Leave, Opened, Still, Take, Watch, Word
+from jauspy.video.sender import RtpSender
+
+if TYPE_CHECKING:
+    from jauspy.platform.camera import Image
+
+COUNTED: Final = 1.0
+"""Seconds between two reports of the counters."""
+
+QUALITY: Final = 90
+"""Of JPEGs, out of 100."""
+
+
+class Studio:
+    """One camera, for one thread. `say` takes what the robot's process is to know."""
+
+    def __init__(self, begin: Begin, say: Callable[[Word], None], clock: Callable[[], float] = time.monotonic) -> None:
+        self._say, self._clock = say, clock
+        self._stamped = begin.stamped
+        self._eye = begin.camera.open()
+        self._encoder = H264Encoder(begin.settings)
+        self._sender = RtpSender(begin.camera.setup.name)
+        self._number = 0
+        self._due = clock()
+        self._count_due = clock()
+        say(Opened(self._eye.description))
+
+    def wait(self) -> float | None:
+        """Seconds until the next picture is due; None when nobody watches."""
+        return max(0.0, self._due - self._clock()) if self._sender.playing else None
+
+    def obey(self, order: object) -> None:
+        """Do what the robot's process wants."""
+        match order:
+            case Change(settings):
+                self._encoder.settings = settings
+            case Watch(address, playing):
+                self._watch(address, playing=playing)
+            case Leave(address):
+                self._sender.remove(address)
+            case Take():
+                self._take(order)
+
+    def film(self) -> None:
+        """Send a picture, if one is due."""
+        now = self._clock()
+        if not self._sender.playing or now < self._due:
+            return
+        period = 1.0 / self._encoder.settings.rate
+        late = int((now - self._due) / period)
+        self._sender.counters["skipped"] += late
+        self._due += period * (1 + late)
+        self._picture(now)
+        if now >= self._count_due:
+            self._count_due = now + COUNTED
+            self._say(Counted(dict(self._sender.counters)))
+
+    def close(self) -> None:
+        """Give camera and sockets back; twice is fine."""
+        self._sender.close()
+        self._eye.close()
+
+    def _watch(self, address: tuple[str, int], *, playing: bool) -> None:
+        if not self._sender.playing:  # nobody watched: no picture was missed
+            self._due = self._clock()
+        try:
+            if address not in self._sender.receivers:
+                self._sender.add(address)
+        except JausError:
+            self._sender.counters["refused"] += 1
+            return
+        (self._sender.play if playing else self._sender.pause)(address)
+
+    def _picture(self, now: float) -> None:
+        settings = self._encoder.settings
+        frame = self._eye.look(settings.width, settings.height)
+        if self._stamped:
+            stamp.draw(frame.image, self._number, round(frame.taken * 1e6))
+        self._number += 1
+        nals = self._encoder.encode(frame.image, idr=self._sender.needs_idr(now))
+        self._sender.send(nals, now, time.time())
+
+    def _take(self, order: Take) -> None:
+        image = self._eye.look(order.width, order.height).image
+        self._say(Still(order.number, _file(image, order.format.value)))
+
+
+def _file(image: Image, ending: str) -> bytes:
+    done, content = cv2.imencode(ending, cv2.cvtColor(image, cv2.COLOR_RGB2BGR), [cv2.IMWRITE_JPEG_QUALITY, QUALITY])
+    if not done:
+        raise ValueError(f"OpenCV cannot write {ending}")
+    return content.tobytes()

@@ -1,0 +1,67 @@
+"""Distances by rays through MuJoCo's world."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any, Final
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from jauspy.platform.ranging import LidarSetup
+from jauspy.platform.scanner import Scanner
+from jauspy_sim.assembly import COLLIDING, SEEN
+
+_GROUPS: Final = np.array([group not in (SEEN, COLLIDING) for group in range(mujoco.mjNGROUP)], np.uint8)
+"""All but those of robots: a lidar that sits among its robot's own parts looks past them."""
+
+_NO_NORMALS: Final[dict[str, Any]] = {"normal": None} if "normal" in (mujoco.mj_multiRay.__doc__ or "") else {}
+"""MuJoCo 4 can give the normals of what the rays hit."""
+
+
+def simulated_lidar(model: mujoco.MjModel, data: mujoco.MjData, prefix: str, setup: LidarSetup) -> Scanner:
+    """A lidar in the world of that robot, with normally distributed errors."""
+    return Scanner(setup, _Rays(model, data, data.body(f"{prefix}{setup.link}"), setup).measure)
+
+
+class _Rays:
+    def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, body: Any, setup: LidarSetup) -> None:
+        self._model, self._data, self._body = model, data, body
+        self._noise = setup.noise
+        self._random = np.random.default_rng(setup.seed)
+
+    def measure(self, angles: Sequence[float]) -> list[float]:
+        """As `Measure`."""
+        if not angles:
+            return []
+        mujoco.mj_kinematics(self._model, self._data)  # after a step, frames are those of its beginning
+        at = np.asarray(angles)
+        rays = np.stack([np.cos(at), np.sin(at), np.zeros_like(at)], axis=1) @ self._body.xmat.reshape(3, 3).T
+        distances = cast_rays(self._model, self._data, self._body.xpos, rays)
+        noise: NDArray[np.float64] = self._random.normal(0.0, self._noise, len(angles))
+        return (distances + noise).tolist()  # type: ignore[no-any-return]  # numpy's tolist is untyped
+
+
+def cast_rays(
+    model: mujoco.MjModel, data: mujoco.MjData, start: NDArray[np.float64], rays: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """How far it is from a point to the world along rays of unit length; inf where nothing is."""
+    count = len(rays)
+    found, distances = np.empty(count, np.int32), np.empty(count)
+    mujoco.mj_multiRay(
+        m=model,
+        d=data,
+        pnt=start,
+        vec=rays.ravel(),
+        geomgroup=_GROUPS,
+        flg_static=True,
+        bodyexclude=-1,
+        geomid=found,
+        dist=distances,
+        nray=count,
+        cutoff=mujoco.mjMAXVAL,
+        **_NO_NORMALS,
+    )
+    return np.where(distances < 0.0, math.inf, distances)

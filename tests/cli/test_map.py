@@ -1,0 +1,47 @@
+"""`jauspy map`: wrong uses, and a map from a running robot."""
+
+import subprocess
+import sys
+
+import pytest
+import yaml
+
+from jauspy.cli import map_robot
+from jauspy.cli.main import app
+from jauspy.testing import LocalNode
+
+JAUSPY = [sys.executable, "-m", "jauspy.cli.main"]
+
+
+def test_writes_a_map_of_what_a_robot_sees(robot, node_manager: LocalNode, tmp_path):
+    command = [*JAUSPY, "map", "yard", "--seconds", "2", "--connect", node_manager.local, "--id", "42.7.1"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False, timeout=60)
+    assert done.returncode == 0, done.stderr
+    assert "yard.pgm and yard.yaml" in done.stdout
+    notes = yaml.safe_load((tmp_path / "yard.yaml").read_text())
+    assert (tmp_path / notes["image"]).read_bytes().startswith(b"P5\n")
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        (["nowhere/yard"], "there is no folder"),
+        (["yard", "--size", "1000", "--resolution", "0.01"], "cells along a side; a map has 2..4000"),
+    ],
+)
+def test_mistakes_are_told_before_anything_is_mapped(options, said, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    from typer.testing import CliRunner
+
+    result = CliRunner().invoke(app, ["map", *options])
+    assert result.exit_code == 1
+    assert said in result.output + result.stderr
+
+
+def test_without_numpy_it_says_what_to_install(monkeypatch):
+    from typer.testing import CliRunner
+
+    monkeypatch.setattr(map_robot, "find_spec", lambda name: None)
+    result = CliRunner().invoke(app, ["map", "yard"])
+    assert result.exit_code == 1
+    assert "pip install 'jauspy[map]'" in result.output + result.stderr

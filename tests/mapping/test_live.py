@@ -1,0 +1,94 @@
+"""Mapping a robot over JAUS, on virtual time; a lidar of its own kind sees a wall."""
+
+from __future__ import annotations
+
+import asyncio
+import math
+from collections.abc import Sequence
+
+import numpy as np
+import pytest
+
+from jauspy.errors import ConfigError, JausError
+from jauspy.mapping.grid import OccupancyGrid
+from jauspy.mapping.live import LiveMapping, _Seen, between
+from jauspy.mapping.mapper import Mapper
+from jauspy.mapping.pose import PlanarPose
+from jauspy.messages.mobility import SetWrenchEffort
+from jauspy.modules.robot import RobotRunner
+from jauspy.ocu import OCU
+from jauspy.platform import kinematic
+from jauspy.platform.kinematic import KinematicRobot
+from jauspy.platform.scanner import Scanner
+
+WALL = 3.025
+"""Metres to the left of where the robot starts; it goes on for ever."""
+
+
+@pytest.fixture
+def walled(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Kinematic robots see a wall."""
+    look = KinematicRobot.__init__
+
+    def init(self: KinematicRobot, model: object) -> None:
+        look(self, model)  # type: ignore[arg-type]
+
+        def measure(angles: Sequence[float]) -> list[float]:
+            pose = self.drive.pose()
+            y = pose.y - 0.2 * math.sin(pose.yaw)  # the lidar sits 0.2 m behind the middle
+            return [(WALL - y) / s if (s := math.sin(angle + pose.yaw)) > 1e-9 else math.inf for angle in angles]
+
+        self._lidars = {name: Scanner(lidar.setup, measure) for name, lidar in self._lidars.items()}
+        self._look()
+
+    monkeypatch.setattr(kinematic.KinematicRobot, "__init__", init)
+
+
+async def test_a_wall_is_on_the_map_where_it_is(walled: None, robot: RobotRunner, ocu: OCU) -> None:
+    found = await ocu.discover(101)
+    live = LiveMapping(found, Mapper(OccupancyGrid(20.0)))
+    mapping = asyncio.create_task(live.run())
+    driver = found.service("mobility:PrimitiveDriver")
+    async with driver.control(authority=200):
+        await driver.resume()
+        await driver.send(SetWrenchEffort(propulsive_linear_effort_x=30.0, propulsive_rotational_effort_z=8.0))
+        await asyncio.sleep(4.0)
+    assert not mapping.done()
+    mapping.cancel()
+    with pytest.raises(asyncio.CancelledError):
+        await mapping
+    assert live.counters["scans"] > 30
+    assert set(live.counters) == {"scans"}
+    grid = live.mapper.grid
+    rows, columns = np.nonzero(grid.occupancy() == 100)
+    assert len(rows) > 50
+    walls = grid.low + (rows + 0.5) * grid.resolution
+    assert walls == pytest.approx(np.full(len(walls), WALL), abs=2.5 * grid.resolution)
+    seen = robot.snapshot
+    assert seen is not None
+    assert abs(seen.pose.yaw) > 0.2, "it turned while it drove, and the scans fit nevertheless"
+    assert math.dist(live.mapper.path[-1][:2], (seen.pose.x, seen.pose.y)) < 0.3
+    assert columns.max() - columns.min() > 60
+
+
+async def test_a_sensor_that_is_not_there(robot: RobotRunner, ocu: OCU) -> None:
+    found = await ocu.discover(101)
+    with pytest.raises(ConfigError, match=r"101\.1\.108: sensor 7 is not there, or not fixed"):
+        await LiveMapping(found, Mapper(), sensor=7).run()
+
+
+async def test_a_robot_that_falls_silent_ends_it_with_one_error(robot: RobotRunner, ocu: OCU) -> None:
+    live = LiveMapping(await ocu.discover(101), Mapper())
+    mapping = asyncio.create_task(live.run())
+    await asyncio.sleep(1.0)
+    await robot.close()
+    with pytest.raises(JausError):
+        await asyncio.wait_for(mapping, 200.0)
+
+
+def test_between_two_poses_also_around_midnight() -> None:
+    before = _Seen(86399.9, PlanarPose(1.0, 0.0, math.pi - 0.1), is_level=True)
+    later = _Seen(0.1, PlanarPose(2.0, 0.0, -math.pi + 0.1), is_level=True)
+    middle = between(before, later, 0.0)
+    assert middle.pose == pytest.approx((1.5, 0.0, math.pi), abs=1e-9)
+    assert middle.is_level

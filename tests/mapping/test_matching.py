@@ -1,0 +1,75 @@
+"""Scan matching in a room whose walls are known."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from jauspy.mapping.grid import OccupancyGrid
+from jauspy.mapping.mapper import Mapper
+from jauspy.mapping.matching import match
+from jauspy.mapping.pose import PlanarPose, Points
+
+ANGLES = np.linspace(-math.pi, math.pi, 360, endpoint=False)
+TRUST = (0.1, 0.1)
+
+
+def ranges(pose: PlanarPose, *, corridor: bool = False) -> list[float]:
+    """In a room 8 m long and 5 m wide around the origin; a corridor has no ends."""
+    found = []
+    for angle in ANGLES + pose.yaw:
+        c, s = math.cos(angle), math.sin(angle)
+        across = ((2.5 if s > 0 else -2.5) - pose.y) / s if s else math.inf
+        along = ((4.0 if c > 0 else -4.0) - pose.x) / c if c and not corridor else math.inf
+        found.append(min(across, along))
+    return found
+
+
+def ends(pose: PlanarPose, *, corridor: bool = False) -> Points:
+    found = np.array(ranges(pose, corridor=corridor))
+    keep = found < 12.0
+    return np.column_stack([found[keep] * np.cos(ANGLES[keep]), found[keep] * np.sin(ANGLES[keep])])
+
+
+def mapped(*, corridor: bool = False) -> OccupancyGrid:
+    mapper = Mapper(OccupancyGrid(30.0), matching=False)
+    for x in (-1.0, -0.5, 0.0, 0.5, 1.0):
+        pose = PlanarPose(x, 0.0, x / 10.0)
+        mapper.add(pose, PlanarPose(), ANGLES.tolist(), ranges(pose, corridor=corridor))
+    return mapper.grid
+
+
+@pytest.mark.parametrize("off", [(0.1, 0.0, 0.0), (0.0, -0.1, 0.0), (0.0, 0.0, 0.06), (-0.08, 0.08, -0.05)])
+def test_finds_its_place_again(off: tuple[float, float, float]) -> None:
+    pose = PlanarPose(0.7, 0.4, 0.3)
+    found = match(mapped(), ends(pose), pose.then(PlanarPose(*off)), TRUST)
+    assert math.hypot(found.x - pose.x, found.y - pose.y) < 0.05, "a cell: the walls lie between two"
+    assert abs(found.yaw - pose.yaw) < 0.005
+
+
+def test_along_a_corridor_the_guess_counts() -> None:
+    pose = PlanarPose(0.7, 0.2, 0.0)
+    found = match(mapped(corridor=True), ends(pose, corridor=True), PlanarPose(0.5, 0.28, 0.02), TRUST)
+    assert found.x == pytest.approx(0.5, abs=0.05)
+    assert found.y == pytest.approx(0.2, abs=0.04)
+    assert found.yaw == pytest.approx(0.0, abs=0.005)
+
+
+def test_a_scan_that_sees_next_to_nothing_is_not_matched() -> None:
+    guess = PlanarPose(1.0, 2.0, 0.1)
+    assert match(mapped(), ends(PlanarPose())[:10], guess, TRUST) == guess
+
+
+def test_an_empty_map_leaves_the_guess() -> None:
+    guess = PlanarPose(1.0, 2.0, 0.1)
+    assert match(OccupancyGrid(30.0), ends(PlanarPose()), guess, TRUST) == pytest.approx(guess)
+
+
+def test_scans_go_into_the_map_only_after_some_driving() -> None:
+    mapper = Mapper(OccupancyGrid(30.0))
+    for step in range(26):
+        pose = PlanarPose(step * 0.01)
+        mapper.add(pose, PlanarPose(), ANGLES.tolist(), ranges(pose))
+    assert len(mapper.path) == 3

@@ -1,0 +1,93 @@
+from __future__ import annotations
+
+import dataclasses
+import math
+import pickle
+
+import pytest
+
+pytest.importorskip("numpy", reason="the extra 'video' is not installed")
+
+from jauspy.modules.description import robot_model
+from jauspy.modules.robots import load
+from jauspy.platform import kinematic_camera
+from jauspy.platform.camera import CameraSetup
+from jauspy.platform.joints import ControlMode, Target
+from jauspy.platform.kinematic import KinematicRobot
+
+SKY = (150, 190, 230)
+FRONT = CameraSetup("front", "chassis_camera_link", math.radians(90.0))
+ARM = CameraSetup("arm", "arm_camera_link", math.radians(60.0))
+
+
+@pytest.fixture
+def robot():
+    opened = KinematicRobot(dataclasses.replace(robot_model(load("inc1")), cameras=(FRONT, ARM)))
+    yield opened
+    opened.close()
+
+
+@pytest.fixture
+def eye(robot):
+    opened = pickle.loads(pickle.dumps(robot.cameras["front"])).open()
+    yield opened
+    opened.close()
+
+
+def sky(image):
+    return (image == SKY).all(axis=2)
+
+
+def test_the_horizon_is_in_the_middle_of_a_level_camera(eye):
+    image = eye.look(320, 240).image
+    assert image.shape == (240, 320, 3)
+    assert sky(image)[:118].all()
+    assert not sky(image)[124:].any()
+
+
+def test_the_floor_has_squares_of_a_metre_whose_edges_are_where_they_should_be(eye):
+    """The camera is 0.315 m ahead of the robot and 0.24 m high; what is d ahead is seen 0.24/d below the middle."""
+    image = eye.look(801, 601).image
+    column = image[:, 401 + 20].astype(int).sum(axis=1)
+    for edge in (1.0, 2.0):
+        row = 300 + 400 * 0.24 / (edge - 0.315)
+        near, far = column[round(row) + 3], column[round(row) - 3]
+        assert abs(near - far) > 60, f"no edge at {edge} m"
+
+
+def test_it_sees_the_robot_drive_and_when(robot, eye):
+    before = eye.look(160, 120)
+    robot.drive.set_effort(0.5, 0.0)
+    robot.advance(1.0)
+    after = eye.look(160, 120)
+    assert after.taken > before.taken
+    assert (after.image != before.image).any()
+
+
+def test_a_camera_on_the_arm_goes_with_its_joints(robot):
+    eye = robot.cameras["arm"].open()
+    arm = robot.groups["arm"]
+    shares = []
+    for pitch in (0.0, 1.0, -1.0):
+        targets = [0.0, 0.0, 0.0, pitch, 0.0]
+        arm.command([Target(ControlMode.POSITION, value) for value in targets])
+        robot.advance(10.0)
+        shares.append(sky(eye.look(160, 120).image).mean())
+    eye.close()
+    level, up, down = shares
+    assert up > 0.9
+    assert down < 0.1
+    assert 0.1 < level < 0.9
+
+
+def test_a_robot_without_cameras_has_none():
+    assert KinematicRobot(robot_model(load("igvc"))).cameras == {}
+
+
+def test_without_numpy_it_says_what_to_install(robot, monkeypatch):
+    def fail(_):
+        raise ImportError("No module named 'numpy'")
+
+    monkeypatch.setattr(kinematic_camera, "FloorEye", fail)
+    with pytest.raises(Exception, match=r"cameras need NumPy: pip install 'jauspy\[video\]'"):
+        robot.cameras["front"].open()

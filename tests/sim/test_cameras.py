@@ -1,0 +1,134 @@
+"""What the simulated cameras see, by GL where there is one, and by rays everywhere."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+import os
+import pickle
+import subprocess
+import sys
+
+import pytest
+
+pytest.importorskip("mujoco", reason="MuJoCo is not installed")
+
+import numpy as np
+
+from jauspy.modules.description import robot_model
+from jauspy.modules.robots import load
+from jauspy.platform.camera import CameraSetup
+from jauspy_sim import gl
+from jauspy_sim.rays import PIXELS, RayPainter
+from jauspy_sim.robot import SimulatedRobot
+
+FRONT = CameraSetup("front", "chassis_camera_link", math.radians(80.0))
+ARM = CameraSetup("arm", "arm_camera_link", math.radians(80.0))
+
+
+@pytest.fixture
+def robot():
+    opened = SimulatedRobot.open(dataclasses.replace(robot_model(load("inc1")), cameras=(FRONT, ARM)), "demo")
+    yield opened
+    opened.close()
+
+
+@pytest.fixture(params=["rays", "GL"])
+def eye(request, robot, monkeypatch):
+    if request.param == "rays":
+        monkeypatch.setenv("MUJOCO_GL", "disable")
+    elif gl.choose() is None:
+        pytest.skip("there is neither libegl1 nor libosmesa6")
+    opened = pickle.loads(pickle.dumps(robot.cameras["front"])).open()
+    if request.param == "GL" and "rays" in opened.description:
+        pytest.skip("GL does not work here")
+    yield opened
+    opened.close()
+
+
+def red(image):
+    """Where the picture is red, as the cylinder on the table is."""
+    channels = image.astype(int)
+    return (channels[..., 0] > 2 * channels[..., 1]) & (channels[..., 0] > 2 * channels[..., 2])
+
+
+def expected(robot, position, width, height):
+    """The pixel at which a point of the world is to be seen."""
+    number = robot.cameras["front"].number
+    x, y, z = robot.data.cam_xmat[number].reshape(3, 3).T @ (position - robot.data.cam_xpos[number])
+    focal = width / 2.0 / math.tan(FRONT.fov / 2.0)
+    return width / 2.0 - focal * x / z, height / 2.0 + focal * y / z
+
+
+def test_a_thing_is_seen_where_it_is(robot, eye):
+    image = eye.look(640, 480).image
+    assert image.shape == (480, 640, 3)
+    rows, columns = np.nonzero(red(image))
+    (thing,) = np.flatnonzero(robot.model.geom_matid == robot.model.mat("tin").id)
+    column, row = expected(robot, robot.data.geom_xpos[thing], 640, 480)
+    assert columns.mean() == pytest.approx(column, abs=12.0)
+    assert rows.mean() == pytest.approx(row, abs=12.0)
+
+
+def test_it_sees_what_the_last_step_left(robot, eye):
+    before = eye.look(160, 120)
+    robot.drive.set_effort(0.0, 0.5)
+    robot.advance(1.0)
+    after = eye.look(160, 120)
+    assert after.taken > before.taken
+    assert (after.image != before.image).mean() > 0.1
+
+
+def test_sizes_change_from_picture_to_picture(eye):
+    for width, height in ((128, 96), (1280, 720), (640, 350)):
+        image = eye.look(width, height).image
+        assert image.shape == (height, width, 3)
+        assert image.std() > 10.0
+
+
+def test_rays_are_fewer_than_the_pixels_of_a_large_picture(robot, monkeypatch):
+    painter = RayPainter(robot.model, robot.cameras["front"].number, FRONT.fov)
+    cast = []
+    monkeypatch.setattr(painter, "_cast", lambda _, rays: cast.append(len(rays)) or np.zeros((len(rays), 3), np.uint8))
+    painter.paint(robot.data, 1280, 720)
+    painter.paint(robot.data, 100, 100)
+    assert cast[0] <= PIXELS * 1.02
+    assert cast[1] == 10_000
+
+
+def test_gl_that_does_not_work_gives_way_to_rays_and_says_why(robot, monkeypatch, caplog):
+    monkeypatch.setattr(gl, "choose", lambda: "no_such_way")
+    eye = robot.cameras["arm"].open()
+    assert "casts rays" in eye.description
+    assert "no_such_way does not work here" in caplog.text
+    eye.close()
+
+
+@pytest.mark.parametrize(
+    ("set_to", "chosen"), [("disable", None), ("osmesa", "osmesa"), ("EGL", "egl"), ("glfw", None)]
+)
+def test_the_environment_decides_about_gl(monkeypatch, set_to, chosen):
+    monkeypatch.setenv("MUJOCO_GL", set_to)
+    assert gl.choose() == chosen
+
+
+def test_looking_does_not_change_where_the_robot_goes():
+    def trajectory(*cameras):
+        robot = SimulatedRobot.open(dataclasses.replace(robot_model(load("inc1")), cameras=cameras), "demo")
+        robot.drive.set_effort(0.4, 0.2)
+        robot.advance(1.0)
+        robot.close()
+        return robot.drive.pose()
+
+    assert trajectory() == trajectory(FRONT, ARM)
+
+
+def test_no_picture_is_taken_in_the_robots_process():
+    """Importing and running the backend loads neither GL nor the packages of the extra `video`."""
+    code = (
+        "import sys; from jauspy.modules.description import robot_model; from jauspy.modules.robots import load;"
+        "from jauspy_sim.robot import SimulatedRobot; SimulatedRobot.open(robot_model(load('inc1')), 'demo');"
+        "print(sorted({'OpenGL', 'av', 'cv2'} & set(sys.modules)))"
+    )
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, env=os.environ)
+    assert run.stdout == "[]\n"

@@ -1,0 +1,197 @@
+from __future__ import annotations
+
+import asyncio
+import dataclasses
+import math
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+pytest.importorskip("av", reason="the extra 'video' is not installed")
+pytest.importorskip("cv2", reason="the extra 'video' is not installed")
+
+import cv2
+import numpy as np
+
+from jauspy.errors import ConfigError
+from jauspy.modules.description import robot_model
+from jauspy.modules.robots import load
+from jauspy.platform.camera import CameraSetup
+from jauspy.platform.kinematic import KinematicRobot
+from jauspy.platform.video_settings import VideoSettings
+from jauspy.video import camera_process
+from jauspy.video.camera_process import MAX_STILLS, CameraProcess
+from jauspy.video.decoder import H264Decoder
+from jauspy.video.orders import Format
+from jauspy.video.receiver import RtpReceiver
+from jauspy.video.sender import MAX_RECEIVERS
+from jauspy.video.stamp import read
+
+SMALL = VideoSettings(320, 240, 20)
+
+
+@pytest.fixture
+def robot():
+    setup = CameraSetup("front", "chassis_camera_link", math.radians(80.0))
+    opened = KinematicRobot(dataclasses.replace(robot_model(load("inc1")), cameras=(setup,)))
+    yield opened
+    opened.close()
+
+
+@pytest.fixture
+async def camera(robot):
+    async with CameraProcess(robot.cameras["front"], SMALL, stamped=True) as opened:
+        yield opened
+
+
+@pytest.fixture
+def receiver():
+    with RtpReceiver() as opened:
+        yield opened
+
+
+def at(receiver):
+    return ("127.0.0.1", receiver.port)
+
+
+async def images(receiver, count, decoder=None):
+    decoder = decoder or H264Decoder()
+    found = []
+    async with asyncio.timeout(20.0):
+        while len(found) < count:
+            found += [decoder.decode(picture) for picture in receiver.take()]
+            await asyncio.sleep(0.005)
+    return found
+
+
+async def until(condition):
+    async with asyncio.timeout(20.0):
+        while not condition():
+            await asyncio.sleep(0.01)
+
+
+async def test_two_receivers_see_the_same_pictures(camera, receiver):
+    with RtpReceiver() as other:
+        camera.watch(at(receiver))
+        first = await images(receiver, 3)
+        camera.watch(at(other))
+        second = await images(other, 3)
+        numbers = [read(image)[0] for image in [*first, *await images(receiver, len(second))]]
+    assert numbers == list(range(numbers[0], numbers[0] + len(numbers)))
+    assert read(second[0])[0] > numbers[2]
+    assert camera.counters["started"] == 1
+    await until(lambda: camera.description.startswith("draws sky and floor"))
+
+
+async def test_the_size_changes_while_it_runs(camera, receiver):
+    decoder = H264Decoder()
+    camera.watch(at(receiver))
+    assert (await images(receiver, 2, decoder))[0].shape == (240, 320, 3)
+    camera.settings = VideoSettings(640, 480, 20)
+    async with asyncio.timeout(20.0):
+        while (await images(receiver, 1, decoder))[-1].shape != (480, 640, 3):
+            pass
+    assert not receiver.counters.get("lost")
+
+
+async def test_pause_play_and_leave(camera, receiver):
+    with RtpReceiver() as other:
+        camera.watch(at(receiver))
+        camera.watch(at(other))
+        paused = H264Decoder()
+        before = read((await images(receiver, 2, paused))[-1])[0]
+        camera.watch(at(receiver), playing=False)
+        seen = read((await images(other, 20))[-1])[0]
+        leftover = [read(paused.decode(picture))[0] for picture in receiver.take()]
+        assert len(leftover) < 20
+        camera.watch(at(receiver))
+        after = read((await images(receiver, 1, paused))[0])[0]
+        assert after > seen > before
+        camera.leave(at(receiver))
+        camera.leave(at(other))
+        assert camera.receivers == {}
+
+
+@pytest.mark.parametrize("format", Format)
+@pytest.mark.parametrize("size", [(128, 96), (1280, 720)], ids=str)
+async def test_still_images_of_any_size(camera, format, size):
+    taken = asyncio.get_running_loop().create_future()
+    assert camera.take(*size, format, taken.set_result)
+    content = await asyncio.wait_for(taken, 20.0)
+    assert content.startswith({Format.JPEG: b"\xff\xd8\xff", Format.PNG: b"\x89PNG"}[format])
+    image = cv2.imdecode(np.frombuffer(content, np.uint8), cv2.IMREAD_COLOR)
+    assert image.shape == (size[1], size[0], 3)
+    assert image.std() > 10.0
+
+
+async def test_too_many_stills_and_receivers_are_refused(camera):
+    waiting = [camera.take(128, 96, Format.PNG, lambda _: None) for _ in range(MAX_STILLS + 1)]
+    assert waiting == [True] * MAX_STILLS + [False]
+    for port in range(2000, 2000 + 2 * MAX_RECEIVERS, 2):
+        camera.watch(("127.0.0.1", port), playing=False)
+    with pytest.raises(ConfigError, match="8 receivers watch this camera already"):
+        camera.watch(("127.0.0.1", 4000))
+
+
+async def test_a_process_that_dies_is_started_again_and_goes_on(camera, receiver, caplog):
+    camera.settings = dataclasses.replace(SMALL, width=160, height=120)
+    camera.watch(at(receiver))
+    await images(receiver, 2)
+    lost = asyncio.get_running_loop().create_future()
+    killed = camera.pid
+    os.kill(killed, signal.SIGSTOP)
+    assert camera.take(128, 96, Format.PNG, lost.set_result)
+    os.kill(killed, signal.SIGKILL)
+    assert await asyncio.wait_for(lost, 20.0) is None
+    await until(lambda: receiver.take() == [] and camera.pid not in {killed, None})
+    assert (await images(receiver, 2))[0].shape == (120, 160, 3)
+    assert camera.counters["started"] == 2
+    assert camera.counters["stills_lost"] == 1
+    assert "its process ended (-9); it starts again in 0.5 s" in caplog.text
+
+
+async def test_a_process_that_hangs_is_ended(camera, monkeypatch):
+    monkeypatch.setattr(camera_process, "BACKLOG", 1000)
+    await until(lambda: camera.description)
+    os.kill(camera.pid, signal.SIGSTOP)
+    hanging = camera.pid
+    for number in range(20_000):
+        camera.settings = dataclasses.replace(SMALL, gop=1 + number % 200)
+        if camera.counters["hung"]:
+            break
+    await until(lambda: camera.pid not in {hanging, None})
+
+
+async def test_it_ends_with_the_robots_process(tmp_path):
+    program = tmp_path / "robot.py"
+    program.write_text(
+        """
+import asyncio, dataclasses, math
+from jauspy.modules.description import robot_model
+from jauspy.modules.robots import load
+from jauspy.platform.camera import CameraSetup
+from jauspy.platform.kinematic import KinematicRobot
+from jauspy.platform.video_settings import VideoSettings
+from jauspy.video.camera_process import CameraProcess
+
+async def main():
+    setup = CameraSetup("front", "chassis_camera_link", 1.0)
+    robot = KinematicRobot(dataclasses.replace(robot_model(load("inc1")), cameras=(setup,)))
+    async with CameraProcess(robot.cameras["front"], VideoSettings()) as camera:
+        camera.watch(("127.0.0.1", 9))
+        print(camera.pid, flush=True)
+        await asyncio.sleep(60.0)
+
+asyncio.run(main())
+"""
+    )
+    parent = await asyncio.create_subprocess_exec(sys.executable, str(program), stdout=subprocess.PIPE)
+    child = int(await parent.stdout.readline())
+    assert Path(f"/proc/{child}").exists()
+    parent.kill()
+    await parent.communicate()
+    await until(lambda: not Path(f"/proc/{child}").exists() or "Z" in Path(f"/proc/{child}/stat").read_text().split())
