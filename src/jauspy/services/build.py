@@ -52,14 +52,15 @@ def build(services: Iterable[Service], schema: Schema | None, registry: Registry
     starts = {name: start_of(root, name, list(definitions.values())) for name, root in roots.items()}
     machines = {name: Machine(states, starts[name], bugs) for name, states in bound.items()}
     rules = [(rule, name) for name, states in bound.items() for rule in _rules(states.values())]
-    awaited = {rule.key: machines[name] for rule, name in rules if isinstance(rule.key, str)}
-    events: dict[Key, Machine] = {**awaited}
+    events: dict[Key, Machine] = {rule.key: machines[name] for rule, name in rules if isinstance(rule.key, str)}
     received = {rule.key for rule, _ in rules if isinstance(rule.key, int)}
     queries = frozenset(rule.key for rule, _ in rules if isinstance(rule.key, int) and _answers(rule))
     inputs = _inputs(definitions.values(), received, registry)
-    names = frozenset(event.name for each in definitions.values() for event in each.internal_events) | awaited.keys()
-    names -= {ANY_MESSAGE, ANY_TRIGGER}
-    return Built(all_services, definitions, machines, machines.get("ReceiveFSM"), inputs, events, names, queries)
+    names = {event.name for each in definitions.values() for event in each.internal_events}
+    names |= {key for key in events if isinstance(key, str) and key not in (ANY_MESSAGE, ANY_TRIGGER)}
+    return Built(
+        all_services, definitions, machines, machines.get("ReceiveFSM"), inputs, events, frozenset(names), queries
+    )
 
 
 def _rules(states: Iterable[BoundState]) -> Iterable[Rule]:
