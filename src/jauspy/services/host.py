@@ -25,7 +25,7 @@ from jauspy.services.inputs import Inputs
 from jauspy.services.isolation import Bugs
 from jauspy.services.machine import Outcome
 from jauspy.services.outbox import Outbox, Outgoing
-from jauspy.services.sending import Sending, masked
+from jauspy.services.sending import Sending, as_asked
 from jauspy.services.service import Service
 from jauspy.services.timers import Timers
 from jauspy.services.trigger import Trigger
@@ -285,4 +285,4 @@ class Host:
         if destination is None:
             self.count("nobody_to_send_to", result.NAME)
             return
-        self.send(destination, masked(result, trigger))
+        self.send(destination, as_asked(result, trigger))

@@ -62,7 +62,7 @@ class Sending:
         """The short cut of most queries: the report itself, not what a machine does to send it."""
         try:
             report = make(trigger)
-            answer = None if report is None else self._encoded(masked(report, trigger))
+            answer = None if report is None else self._encoded(as_asked(report, trigger))
         except Exception as error:  # noqa: BLE001 - any bug of a service
             self._bugs.met(step.name, trigger, error)
             return Outcome.FAILED, None
@@ -77,7 +77,7 @@ class Sending:
             return None
 
 
-def masked(report: Message, trigger: Trigger) -> Message:
+def as_asked(report: Message, trigger: Trigger) -> Message:
     """The report with what the query that triggered it asks for; all of it when something else did."""
     asked = trigger.msg
     return mask(report, asked) if isinstance(asked, Message) and not asked.IS_COMMAND else report
