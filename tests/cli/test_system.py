@@ -95,6 +95,29 @@ def test_frames_of_a_running_robot(robot, local_root):
     assert "no frame 'nose'; there are: arm_camera_link" in wrong.stderr
 
 
+def test_clouds_of_a_running_robot_are_saved(free_port, local_root, tmp_path):
+    pytest.importorskip("pynng", reason="pynng is not installed")
+    address = f"ipc://{tmp_path}/cloud"
+    options = ["--port", str(free_port), "--local-root", str(local_root), "--cloud", address]
+    process = start("up", "inc1", "--backend", "kinematic", *options)
+    try:
+        family = wait_for(process, "stop it")
+        tool = Path(__file__).parents[2] / "tools" / "save_cloud.py"
+        command = [sys.executable, tool, address, tmp_path / "out", "3"]
+        done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
+        assert done.returncode == 0, done.stderr
+        assert "3 received" in done.stdout
+        saved = sorted((tmp_path / "out").iterdir())
+        assert len(saved) == 3
+        assert all(b"comment frame lidar_link" in each.read_bytes() for each in saved)
+        process.send_signal(signal.SIGINT)
+        assert process.wait(20) == 130
+        assert_gone(family)
+    finally:
+        process.kill()
+        process.communicate()
+
+
 def test_verbs_run_side_by_side_and_a_wildcard_names_who_answered(robot, local_root, free_port):
     for where in (f"local:{local_root}", f"udp://127.0.0.1:{free_port}"):
         asked = [start("query", "101.255.255", "QueryStatus", "--timeout", "1", "--connect", where) for _ in range(3)]

@@ -59,10 +59,17 @@ async def test_events_of_a_user(own: Registry, lamp: Any, world: Any) -> None:
     assert event.query_message == query
 
 
-async def test_a_query_that_nothing_is_known_to_answer(own: Registry, world: Any) -> None:
+async def test_an_ocu_that_does_not_know_the_definition_can_ask_as_well(own: Registry, lamp: Any, world: Any) -> None:
     ocu = await world.ocu()
+    assert await ocu.query(lamp.id, own.by_name("QueryLamp")()) == own.by_name("ReportLamp")(10)
+
+
+async def test_a_query_that_nothing_is_known_to_answer(own: Registry, world: Any, tmp_path: Path) -> None:
+    ocu = await world.ocu()
+    file = tmp_path / "Lamp.xml"
+    file.write_text(LAMP.read_text().replace("ReportLamp", "TellLamp"))
     with pytest.raises(ConfigError, match=r"no message called ReportLamp .* is known to answer QueryLamp"):
-        await ocu.query("101.1.7", own.by_name("QueryLamp")())
+        await ocu.query("101.1.7", jauspy.load(file).by_name("QueryLamp")())
     with pytest.raises(ConfigError, match="SetLamp is no query"):
         await ocu.query("101.1.7", own.by_name("SetLamp")(1))
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from contextlib import AbstractAsyncContextManager, AsyncExitStack
+from contextlib import AbstractAsyncContextManager, AbstractContextManager, AsyncExitStack
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Final
@@ -27,7 +27,10 @@ from jauspy.cli.options import (
 )
 
 if TYPE_CHECKING:
+    from asyncio import Task
+
     from jauspy.cli.local_node import Keeper
+    from jauspy.cloud.socket import CloudPublisher
     from jauspy.modules.robot import RobotRunner
 
 
@@ -73,6 +76,10 @@ def up(
         typer.Option(
             "--gateway", metavar="FILE", help="Put a gateway before it: a node manager with this configuration file."
         ),
+    ] = None,
+    cloud: Annotated[
+        str | None,
+        typer.Option("--cloud", metavar="ADDRESS", help="Publish point clouds there, as in tcp://127.0.0.1:5565."),
     ] = None,
     verbose: Verbose = False,
     with_parent: WithParent = False,
@@ -121,19 +128,23 @@ def up(
             options += ["--interface", each]
     options += ["--verbose"] * verbose
     node = None if no_node_manager else node_manager(local_root, port, options)
-    run(_up(runner, node, local_root))
+    run(_up(runner, node, local_root, cloud))
     if own_root:
         remove_if_empty(local_root)
 
 
-async def _up(runner: RobotRunner, node: AbstractAsyncContextManager[Keeper] | None, root: Path) -> None:
+async def _up(
+    runner: RobotRunner, node: AbstractAsyncContextManager[Keeper] | None, root: Path, cloud: str | None
+) -> None:
     """Run the robot until cancelled."""
     import asyncio
     import signal
 
     from jauspy.cli.node_serve import print_counters
+    from jauspy.modules.cloud import stream
 
     async with AsyncExitStack() as stack:
+        publisher = stack.enter_context(_publisher(cloud))
         keeper = await stack.enter_async_context(node) if node else None
 
         def tell_counters() -> None:
@@ -144,7 +155,27 @@ async def _up(runner: RobotRunner, node: AbstractAsyncContextManager[Keeper] | N
         async with runner:
             asyncio.get_running_loop().add_signal_handler(signal.SIGUSR1, tell_counters)
             _tell(runner, keeper.where if keeper else f"none started, local sockets in {root}", root)
+            if publisher is not None:
+                stack.push_async_callback(_end, asyncio.create_task(stream(runner.lidars, publisher)))
             await runner.run()
+
+
+async def _end(task: Task[None]) -> None:
+    """Raises what ended the task before."""
+    from asyncio import CancelledError
+    from contextlib import suppress
+
+    task.cancel()
+    with suppress(CancelledError):
+        await task
+
+
+def _publisher(address: str | None) -> AbstractContextManager[CloudPublisher | None]:
+    from contextlib import nullcontext
+
+    from jauspy.cloud.socket import CloudPublisher
+
+    return nullcontext() if address is None else CloudPublisher(address)
 
 
 def _tell(runner: RobotRunner, where: str, root: Path) -> None:

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import struct
 from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING, Any, ClassVar, Final, Literal, Self, overload
+from typing import TYPE_CHECKING, Any, ClassVar, Final, Literal, Protocol, Self, TypeVar, overload
 
 from jauspy.errors import DecodeError
 
@@ -184,6 +184,17 @@ class Message(Struct):
         from jauspy.codec import careful  # noqa: PLC0415 - off the fast road
 
         return careful.decode(cls, data) if strict else careful.decode_tolerant(cls, data)
+
+
+R_co = TypeVar("R_co", bound=Message, covariant=True)
+
+
+class Query(Protocol[R_co]):
+    """A message that has `REPORT`, the class of the report on it: so type checkers know what comes back."""
+
+    @property
+    def REPORT(self) -> type[R_co]:  # noqa: N802 - a constant of the class
+        """The class of the report."""
 
 
 def as_bytes(data: object) -> bytes:

@@ -40,11 +40,13 @@ def module_source(module: ModulePlan, package: str, names: Iterable[str]) -> str
     for made in module.classes:
         body += ["", "", *class_lines(made, module, constants)]
     body += ["", "", *constants.lines()]
+    body += [f"{made.name}.REPORT = {made.answer.name}" for made in module.classes if made.answer]
     text = "\n".join(body).replace(f"{module_alias(module.name)}.", "")
     lines = [f'"""{module.doc} {NOTE}"""', "", "from __future__ import annotations", ""]
     lines += ["from dataclasses import dataclass"] if "@dataclass" in text else []
     lines += ["from enum import IntEnum"] if "(IntEnum)" in text else []
-    lines += ["from typing import Self"] if "Self" in text else []
+    typing = ", ".join(name for name in ("ClassVar", "Self") if re.search(rf"\b{name}\b", text))
+    lines += [f"from typing import {typing}"] if typing else []
     lines += [""] if lines[-1] else []
     lines += ["from jauspy.codec import runtime as rt"] if "rt." in text else []
     lines += [f"from {package} import registry as _registry"] if "_registry" in text else []

@@ -15,7 +15,7 @@ def class_lines(plan: ClassPlan, module: ModulePlan, constants: Constants) -> li
     """A class with its nested ones, from the decorator on."""
     if plan.same_as:
         lines = [f"class {plan.name}({plan.same_as}):", *indent(docstring(_summary(plan)))]
-        return [*lines, "", *indent(["__slots__ = ()", *_place(module)])]
+        return [*lines, "", *indent(["__slots__ = ()", *_place(module), *_report(plan)])]
     base = "rt.Message" if plan.kind == "message" else "rt.Struct"
     keywords = ", kw_only=True" if needs_keywords(plan) else ""
     lines = [f"@dataclass(slots=True, repr=False{keywords})", f"class {plan.name}({base}):"]
@@ -46,7 +46,12 @@ def _constants(plan: ClassPlan, module: ModulePlan) -> list[str]:
         *_place(module),
         f"IS_COMMAND = {plan.message.is_command}",
         f"IS_QUERY = {plan.is_query}",
+        *_report(plan),
     ]
+
+
+def _report(plan: ClassPlan) -> list[str]:
+    return [f"REPORT: ClassVar[type[{plan.answer.name}]]"] if plan.answer else []
 
 
 def _place(module: ModulePlan) -> list[str]:

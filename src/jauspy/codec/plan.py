@@ -125,8 +125,8 @@ class ClassPlan:
     """A class to write. Which of the last fields count depends on `kind`.
 
     `called` says that its `_read` and `_write` are used; what is of one form only is read and written in place.
-    `same_as` is a message of another module that has the same body. `loops` are those that its code has one inside the
-    other where it is read and written in place.
+    `answer` is the report on a query. `same_as` is a message of another module that has the same body. `loops` are
+    those that its code has one inside the other where it is read and written in place.
     """
 
     kind: Literal["message", "composite", "bits", "choice", "format"]
@@ -144,6 +144,7 @@ class ClassPlan:
     nested: list[EnumPlan | ClassPlan] = field(default_factory=list)
     message: Message | None = None
     is_query: bool = False
+    answer: ClassPlan | None = None
     aliases: dict[str, str] = field(default_factory=dict)
     called: bool = False
     same_as: str | None = None

@@ -62,7 +62,7 @@ from jauspy.schema.model import (
 )
 
 JAUS_MESSAGE = "jaus message"
-_OWN_NAMES = frozenset({"CODE", "NAME", "SERVICE", "VERSION", "IS_COMMAND", "IS_QUERY"})
+_OWN_NAMES = frozenset({"CODE", "NAME", "SERVICE", "VERSION", "IS_COMMAND", "IS_QUERY", "REPORT"})
 
 
 QUERIES: Final = range(0x2000, 0x4000)
@@ -104,6 +104,9 @@ def _service_module(service: Service, name: str, shared: SharedTypes) -> ModuleP
             made = _located(owner, message)
             made.is_query = asks(message, service)
             module.classes.append(made)
+    for made in module.classes:
+        if made.is_query:
+            made.answer = next((each for each in module.classes if answers(made.message, each.message)), None)
     return module
 
 
@@ -127,6 +130,15 @@ def asks(message: Message, service: Service) -> bool:
         return False
     is_input = message in service.inputs and message not in service.outputs
     return is_input or message.name.startswith("Query")
+
+
+def answers(query: Message | None, report: Message | None) -> bool:
+    """True for the report on a query of its service: by its id below 6000h (AS5710), else by its name."""
+    if query is None or report is None:
+        return False
+    if query.code in QUERIES:
+        return report.code - query.code == REPORTS.start - QUERIES.start
+    return query.name.startswith("Query") and report.name == f"Report{query.name.removeprefix('Query')}"
 
 
 class SharedTypes:

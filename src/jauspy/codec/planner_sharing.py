@@ -41,6 +41,8 @@ def _called(item: ItemPlan) -> tuple[ClassPlan, ...]:
 def share_messages(modules: Iterable[ModulePlan], services: set[str]) -> None:
     """Let equal messages of several services or versions be one class; the others derive from it.
 
+    Queries are equal when the reports on them are.
+
     The first module by name has the class, so that imports go one way only.
     """
     first: dict[object, tuple[ModulePlan, ClassPlan]] = {}
@@ -48,7 +50,8 @@ def share_messages(modules: Iterable[ModulePlan], services: set[str]) -> None:
         for made in module.classes:
             if made.message is None:
                 continue
-            key = (_key(made.message, services), made.is_query)
+            answer = made.answer and made.answer.message and _key(made.answer.message, services)
+            key = (_key(made.message, services), made.is_query, answer)
             if key not in first:
                 first[key] = (module, made)
                 continue

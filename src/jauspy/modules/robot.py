@@ -21,6 +21,7 @@ from jauspy.modules.snapshot import Snapshot
 from jauspy.platform import backends
 from jauspy.platform.contract import Robot
 from jauspy.platform.description import RobotModel
+from jauspy.platform.ranging import RangeFinder
 from jauspy.services.core import Identity
 from jauspy.services.host import Host
 from jauspy.transport import Transport
@@ -65,6 +66,11 @@ class RobotRunner:
     def components(self) -> tuple[Shell, ...]:
         """The components, one per module, in the order of the configuration; empty when not open."""
         return self._components
+
+    @property
+    def lidars(self) -> Mapping[str, RangeFinder]:
+        """Its lidars; empty when not open."""
+        return self._realtime.lidars if self._components and self._realtime else {}
 
     @property
     def snapshot(self) -> Snapshot | None:

@@ -9,7 +9,7 @@ from datetime import UTC, datetime
 from types import TracebackType
 from typing import Any, Self, TypeVar, overload
 
-from jauspy.codec.base import Message
+from jauspy.codec.base import Message, Query
 from jauspy.codec.registry import Registry
 from jauspy.component import Shell
 from jauspy.errors import ConfigError
@@ -141,6 +141,17 @@ class OCU:
     async def query(
         self,
         destination: str | JausID,
+        message: Query[R],
+        *,
+        expects: None = ...,
+        timeout: float | None = ...,
+        retries: int | None = ...,
+    ) -> R: ...
+
+    @overload
+    async def query(
+        self,
+        destination: str | JausID,
         message: Message,
         *,
         expects: None = ...,
@@ -151,7 +162,7 @@ class OCU:
     async def query(
         self,
         destination: str | JausID,
-        message: Message,
+        message: Any,
         *,
         expects: type[Message] | None = None,
         timeout: float | None = None,

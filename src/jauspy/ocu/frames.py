@@ -67,7 +67,7 @@ class RobotFrames:
         """The group of joints that a component moves, when the description has it."""
         specification = component.service("ManipulatorSpecificationService")
         report = await specification.query(QueryManipulatorSpecifications(_NAMES))
-        names = tuple(record.description for record in report.joint_names_list)
+        names = tuple(record.description for record in report.joint_names_list or ())
         return next(((component, group) for group in self._model.groups.values() if group.joints == names), None)
 
     async def _base(self) -> Transform:

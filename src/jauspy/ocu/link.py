@@ -208,6 +208,8 @@ class Link:
         """The class of the report that answers a query, of the same service and version."""
         if not query.IS_QUERY:
             raise ConfigError(f"{query.NAME} is no query; say with `expects` which message answers it, or send it")
+        if (report := getattr(query, "REPORT", None)) is not None:
+            return report  # type: ignore[no-any-return]  # queries whose report is of the same service have it
         code = query.CODE + REPORT_OFFSET
         found = self.registry.by_code(code) if code in REPORTS else self._named_report(query)
         for each in found:

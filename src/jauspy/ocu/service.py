@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from contextlib import suppress
 from typing import Any, Final, TypeVar, overload
 
-from jauspy.codec.base import Message
+from jauspy.codec.base import Message, Query
 from jauspy.errors import ConfigError, RequestError, ResponseTimeout
 from jauspy.ids import JausID
 from jauspy.messages.core import ClearEmergency, QueryStatus, ReportStatus, Resume, SetEmergency, Standby
@@ -69,12 +69,17 @@ class ServiceClient:
 
     @overload
     async def query(
+        self, message: Query[R], *, expects: None = ..., timeout: float | None = ..., retries: int | None = ...
+    ) -> R: ...
+
+    @overload
+    async def query(
         self, message: Message, *, expects: None = ..., timeout: float | None = ..., retries: int | None = ...
     ) -> Any: ...
 
     async def query(
         self,
-        message: Message,
+        message: Any,
         *,
         expects: type[Message] | None = None,
         timeout: float | None = None,
@@ -106,12 +111,45 @@ class ServiceClient:
         """Control of the component for an `async with` block, with this authority (0..255)."""
         return Control(self._link, self.id, authority, self._link.patience.changed(timeout, retries))
 
+    @overload
     def subscribe(
         self,
         query: Message,
         *,
+        rate: float | None = ...,
+        expects: type[R],
+        buffer: int = ...,
+        silence: float | None = ...,
+    ) -> Subscription[R]: ...
+
+    @overload
+    def subscribe(
+        self,
+        query: Query[R],
+        *,
+        rate: float | None = ...,
+        expects: None = ...,
+        buffer: int = ...,
+        silence: float | None = ...,
+    ) -> Subscription[R]: ...
+
+    @overload
+    def subscribe(
+        self,
+        query: Message,
+        *,
+        rate: float | None = ...,
+        expects: None = ...,
+        buffer: int = ...,
+        silence: float | None = ...,
+    ) -> Subscription[Any]: ...
+
+    def subscribe(
+        self,
+        query: Any,
+        *,
         rate: float | None = None,
-        expects: type[R] | None = None,
+        expects: type[Message] | None = None,
         buffer: int = 64,
         silence: float | None = None,
     ) -> Subscription[Any]:

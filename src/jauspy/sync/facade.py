@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, MutableSequence
-from jauspy.codec.base import Message
+from jauspy.codec.base import Message, Query
 from jauspy.codec.registry import Registry
 from jauspy.ids import JausID
 from jauspy.messages.core import ReportStatus
@@ -252,6 +252,16 @@ class ServiceClient(Facade[_ServiceClient]):
     @overload
     def query(
         self,
+        message: Query[R],
+        *,
+        expects: None = ...,
+        timeout: float | None = ...,
+        retries: int | None = ...,
+    ) -> R: ...
+
+    @overload
+    def query(
+        self,
         message: Message,
         *,
         expects: None = ...,
@@ -261,7 +271,7 @@ class ServiceClient(Facade[_ServiceClient]):
 
     def query(
         self,
-        message: Message,
+        message: Any,
         *,
         expects: type[Message] | None = None,
         timeout: float | None = None,
@@ -290,12 +300,45 @@ class ServiceClient(Facade[_ServiceClient]):
         """Control of the component for a `with` block, with this authority (0..255)."""
         return Control(self._portal, self._async.control(authority, timeout=timeout, retries=retries))
 
+    @overload
     def subscribe(
         self,
         query: Message,
         *,
+        rate: float | None = ...,
+        expects: type[R],
+        buffer: int = ...,
+        silence: float | None = ...,
+    ) -> Subscription[R]: ...
+
+    @overload
+    def subscribe(
+        self,
+        query: Query[R],
+        *,
+        rate: float | None = ...,
+        expects: None = ...,
+        buffer: int = ...,
+        silence: float | None = ...,
+    ) -> Subscription[R]: ...
+
+    @overload
+    def subscribe(
+        self,
+        query: Message,
+        *,
+        rate: float | None = ...,
+        expects: None = ...,
+        buffer: int = ...,
+        silence: float | None = ...,
+    ) -> Subscription[Any]: ...
+
+    def subscribe(
+        self,
+        query: Any,
+        *,
         rate: float | None = None,
-        expects: type[R] | None = None,
+        expects: type[Message] | None = None,
         buffer: int = 64,
         silence: float | None = None,
     ) -> Subscription[Any]:
@@ -446,6 +489,17 @@ class OCU(OpensPortal):
     def query(
         self,
         destination: str | JausID,
+        message: Query[R],
+        *,
+        expects: None = ...,
+        timeout: float | None = ...,
+        retries: int | None = ...,
+    ) -> R: ...
+
+    @overload
+    def query(
+        self,
+        destination: str | JausID,
         message: Message,
         *,
         expects: None = ...,
@@ -456,7 +510,7 @@ class OCU(OpensPortal):
     def query(
         self,
         destination: str | JausID,
-        message: Message,
+        message: Any,
         *,
         expects: type[Message] | None = None,
         timeout: float | None = None,

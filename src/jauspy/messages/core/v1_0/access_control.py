@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 
@@ -77,6 +77,7 @@ class QueryControl(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportControl]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -101,6 +102,7 @@ class QueryAuthority(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportAuthority]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -159,6 +161,7 @@ class QueryTimeout(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportTimeout]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -384,3 +387,6 @@ _S_2H3B = rt.Packer("<2H3B")
 _E_RejectControl_ResponseCode = rt.members(RejectControl.ResponseCode)
 _E_ConfirmControl_ResponseCode = rt.members(ConfirmControl.ResponseCode)
 _E_ReportTimeout_Timeout = rt.members(ReportTimeout.Timeout)
+QueryControl.REPORT = ReportControl
+QueryAuthority.REPORT = ReportAuthority
+QueryTimeout.REPORT = ReportTimeout

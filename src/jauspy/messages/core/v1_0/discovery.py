@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.core.v1_0 import types as core_v1_0_types
@@ -23,6 +23,7 @@ class QueryIdentification(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportIdentification]]
 
     class QueryType(IntEnum):
         """Values of QueryType."""
@@ -67,6 +68,7 @@ class QueryConfiguration(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportConfiguration]]
 
     class QueryType(IntEnum):
         """Values of QueryType."""
@@ -107,6 +109,7 @@ class QuerySubsystemList(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportSubsystemList]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -134,6 +137,7 @@ class QueryServices(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportServices]]
 
     QueriedNodeRec = core_v1_0_types.QueriedNodeRec
     QueriedComponentRec = core_v1_0_types.QueriedComponentRec
@@ -664,3 +668,7 @@ _E_ReportIdentification_Type = rt.members(ReportIdentification.Type)
 _S_BH = rt.Packer("<BH")
 _S_2B = rt.Packer("<2B")
 _S_H2B = rt.Packer("<H2B")
+QueryIdentification.REPORT = ReportIdentification
+QueryConfiguration.REPORT = ReportConfiguration
+QuerySubsystemList.REPORT = ReportSubsystemList
+QueryServices.REPORT = ReportServices

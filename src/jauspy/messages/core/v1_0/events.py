@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages import registry as _registry
@@ -200,6 +200,7 @@ class QueryEvents(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportEvents]]
 
     EventTypeRec = core_v1_0_types.EventTypeRec
     AllEventsRec = core_v1_0_types.AllEventsRec
@@ -564,3 +565,4 @@ _M_RejectEventRequest = rt.Masks("3x", ((0, "B"), (1, "B"), (2, "80s")))
 _E_RejectEventRequest_ResponseCode = rt.members(RejectEventRequest.ResponseCode)
 _M_RejectEventRequest_pack = rt.Masks("HB", ((0, "B"), (1, "B"), (2, "80s")))
 _E_ReportEvents_EventType = rt.members(ReportEvents.EventType)
+QueryEvents.REPORT = ReportEvents

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 
@@ -18,6 +18,7 @@ class QueryHeartbeatPulse(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportHeartbeatPulse]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -57,3 +58,4 @@ class ReportHeartbeatPulse(rt.Message):
 
 
 _S_H = rt.Packer("<H")
+QueryHeartbeatPulse.REPORT = ReportHeartbeatPulse

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 
@@ -199,6 +199,7 @@ class QueryStatus(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportStatus]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -269,3 +270,4 @@ _S_2H = rt.Packer("<2H")
 _E_ClearEmergency_EmergencyCode = rt.members(ClearEmergency.EmergencyCode)
 _E_ReportStatus_Status = rt.members(ReportStatus.Status)
 _S_HBI = rt.Packer("<HBI")
+QueryStatus.REPORT = ReportStatus

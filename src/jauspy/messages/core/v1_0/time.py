@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.core.v1_0 import types as core_v1_0_types
@@ -116,6 +116,7 @@ class QueryTime(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportTime]]
 
     presence_vector: int
 
@@ -234,3 +235,4 @@ class ReportTime(rt.Message):
 _S_HB = rt.Packer("<HB")
 _M_SetTime = rt.Masks("3x", ((1, "I"), (2, "H")))
 _M_SetTime_pack = rt.Masks("HB", ((1, "I"), (2, "H")))
+QueryTime.REPORT = ReportTime

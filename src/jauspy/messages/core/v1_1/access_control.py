@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from jauspy.messages.core.v1_0 import access_control as core_v1_0_access_control
 
 
@@ -27,6 +29,7 @@ class QueryControl(core_v1_0_access_control.QueryControl):
     __slots__ = ()
     SERVICE = "urn:jaus:jss:core:AccessControl"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportControl]]
 
 
 class QueryAuthority(core_v1_0_access_control.QueryAuthority):
@@ -35,6 +38,7 @@ class QueryAuthority(core_v1_0_access_control.QueryAuthority):
     __slots__ = ()
     SERVICE = "urn:jaus:jss:core:AccessControl"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportAuthority]]
 
 
 class SetAuthority(core_v1_0_access_control.SetAuthority):
@@ -51,6 +55,7 @@ class QueryTimeout(core_v1_0_access_control.QueryTimeout):
     __slots__ = ()
     SERVICE = "urn:jaus:jss:core:AccessControl"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportTimeout]]
 
 
 class ReportControl(core_v1_0_access_control.ReportControl):
@@ -95,3 +100,6 @@ class ReportTimeout(core_v1_0_access_control.ReportTimeout):
     VERSION = "1.1"
 
 
+QueryControl.REPORT = ReportControl
+QueryAuthority.REPORT = ReportAuthority
+QueryTimeout.REPORT = ReportTimeout

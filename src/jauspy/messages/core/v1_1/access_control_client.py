@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from jauspy.messages.core.v1_0 import access_control as core_v1_0_access_control
 
 
@@ -69,6 +71,7 @@ class QueryControl(core_v1_0_access_control.QueryControl):
     __slots__ = ()
     SERVICE = "urn:jaus:jss:core:AccessControlClient"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportControl]]
 
 
 class QueryAuthority(core_v1_0_access_control.QueryAuthority):
@@ -77,6 +80,7 @@ class QueryAuthority(core_v1_0_access_control.QueryAuthority):
     __slots__ = ()
     SERVICE = "urn:jaus:jss:core:AccessControlClient"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportAuthority]]
 
 
 class SetAuthority(core_v1_0_access_control.SetAuthority):
@@ -93,5 +97,9 @@ class QueryTimeout(core_v1_0_access_control.QueryTimeout):
     __slots__ = ()
     SERVICE = "urn:jaus:jss:core:AccessControlClient"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportTimeout]]
 
 
+QueryControl.REPORT = ReportControl
+QueryAuthority.REPORT = ReportAuthority
+QueryTimeout.REPORT = ReportTimeout

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.core.v1_0 import discovery as core_v1_0_discovery
@@ -17,6 +17,7 @@ class QueryIdentification(core_v1_0_discovery.QueryIdentification):
     __slots__ = ()
     SERVICE = "urn:jaus:jss:core:Discovery"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportIdentification]]
 
 
 class QueryConfiguration(core_v1_0_discovery.QueryConfiguration):
@@ -25,6 +26,7 @@ class QueryConfiguration(core_v1_0_discovery.QueryConfiguration):
     __slots__ = ()
     SERVICE = "urn:jaus:jss:core:Discovery"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportConfiguration]]
 
 
 class QuerySubsystemList(core_v1_0_discovery.QuerySubsystemList):
@@ -33,6 +35,7 @@ class QuerySubsystemList(core_v1_0_discovery.QuerySubsystemList):
     __slots__ = ()
     SERVICE = "urn:jaus:jss:core:Discovery"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportSubsystemList]]
 
 
 class QueryServices(core_v1_0_discovery.QueryServices):
@@ -41,6 +44,7 @@ class QueryServices(core_v1_0_discovery.QueryServices):
     __slots__ = ()
     SERVICE = "urn:jaus:jss:core:Discovery"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportServices]]
 
 
 @dataclass(slots=True, repr=False)
@@ -57,6 +61,7 @@ class QueryServiceList(rt.Message):
     VERSION = "1.1"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportServiceList]]
 
     QueriedNodeRec = core_v1_0_types.QueriedNodeRec
 
@@ -505,3 +510,8 @@ _S_B = rt.Packer("<B")
 _S_H = rt.Packer("<H")
 _E_QueryServiceList_SubsystemID = rt.members(QueryServiceList.SubsystemID)
 _E_QueriedNodeRec_NodeID = rt.members(core_v1_0_types.QueriedNodeRec.NodeID)
+QueryIdentification.REPORT = ReportIdentification
+QueryConfiguration.REPORT = ReportConfiguration
+QuerySubsystemList.REPORT = ReportSubsystemList
+QueryServices.REPORT = ReportServices
+QueryServiceList.REPORT = ReportServiceList

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages import registry as _registry
@@ -215,12 +215,100 @@ class CancelEvent(core_v1_0_events.CancelEvent):
     VERSION = "1.1"
 
 
-class QueryEvents(core_v1_0_events.QueryEvents):
-    """QueryEvents (0x21F0): Asks for the events of the component, selected by message, type or identifier."""
+@dataclass(slots=True, repr=False)
+class QueryEvents(rt.Message):
+    """QueryEvents (0x21F0): Asks for the events of the component, selected by message, type or identifier.
 
-    __slots__ = ()
+    query_events_var: How to select the events
+    """
+
+    CODE = 0x21F0
+    NAME = "QueryEvents"
     SERVICE = "urn:jaus:jss:core:Events"
     VERSION = "1.1"
+    IS_COMMAND = False
+    IS_QUERY = True
+    REPORT: ClassVar[type[ReportEvents]]
+
+    EventTypeRec = core_v1_0_types.EventTypeRec
+    AllEventsRec = core_v1_0_types.AllEventsRec
+
+    @dataclass(slots=True, repr=False)
+    class MessageIDRec(rt.Struct):
+        """Selects by message.
+
+        message_code: Message id of the query of the events
+        """
+
+        message_code: int
+
+        @classmethod
+        def _layout(cls) -> rt.Item:
+            return rt.composite(
+                cls, None,
+                ("MessageCode", rt.Number("H")),
+            )
+
+        @classmethod
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
+            self = rt.new(cls)
+            (self.message_code,) = _S_H.unpack_from(data, at)
+            return self, at + 2
+
+        def _write(self, out: bytearray) -> None:
+            out += _S_H.pack(self.message_code)
+
+    @dataclass(slots=True, repr=False)
+    class EventIDRec(rt.Struct):
+        """Selects one event.
+
+        event_id: Identifies the event; chosen by the service
+        """
+
+        event_id: int
+
+        @classmethod
+        def _layout(cls) -> rt.Item:
+            return rt.composite(
+                cls, None,
+                ("EventID", rt.Number("B")),
+            )
+
+        @classmethod
+        def _read(cls, data: bytes, at: int, nesting: rt.Nesting | None) -> tuple[Self, int]:
+            self = rt.new(cls)
+            self.event_id = data[at]
+            return self, at + 1
+
+        def _write(self, out: bytearray) -> None:
+            out.append(self.event_id)
+
+    query_events_var: QueryEvents.MessageIDRec | core_v1_0_types.EventTypeRec | QueryEvents.EventIDRec | core_v1_0_types.AllEventsRec
+
+    @classmethod
+    def _layout(cls) -> rt.Item:
+        return rt.composite(
+            cls, None,
+            ("QueryEventsVar", rt.Union.of("B", message_id_rec=QueryEvents.MessageIDRec, event_type_rec=core_v1_0_types.EventTypeRec, event_id_rec=QueryEvents.EventIDRec, all_events_rec=core_v1_0_types.AllEventsRec)),
+        )
+
+    @classmethod
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        if data[0] != 0xF0 or data[1] != 0x21: raise rt.Reject
+        size = len(data)
+        self = rt.new(cls)
+        tag = data[2]
+        at = 3
+        self.query_events_var, at = _U_8[tag]._read(data, at, nesting)
+        if at != size: raise rt.Reject
+        return self
+
+    def _pack(self) -> bytes:
+        out = bytearray(b"\xf0\x21")
+        query_events_var_ = self.query_events_var
+        out.append(_T_9[type(query_events_var_)])
+        query_events_var_._write(out)
+        return bytes(out)
 
 
 @dataclass(slots=True, repr=False)
@@ -233,6 +321,7 @@ class QueryEventTimeout(rt.Message):
     VERSION = "1.1"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportEventTimeout]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -478,8 +567,12 @@ _S_BI = rt.Packer("<BI")
 _E_UpdateEvent_EventType = rt.members(UpdateEvent.EventType)
 _S_2BHB = rt.Packer("<2BHB")
 _S_H = rt.Packer("<H")
+_U_8: tuple[type[QueryEvents.MessageIDRec] | type[core_v1_0_types.EventTypeRec] | type[QueryEvents.EventIDRec] | type[core_v1_0_types.AllEventsRec], ...] = (QueryEvents.MessageIDRec, core_v1_0_types.EventTypeRec, QueryEvents.EventIDRec, core_v1_0_types.AllEventsRec)
+_T_9: dict[type[rt.Struct], int] = {QueryEvents.MessageIDRec: 0, core_v1_0_types.EventTypeRec: 1, QueryEvents.EventIDRec: 2, core_v1_0_types.AllEventsRec: 3}
 _E_ReportEventRec_EventType = rt.members(core_v1_0_types.ReportEventRec.EventType)
 _E_CommandEvent_CommandResult = rt.members(CommandEvent.CommandResult)
 _S_H2B = rt.Packer("<H2B")
 _E_ReportEventTimeout_Timeout = rt.members(ReportEventTimeout.Timeout)
 _S_HB = rt.Packer("<HB")
+QueryEvents.REPORT = ReportEvents
+QueryEventTimeout.REPORT = ReportEventTimeout

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from jauspy.messages.core.v1_0 import events as core_v1_0_events
 from jauspy.messages.core.v1_1 import events as core_v1_1_events
 
@@ -86,12 +88,13 @@ class CancelEvent(core_v1_0_events.CancelEvent):
     VERSION = "1.1"
 
 
-class QueryEvents(core_v1_0_events.QueryEvents):
+class QueryEvents(core_v1_1_events.QueryEvents):
     """QueryEvents (0x21F0): Asks for the events of the component, selected by message, type or identifier."""
 
     __slots__ = ()
     SERVICE = "urn:jaus:jss:core:EventsClient"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportEvents]]
 
 
 class QueryEventTimeout(core_v1_1_events.QueryEventTimeout):
@@ -100,5 +103,8 @@ class QueryEventTimeout(core_v1_1_events.QueryEventTimeout):
     __slots__ = ()
     SERVICE = "urn:jaus:jss:core:EventsClient"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportEventTimeout]]
 
 
+QueryEvents.REPORT = ReportEvents
+QueryEventTimeout.REPORT = ReportEventTimeout

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages import registry as _registry
@@ -193,6 +193,7 @@ class QueryElement(rt.Message):
     VERSION = "1.1"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportElement]]
 
     element_uid: int
 
@@ -224,6 +225,7 @@ class QueryElementList(rt.Message):
     VERSION = "1.1"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportElementList]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -248,6 +250,7 @@ class QueryElementCount(rt.Message):
     VERSION = "1.1"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportElementCount]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -539,3 +542,6 @@ _S_HB = rt.Packer("<HB")
 _E_RejectElementRequest_ResponseCode = rt.members(RejectElementRequest.ResponseCode)
 _S_H2B = rt.Packer("<H2B")
 _E_ReportElement_ElementDataFormat = rt.members(ReportElement.ElementDataFormat)
+QueryElement.REPORT = ReportElement
+QueryElementList.REPORT = ReportElementList
+QueryElementCount.REPORT = ReportElementCount

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from jauspy.messages.core.v1_0 import liveliness as core_v1_0_liveliness
 
 
@@ -11,6 +13,7 @@ class QueryHeartbeatPulse(core_v1_0_liveliness.QueryHeartbeatPulse):
     __slots__ = ()
     SERVICE = "urn:jaus:jss:core:Liveness"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportHeartbeatPulse]]
 
 
 class ReportHeartbeatPulse(core_v1_0_liveliness.ReportHeartbeatPulse):
@@ -21,3 +24,4 @@ class ReportHeartbeatPulse(core_v1_0_liveliness.ReportHeartbeatPulse):
     VERSION = "1.1"
 
 
+QueryHeartbeatPulse.REPORT = ReportHeartbeatPulse

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from jauspy.messages.core.v1_0 import management as core_v1_0_management
 
 
@@ -59,6 +61,7 @@ class QueryStatus(core_v1_0_management.QueryStatus):
     __slots__ = ()
     SERVICE = "urn:jaus:jss:core:Management"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportStatus]]
 
 
 class ReportStatus(core_v1_0_management.ReportStatus):
@@ -69,3 +72,4 @@ class ReportStatus(core_v1_0_management.ReportStatus):
     VERSION = "1.1"
 
 
+QueryStatus.REPORT = ReportStatus

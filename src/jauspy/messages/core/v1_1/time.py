@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from jauspy.messages.core.v1_0 import time as core_v1_0_time
 
 
@@ -19,6 +21,7 @@ class QueryTime(core_v1_0_time.QueryTime):
     __slots__ = ()
     SERVICE = "urn:jaus:jss:core:Time"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportTime]]
 
 
 class ReportTime(core_v1_0_time.ReportTime):
@@ -29,3 +32,4 @@ class ReportTime(core_v1_0_time.ReportTime):
     VERSION = "1.1"
 
 
+QueryTime.REPORT = ReportTime

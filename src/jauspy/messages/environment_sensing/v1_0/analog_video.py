@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.environment_sensing.v1_0 import types as environment_sensing_v1_0_types
@@ -122,6 +122,7 @@ class QueryAnalogVideoSensorConfiguration(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportAnalogVideoSensorConfiguration]]
 
     @dataclass(slots=True, repr=False)
     class SensorIdRec(rt.Struct):
@@ -185,6 +186,7 @@ class QueryAnalogVideoSensorCapabilities(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportAnalogVideoSensorCapabilities]]
 
     @dataclass(slots=True, repr=False)
     class SensorIdRec(rt.Struct):
@@ -404,3 +406,5 @@ _E_SupportedAnalogFormats_PALN = rt.members(environment_sensing_v1_0_types.Suppo
 _E_SupportedAnalogFormats_PALM = rt.members(environment_sensing_v1_0_types.SupportedAnalogFormats.PALM)
 _E_SupportedAnalogFormats_SECAML = rt.members(environment_sensing_v1_0_types.SupportedAnalogFormats.SECAML)
 _E_SupportedAnalogFormats_SECAMBG = rt.members(environment_sensing_v1_0_types.SupportedAnalogFormats.SECAMBG)
+QueryAnalogVideoSensorConfiguration.REPORT = ReportAnalogVideoSensorConfiguration
+QueryAnalogVideoSensorCapabilities.REPORT = ReportAnalogVideoSensorCapabilities

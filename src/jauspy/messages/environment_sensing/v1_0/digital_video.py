@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.environment_sensing.v1_0 import types as environment_sensing_v1_0_types
@@ -273,6 +273,7 @@ class QueryDigitalVideoSensorConfiguration(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportDigitalVideoSensorConfiguration]]
 
     @dataclass(slots=True, repr=False)
     class QueryDigitalVideoConfigurationRec(rt.Struct):
@@ -337,6 +338,7 @@ class QueryDigitalVideoSensorCapabilities(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportDigitalVideoSensorCapabilities]]
 
     @dataclass(slots=True, repr=False)
     class QueryDigitalVideoSensorCapabilitiesRec(rt.Struct):
@@ -838,3 +840,5 @@ _E_SupportedDigitalFormats_MPEG4_Visual = rt.members(environment_sensing_v1_0_ty
 _E_SupportedDigitalFormats_MPEG4_AVC_h264 = rt.members(environment_sensing_v1_0_types.SupportedDigitalFormats.MPEG4_AVC_h264)
 _E_ReportDigitalVideoSensorConfiguration_FrameSize = rt.members(ReportDigitalVideoSensorConfiguration.FrameSize)
 _E_ReportDigitalVideoSensorConfiguration_DigitalFormat = rt.members(ReportDigitalVideoSensorConfiguration.DigitalFormat)
+QueryDigitalVideoSensorConfiguration.REPORT = ReportDigitalVideoSensorConfiguration
+QueryDigitalVideoSensorCapabilities.REPORT = ReportDigitalVideoSensorCapabilities

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.core.v1_0 import types as core_v1_0_types
@@ -238,6 +238,7 @@ class QuerySensorGeometricProperties(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportSensorGeometricProperties]]
 
     @dataclass(slots=True, repr=False)
     class SensorIdRec(rt.Struct):
@@ -301,6 +302,7 @@ class QueryRangeSensorCompressedData(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportRangeSensorCompressedData]]
 
     class ReportCoordinateSystem(IntEnum):
         """Values of ReportCoordinateSystem."""
@@ -389,6 +391,7 @@ class QueryRangeSensorData(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportRangeSensorData]]
 
     class ReportCoordinateSystem(IntEnum):
         """Values of ReportCoordinateSystem."""
@@ -464,6 +467,7 @@ class QueryRangeSensorCapabilities(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportRangeSensorCapabilities]]
 
     @dataclass(slots=True, repr=False)
     class QueryRangeSensorCapabilitiesRec(rt.Struct):
@@ -530,6 +534,7 @@ class QueryRangeSensorConfiguration(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportRangeSensorConfiguration]]
 
     @dataclass(slots=True, repr=False)
     class QueryRangeSensorConfigurationRec(rt.Struct):
@@ -1874,3 +1879,8 @@ _U_44: tuple[type[ReportSensorGeometricProperties.Empty0], ...] = (ReportSensorG
 _T_45: dict[type[rt.Struct], int] = {ReportSensorGeometricProperties.Empty0: 0}
 _U_46: tuple[type[ReportSensorGeometricProperties.NoGeometricPropertiesVariant] | type[environment_sensing_v1_0_types.StaticGeometricPropertiesRec] | type[environment_sensing_v1_0_types.ManipulatorGeometricPropertiesRec], ...] = (ReportSensorGeometricProperties.NoGeometricPropertiesVariant, environment_sensing_v1_0_types.StaticGeometricPropertiesRec, environment_sensing_v1_0_types.ManipulatorGeometricPropertiesRec)
 _T_47: dict[type[rt.Struct], int] = {ReportSensorGeometricProperties.NoGeometricPropertiesVariant: 0, environment_sensing_v1_0_types.StaticGeometricPropertiesRec: 1, environment_sensing_v1_0_types.ManipulatorGeometricPropertiesRec: 2}
+QuerySensorGeometricProperties.REPORT = ReportSensorGeometricProperties
+QueryRangeSensorCompressedData.REPORT = ReportRangeSensorCompressedData
+QueryRangeSensorData.REPORT = ReportRangeSensorData
+QueryRangeSensorCapabilities.REPORT = ReportRangeSensorCapabilities
+QueryRangeSensorConfiguration.REPORT = ReportRangeSensorConfiguration

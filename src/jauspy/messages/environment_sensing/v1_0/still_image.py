@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.core.v1_0 import types as core_v1_0_types
@@ -207,6 +207,7 @@ class QueryStillImageData(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportStillImageData]]
 
     class ReportCoordinateSystem(IntEnum):
         """Values of ReportCoordinateSystem."""
@@ -282,6 +283,7 @@ class QueryStillImageSensorConfiguration(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportStillImageSensorConfiguration]]
 
     @dataclass(slots=True, repr=False)
     class QueryStillImageSensorConfigurationRec(rt.Struct):
@@ -346,6 +348,7 @@ class QueryStillImageSensorCapabilities(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportStillImageSensorCapabilities]]
 
     @dataclass(slots=True, repr=False)
     class QueryStillImageSensorCapabilitiesRec(rt.Struct):
@@ -998,3 +1001,6 @@ _E_SupportedImageFormats_PNM = rt.members(environment_sensing_v1_0_types.Support
 _E_SupportedImageFormats_NEF_Nikon_RAW = rt.members(environment_sensing_v1_0_types.SupportedImageFormats.NEF_Nikon_RAW)
 _E_SupportedImageFormats_CR2_Canon_RAW = rt.members(environment_sensing_v1_0_types.SupportedImageFormats.CR2_Canon_RAW)
 _E_SupportedImageFormats_DNG_Adobe_RAW = rt.members(environment_sensing_v1_0_types.SupportedImageFormats.DNG_Adobe_RAW)
+QueryStillImageData.REPORT = ReportStillImageData
+QueryStillImageSensorConfiguration.REPORT = ReportStillImageSensorConfiguration
+QueryStillImageSensorCapabilities.REPORT = ReportStillImageSensorCapabilities

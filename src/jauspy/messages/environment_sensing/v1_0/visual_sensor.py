@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.environment_sensing.v1_0 import range_sensor as environment_sensing_v1_0_range_sensor
@@ -17,6 +17,7 @@ class QuerySensorGeometricProperties(environment_sensing_v1_0_range_sensor.Query
     __slots__ = ()
     SERVICE = "urn:jaus:jss:environmentSensing:VisualSensor"
     VERSION = "1.0"
+    REPORT: ClassVar[type[ReportSensorGeometricProperties]]
 
 
 @dataclass(slots=True, repr=False)
@@ -32,6 +33,7 @@ class QueryVisualSensorConfiguration(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportVisualSensorConfiguration]]
 
     @dataclass(slots=True, repr=False)
     class QueryVisualSensorConfigurationRec(rt.Struct):
@@ -98,6 +100,7 @@ class QueryVisualSensorCapabilities(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportVisualSensorCapabilities]]
 
     @dataclass(slots=True, repr=False)
     class QueryVisualSensorCapabilitiesRec(rt.Struct):
@@ -1380,3 +1383,6 @@ _E_LightSensitivityLevels_ISO800 = rt.members(environment_sensing_v1_0_types.Lig
 _E_LightSensitivityLevels_ISO1600 = rt.members(environment_sensing_v1_0_types.LightSensitivityLevels.ISO1600)
 _E_LightSensitivityLevels_ISO3200 = rt.members(environment_sensing_v1_0_types.LightSensitivityLevels.ISO3200)
 _E_ReportVisualSensorCapabilities_ImageStabilization = rt.members(ReportVisualSensorCapabilities.ImageStabilization)
+QuerySensorGeometricProperties.REPORT = ReportSensorGeometricProperties
+QueryVisualSensorConfiguration.REPORT = ReportVisualSensorConfiguration
+QueryVisualSensorCapabilities.REPORT = ReportVisualSensorCapabilities

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.environment_sensing.v1_0 import types as environment_sensing_v1_0_types
@@ -128,6 +128,7 @@ class QueryAnalogVideoSensorConfiguration(rt.Message):
     VERSION = "2.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportAnalogVideoSensorConfiguration]]
 
     SensorIDQueryRec = environment_sensing_v1_0_types.SensorIDQueryRec
 
@@ -177,6 +178,7 @@ class QueryAnalogVideoSensorCapabilities(rt.Message):
     VERSION = "2.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportAnalogVideoSensorCapabilities]]
 
     SensorIDQueryRec = environment_sensing_v1_0_types.SensorIDQueryRec
 
@@ -395,3 +397,5 @@ _E_SupportedAnalogFormats_PALN = rt.members(environment_sensing_v1_0_types.Suppo
 _E_SupportedAnalogFormats_PALM = rt.members(environment_sensing_v1_0_types.SupportedAnalogFormats.PALM)
 _E_SupportedAnalogFormats_SECAML = rt.members(environment_sensing_v1_0_types.SupportedAnalogFormats.SECAML)
 _E_SupportedAnalogFormats_SECAMBG = rt.members(environment_sensing_v1_0_types.SupportedAnalogFormats.SECAMBG)
+QueryAnalogVideoSensorConfiguration.REPORT = ReportAnalogVideoSensorConfiguration
+QueryAnalogVideoSensorCapabilities.REPORT = ReportAnalogVideoSensorCapabilities

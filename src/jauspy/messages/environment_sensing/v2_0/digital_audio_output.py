@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.environment_sensing.v1_0 import types as environment_sensing_v1_0_types
@@ -149,6 +149,7 @@ class QueryDigitalAudioOutputSource(rt.Message):
     VERSION = "2.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportDigitalAudioOutputSource]]
 
     class SensorID(IntEnum):
         """Values of SensorID."""
@@ -189,6 +190,7 @@ class QueryDigitalAudioOutputCapabilities(rt.Message):
     VERSION = "2.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportDigitalAudioOutputCapabilities]]
 
     class SensorID(IntEnum):
         """Values of SensorID."""
@@ -648,3 +650,5 @@ _E_SupportedBitDepths_TWENTY_BITS = rt.members(environment_sensing_v1_0_types.Su
 _E_SupportedBitDepths_TWENTY_FOUR_BITS = rt.members(environment_sensing_v1_0_types.SupportedBitDepths.TWENTY_FOUR_BITS)
 _E_SupportedBitDepths_THIRTY_TWO_BITS = rt.members(environment_sensing_v1_0_types.SupportedBitDepths.THIRTY_TWO_BITS)
 _S_B = rt.Packer("<B")
+QueryDigitalAudioOutputSource.REPORT = ReportDigitalAudioOutputSource
+QueryDigitalAudioOutputCapabilities.REPORT = ReportDigitalAudioOutputCapabilities

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.environment_sensing.v1_0 import types as environment_sensing_v1_0_types
@@ -255,6 +255,7 @@ class QueryDigitalAudioSensorCapabilities(rt.Message):
     VERSION = "2.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportDigitalAudioSensorCapabilities]]
 
     class SensorID(IntEnum):
         """Values of SensorID."""
@@ -295,6 +296,7 @@ class QueryDigitalAudioSensorConfiguration(rt.Message):
     VERSION = "2.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportDigitalAudioSensorConfiguration]]
 
     class SensorID(IntEnum):
         """Values of SensorID."""
@@ -899,3 +901,5 @@ _E_ReportDigitalAudioSensorCapabilities_Worst = rt.members(ReportDigitalAudioSen
 _E_ReportDigitalAudioSensorConfiguration_DigitalFormat = rt.members(ReportDigitalAudioSensorConfiguration.DigitalFormat)
 _E_ReportDigitalAudioSensorConfiguration_BitDepth = rt.members(ReportDigitalAudioSensorConfiguration.BitDepth)
 _E_ReportDigitalAudioSensorConfiguration_EncodingQuality = rt.members(ReportDigitalAudioSensorConfiguration.EncodingQuality)
+QueryDigitalAudioSensorCapabilities.REPORT = ReportDigitalAudioSensorCapabilities
+QueryDigitalAudioSensorConfiguration.REPORT = ReportDigitalAudioSensorConfiguration

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.environment_sensing.v1_0 import types as environment_sensing_v1_0_types
@@ -20,6 +20,7 @@ class QueryDigitalResourceEndpoint(rt.Message):
     VERSION = "2.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportDigitalResourceEndpoint]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -405,3 +406,4 @@ _M_RegisterDigitalResourceEndpoint_DigitalResourceEndpointRec_2 = rt.Masks("", (
 _S_B = rt.Packer("<B")
 _S_H2B = rt.Packer("<H2B")
 _E_ReportDigitalResourceEndpoint_ServerType = rt.members(ReportDigitalResourceEndpoint.ServerType)
+QueryDigitalResourceEndpoint.REPORT = ReportDigitalResourceEndpoint

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.environment_sensing.v1_0 import types as environment_sensing_v1_0_types
@@ -331,6 +331,7 @@ class QueryDigitalVideoSensorConfiguration(rt.Message):
     VERSION = "2.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportDigitalVideoSensorConfiguration]]
 
     class SensorID(IntEnum):
         """Values of SensorID."""
@@ -400,6 +401,7 @@ class QueryDigitalVideoSensorCapabilitiesExt(rt.Message):
     VERSION = "2.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportDigitalVideoSensorCapabilitiesExt]]
 
     class SensorID(IntEnum):
         """Values of SensorID."""
@@ -469,6 +471,7 @@ class QueryDigitalVideoSensorStatus(rt.Message):
     VERSION = "2.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportDigitalVideoSensorStatus]]
 
     SensorIDQueryRec = environment_sensing_v1_0_types.SensorIDQueryRec
 
@@ -1080,3 +1083,6 @@ _E_ReportDigitalVideoSensorConfiguration_DigitalFormat = rt.members(ReportDigita
 _E_ReportDigitalVideoSensorStatus_StreamingState = rt.members(ReportDigitalVideoSensorStatus.StreamingState)
 _E_ReportDigitalVideoSensorStatus_RecordingState = rt.members(ReportDigitalVideoSensorStatus.RecordingState)
 _S_H2B = rt.Packer("<H2B")
+QueryDigitalVideoSensorConfiguration.REPORT = ReportDigitalVideoSensorConfiguration
+QueryDigitalVideoSensorCapabilitiesExt.REPORT = ReportDigitalVideoSensorCapabilitiesExt
+QueryDigitalVideoSensorStatus.REPORT = ReportDigitalVideoSensorStatus

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 
@@ -22,6 +22,7 @@ class QueryForceTorqueCapabilities(rt.Message):
     VERSION = "2.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportForceTorqueCapabilities]]
 
     @dataclass(slots=True, repr=False)
     class QueryForceTorqueCapabilitiesRec(rt.Struct):
@@ -88,6 +89,7 @@ class QueryForceTorque(rt.Message):
     VERSION = "2.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportForceTorque]]
 
     class CoordinateSystem(IntEnum):
         """Values of CoordinateSystem."""
@@ -593,3 +595,5 @@ _R_7 = rt.Scaling(-5000.0, 5000.0, 65535)
 _M_ReportForceTorque_ReportForceTorqueRec_0 = rt.Masks("", ((0, "H"), (0, "B"), (1, "H"), (2, "H"), (4, "H"), (8, "H"), (16, "H"), (32, "H")))
 _E_ReportForceTorque_CoordinateSystem = rt.members(ReportForceTorque.CoordinateSystem)
 _S_B = rt.Packer("<B")
+QueryForceTorqueCapabilities.REPORT = ReportForceTorqueCapabilities
+QueryForceTorque.REPORT = ReportForceTorque

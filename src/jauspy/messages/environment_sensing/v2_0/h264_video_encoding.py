@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.environment_sensing.v2_0 import digital_audio_output as environment_sensing_v2_0_digital_audio_output
@@ -421,6 +421,7 @@ class QueryH264VideoEncodingCapabilities(rt.Message):
     VERSION = "2.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportH264VideoEncodingCapabilities]]
 
     @dataclass(slots=True, repr=False)
     class QueryH264VideoEncodingRec(rt.Struct):
@@ -484,6 +485,7 @@ class QueryH264VideoEncodingConfiguration(rt.Message):
     VERSION = "2.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportH264VideoEncodingConfiguration]]
 
     @dataclass(slots=True, repr=False)
     class QueryH264VideoEncodingRec(rt.Struct):
@@ -1746,3 +1748,5 @@ _E_ReportH264VideoEncodingConfiguration_Level = rt.members(ReportH264VideoEncodi
 _E_ReportH264VideoEncodingConfiguration_Preset = rt.members(ReportH264VideoEncodingConfiguration.Preset)
 _E_ReportH264VideoEncodingConfiguration_GradualDecoderRefreshOnOff = rt.members(ReportH264VideoEncodingConfiguration.GradualDecoderRefreshOnOff)
 _E_ReportH264VideoEncodingConfiguration_RegionOfInterestOnOff = rt.members(ReportH264VideoEncodingConfiguration.RegionOfInterestOnOff)
+QueryH264VideoEncodingCapabilities.REPORT = ReportH264VideoEncodingCapabilities
+QueryH264VideoEncodingConfiguration.REPORT = ReportH264VideoEncodingConfiguration

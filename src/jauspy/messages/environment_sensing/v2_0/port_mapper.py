@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 
@@ -117,6 +117,7 @@ class QueryPortMappings(rt.Message):
     VERSION = "2.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportPortMappings]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -322,3 +323,4 @@ _S_H = rt.Packer("<H")
 _E_GrantPortMapping_SocketType = rt.members(GrantPortMapping.SocketType)
 _S_HBIHIH = rt.Packer("<HBIHIH")
 _E_ReportPortMappings_SocketType = rt.members(ReportPortMappings.SocketType)
+QueryPortMappings.REPORT = ReportPortMappings

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.core.v1_0 import types as core_v1_0_types
@@ -240,6 +240,7 @@ class QuerySensorGeometricProperties(rt.Message):
     VERSION = "2.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportSensorGeometricProperties]]
 
     SensorIDQueryRec = environment_sensing_v1_0_types.SensorIDQueryRec
 
@@ -289,6 +290,7 @@ class QueryRangeSensorCompressedData(rt.Message):
     VERSION = "2.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportRangeSensorCompressedData]]
 
     class SensorID(IntEnum):
         """Values of SensorID."""
@@ -382,6 +384,7 @@ class QueryRangeSensorData(rt.Message):
     VERSION = "2.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportRangeSensorData]]
 
     class SensorID(IntEnum):
         """Values of SensorID."""
@@ -462,6 +465,7 @@ class QueryRangeSensorCapabilities(rt.Message):
     VERSION = "2.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportRangeSensorCapabilities]]
 
     class SensorID(IntEnum):
         """Values of SensorID."""
@@ -533,6 +537,7 @@ class QueryRangeSensorConfiguration(rt.Message):
     VERSION = "2.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportRangeSensorConfiguration]]
 
     class SensorID(IntEnum):
         """Values of SensorID."""
@@ -1799,3 +1804,8 @@ _U_48: tuple[type[ReportSensorGeometricProperties.Empty0], ...] = (ReportSensorG
 _T_49: dict[type[rt.Struct], int] = {ReportSensorGeometricProperties.Empty0: 0}
 _U_50: tuple[type[ReportSensorGeometricProperties.NoGeometricPropertiesVariant] | type[environment_sensing_v1_0_types.StaticGeometricPropertiesRec] | type[environment_sensing_v1_0_types.ManipulatorGeometricPropertiesRec], ...] = (ReportSensorGeometricProperties.NoGeometricPropertiesVariant, environment_sensing_v1_0_types.StaticGeometricPropertiesRec, environment_sensing_v1_0_types.ManipulatorGeometricPropertiesRec)
 _T_51: dict[type[rt.Struct], int] = {ReportSensorGeometricProperties.NoGeometricPropertiesVariant: 0, environment_sensing_v1_0_types.StaticGeometricPropertiesRec: 1, environment_sensing_v1_0_types.ManipulatorGeometricPropertiesRec: 2}
+QuerySensorGeometricProperties.REPORT = ReportSensorGeometricProperties
+QueryRangeSensorCompressedData.REPORT = ReportRangeSensorCompressedData
+QueryRangeSensorData.REPORT = ReportRangeSensorData
+QueryRangeSensorCapabilities.REPORT = ReportRangeSensorCapabilities
+QueryRangeSensorConfiguration.REPORT = ReportRangeSensorConfiguration

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.core.v1_0 import types as core_v1_0_types
@@ -211,6 +211,7 @@ class QueryStillImageDataExt(rt.Message):
     VERSION = "2.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportStillImageDataExt]]
 
     class SensorID(IntEnum):
         """Values of SensorID."""
@@ -291,6 +292,7 @@ class QueryStillImageSensorConfiguration(rt.Message):
     VERSION = "2.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportStillImageSensorConfiguration]]
 
     class SensorID(IntEnum):
         """Values of SensorID."""
@@ -360,6 +362,7 @@ class QueryStillImageSensorCapabilities(rt.Message):
     VERSION = "2.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportStillImageSensorCapabilities]]
 
     class SensorID(IntEnum):
         """Values of SensorID."""
@@ -1052,3 +1055,6 @@ _E_SupportedImageFormats_PNM = rt.members(environment_sensing_v1_0_types.Support
 _E_SupportedImageFormats_NEF_Nikon_RAW = rt.members(environment_sensing_v1_0_types.SupportedImageFormats.NEF_Nikon_RAW)
 _E_SupportedImageFormats_CR2_Canon_RAW = rt.members(environment_sensing_v1_0_types.SupportedImageFormats.CR2_Canon_RAW)
 _E_SupportedImageFormats_DNG_Adobe_RAW = rt.members(environment_sensing_v1_0_types.SupportedImageFormats.DNG_Adobe_RAW)
+QueryStillImageDataExt.REPORT = ReportStillImageDataExt
+QueryStillImageSensorConfiguration.REPORT = ReportStillImageSensorConfiguration
+QueryStillImageSensorCapabilities.REPORT = ReportStillImageSensorCapabilities

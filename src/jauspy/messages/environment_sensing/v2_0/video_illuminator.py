@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.environment_sensing.v2_0 import digital_audio_output as environment_sensing_v2_0_digital_audio_output
@@ -190,6 +190,7 @@ class QueryVideoIlluminatorConfiguration(rt.Message):
     VERSION = "2.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportVideoIlluminatorConfiguration]]
 
     @dataclass(slots=True, repr=False)
     class IlluminatorIDRec(rt.Struct):
@@ -253,6 +254,7 @@ class QueryVideoIlluminatorCapabilities(rt.Message):
     VERSION = "2.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportVideoIlluminatorCapabilities]]
 
     @dataclass(slots=True, repr=False)
     class IlluminatorIDRec(rt.Struct):
@@ -761,3 +763,5 @@ _E_ReportVideoIlluminatorCapabilities_Visible = rt.members(ReportVideoIlluminato
 _E_ReportVideoIlluminatorCapabilities_Infrared = rt.members(ReportVideoIlluminatorCapabilities.Infrared)
 _E_ReportVideoIlluminatorCapabilities_GreyScale = rt.members(ReportVideoIlluminatorCapabilities.GreyScale)
 _E_ReportVideoIlluminatorCapabilities_LowLight = rt.members(ReportVideoIlluminatorCapabilities.LowLight)
+QueryVideoIlluminatorConfiguration.REPORT = ReportVideoIlluminatorConfiguration
+QueryVideoIlluminatorCapabilities.REPORT = ReportVideoIlluminatorCapabilities

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.environment_sensing.v1_0 import types as environment_sensing_v1_0_types
@@ -18,6 +18,7 @@ class QuerySensorGeometricProperties(environment_sensing_v2_0_range_sensor.Query
     __slots__ = ()
     SERVICE = "urn:jaus:jss:environmentSensing:VisualSensor"
     VERSION = "2.0"
+    REPORT: ClassVar[type[ReportSensorGeometricProperties]]
 
 
 @dataclass(slots=True, repr=False)
@@ -33,6 +34,7 @@ class QueryVisualSensorConfiguration(rt.Message):
     VERSION = "2.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportVisualSensorConfiguration]]
 
     class SensorID(IntEnum):
         """Values of SensorID."""
@@ -104,6 +106,7 @@ class QueryVisualSensorCapabilities(rt.Message):
     VERSION = "2.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportVisualSensorCapabilities]]
 
     class SensorID(IntEnum):
         """Values of SensorID."""
@@ -175,6 +178,7 @@ class QueryVisualSensorCapabilitiesExt(rt.Message):
     VERSION = "2.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportVisualSensorCapabilitiesExt]]
 
     class SensorID(IntEnum):
         """Values of SensorID."""
@@ -2075,3 +2079,7 @@ _E_ReportVisualSensorCapabilitiesExt_ThermalRainbow = rt.members(ReportVisualSen
 _E_ReportVisualSensorCapabilitiesExt_ReservedForFutureUse = rt.members(ReportVisualSensorCapabilitiesExt.ReservedForFutureUse)
 _E_ReportVisualSensorCapabilitiesExt_ReservedForProgramSpecificUse = rt.members(ReportVisualSensorCapabilitiesExt.ReservedForProgramSpecificUse)
 _E_ReportVisualSensorCapabilitiesExt_ImageStabilization = rt.members(ReportVisualSensorCapabilitiesExt.ImageStabilization)
+QuerySensorGeometricProperties.REPORT = ReportSensorGeometricProperties
+QueryVisualSensorConfiguration.REPORT = ReportVisualSensorConfiguration
+QueryVisualSensorCapabilities.REPORT = ReportVisualSensorCapabilities
+QueryVisualSensorCapabilitiesExt.REPORT = ReportVisualSensorCapabilitiesExt

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.exp.v1_0 import types as exp_v1_0_types
@@ -19,6 +19,7 @@ class QueryUGVSummary(rt.Message):
     VERSION = "1.4"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportUGVSummary]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -163,3 +164,4 @@ _E_UGVSeverityRec_Severity = rt.members(exp_v1_0_types.UGVSeverityRec.Severity)
 _E_SeverityRec_Severity = rt.members(exp_v1_0_types.SeverityRec.Severity)
 _S_2B = rt.Packer("<2B")
 _L_B = rt.Rows("B")
+QueryUGVSummary.REPORT = ReportUGVSummary

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from jauspy.messages.exp.v1_4 import health_monitor as exp_v1_4_health_monitor
 
 
@@ -19,6 +21,7 @@ class QueryUGVSummary(exp_v1_4_health_monitor.QueryUGVSummary):
     __slots__ = ()
     SERVICE = "urn:jaus:jss:exp:aeodrs:HealthMonitorClient"
     VERSION = "1.4"
+    REPORT: ClassVar[type[ReportUGVSummary]]
 
 
 class UpdateUGVSummary(exp_v1_4_health_monitor.UpdateUGVSummary):
@@ -29,3 +32,4 @@ class UpdateUGVSummary(exp_v1_4_health_monitor.UpdateUGVSummary):
     VERSION = "1.4"
 
 
+QueryUGVSummary.REPORT = ReportUGVSummary

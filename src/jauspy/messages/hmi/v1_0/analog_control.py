@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 
@@ -19,6 +19,7 @@ class QueryAnalogDevices(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportAnalogDevices]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -47,6 +48,7 @@ class QueryAnalogAction(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportAnalogAction]]
 
     presence_vector: int
     analog_reference: int
@@ -622,3 +624,5 @@ _E_ReportAnalogAction_RollChoice = rt.members(ReportAnalogAction.RollChoice)
 _E_ReportAnalogAction_PitchChoice = rt.members(ReportAnalogAction.PitchChoice)
 _E_ReportAnalogAction_YawChoice = rt.members(ReportAnalogAction.YawChoice)
 _S_B = rt.Packer("<B")
+QueryAnalogDevices.REPORT = ReportAnalogDevices
+QueryAnalogAction.REPORT = ReportAnalogAction

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 
@@ -19,6 +19,7 @@ class QueryDCM(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportDCM]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -183,3 +184,4 @@ _E_SetDCM_Flash = rt.members(SetDCM.Flash)
 _S_2HB = rt.Packer("<2HB")
 _E_ReportDCM_DCMStateCode = rt.members(ReportDCM.DCMStateCode)
 _S_2Hb = rt.Packer("<2Hb")
+QueryDCM.REPORT = ReportDCM

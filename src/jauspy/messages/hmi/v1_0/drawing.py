@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 
@@ -19,6 +19,7 @@ class QueryDrawingDefinition(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportDrawingDefinition]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -43,6 +44,7 @@ class QueryDataDefinition(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportDataDefinition]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -70,6 +72,7 @@ class QueryData(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportData]]
 
     data_structure_reference: int
 
@@ -6808,3 +6811,6 @@ _L_f = rt.Rows("f")
 _L_d = rt.Rows("d")
 _U_32: tuple[type[ReportData.ByteRec] | type[ReportData.ShortIntRec] | type[ReportData.IntegerRec] | type[ReportData.LongIntRec] | type[ReportData.UShortIntRec] | type[ReportData.UIntegerRec] | type[ReportData.ULongIntRec] | type[ReportData.FloatRec] | type[ReportData.LongFloatRec] | type[ReportData.ByteList] | type[ReportData.ShortIntList] | type[ReportData.IntegerList] | type[ReportData.LongIntList] | type[ReportData.UShortIntList] | type[ReportData.UIntegerList] | type[ReportData.ULongIntList] | type[ReportData.FloatList] | type[ReportData.LongFloatList] | type[ReportData.CharList], ...] = (ReportData.ByteRec, ReportData.ShortIntRec, ReportData.IntegerRec, ReportData.LongIntRec, ReportData.UShortIntRec, ReportData.UIntegerRec, ReportData.ULongIntRec, ReportData.FloatRec, ReportData.LongFloatRec, ReportData.ByteList, ReportData.ShortIntList, ReportData.IntegerList, ReportData.LongIntList, ReportData.UShortIntList, ReportData.UIntegerList, ReportData.ULongIntList, ReportData.FloatList, ReportData.LongFloatList, ReportData.CharList)
 _T_33: dict[type[rt.Struct], int] = {ReportData.ByteRec: 0, ReportData.ShortIntRec: 1, ReportData.IntegerRec: 2, ReportData.LongIntRec: 3, ReportData.UShortIntRec: 4, ReportData.UIntegerRec: 5, ReportData.ULongIntRec: 6, ReportData.FloatRec: 7, ReportData.LongFloatRec: 8, ReportData.ByteList: 9, ReportData.ShortIntList: 10, ReportData.IntegerList: 11, ReportData.LongIntList: 12, ReportData.UShortIntList: 13, ReportData.UIntegerList: 14, ReportData.ULongIntList: 15, ReportData.FloatList: 16, ReportData.LongFloatList: 17, ReportData.CharList: 18}
+QueryDrawingDefinition.REPORT = ReportDrawingDefinition
+QueryDataDefinition.REPORT = ReportDataDefinition
+QueryData.REPORT = ReportData

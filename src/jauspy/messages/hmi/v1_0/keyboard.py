@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 
@@ -19,6 +19,7 @@ class QueryKeyboardAction(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportKeyboardAction]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -82,3 +83,4 @@ class ReportKeyboardAction(rt.Message):
 _S_H = rt.Packer("<H")
 _E_ReportKeyboardAction_KeyState = rt.members(ReportKeyboardAction.KeyState)
 _S_Hhb = rt.Packer("<Hhb")
+QueryKeyboardAction.REPORT = ReportKeyboardAction

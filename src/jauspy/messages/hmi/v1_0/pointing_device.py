@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 
@@ -19,6 +19,7 @@ class QueryPointingDeviceMovement(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportPointingDeviceMovement]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -43,6 +44,7 @@ class QueryPointingDeviceAction(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportPointingDeviceAction]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -187,3 +189,5 @@ _E_ReportPointingDeviceAction_Button = rt.members(ReportPointingDeviceAction.But
 _E_ReportPointingDeviceAction_State = rt.members(ReportPointingDeviceAction.State)
 _E_ReportPointingDeviceAction_Valid = rt.members(ReportPointingDeviceAction.Valid)
 _S_H2b2ib = rt.Packer("<H2b2ib")
+QueryPointingDeviceMovement.REPORT = ReportPointingDeviceMovement
+QueryPointingDeviceAction.REPORT = ReportPointingDeviceAction

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.iop.v1_0 import types as iop_v1_0_types
@@ -24,6 +24,7 @@ class QueryCostMap2D(rt.Message):
     VERSION = "1.1"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportCostMap2D]]
 
     QueryCostMap2DRec = iop_v1_0_types.QueryCostMap2DRec
     CostMap2DGlobalPoseRec = iop_v1_0_types.CostMap2DGlobalPoseRec
@@ -105,6 +106,7 @@ class QueryNoGoZones(rt.Message):
     VERSION = "1.1"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportNoGoZones]]
 
     zone_id: int
 
@@ -775,3 +777,5 @@ _U_21: tuple[type[ReportNoGoZones.GlobalVertexList] | type[ReportNoGoZones.Local
 _T_22: dict[type[rt.Struct], int] = {ReportNoGoZones.GlobalVertexList: 0, ReportNoGoZones.LocalVertexList: 1}
 _E_AddNoGoZoneResponse_ResponseCode = rt.members(AddNoGoZoneResponse.ResponseCode)
 _S_2HBH = rt.Packer("<2HBH")
+QueryCostMap2D.REPORT = ReportCostMap2D
+QueryNoGoZones.REPORT = ReportNoGoZones

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.iop.v1_1 import cost_map2d as iop_v1_1_cost_map2d
@@ -82,6 +82,7 @@ class QueryCostMap2D(iop_v1_1_cost_map2d.QueryCostMap2D):
     __slots__ = ()
     SERVICE = "urn:jaus:jss:iop:CostMap2DClient"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportCostMap2D]]
 
 
 class QueryNoGoZones(iop_v1_1_cost_map2d.QueryNoGoZones):
@@ -90,6 +91,7 @@ class QueryNoGoZones(iop_v1_1_cost_map2d.QueryNoGoZones):
     __slots__ = ()
     SERVICE = "urn:jaus:jss:iop:CostMap2DClient"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportNoGoZones]]
 
 
 class AddNoGoZone(iop_v1_1_cost_map2d.AddNoGoZone):
@@ -110,3 +112,5 @@ class RemoveNoGoZone(iop_v1_1_cost_map2d.RemoveNoGoZone):
 
 _E_AddNoGoZoneResponse_ResponseCode = rt.members(AddNoGoZoneResponse.ResponseCode)
 _S_2HBH = rt.Packer("<2HBH")
+QueryCostMap2D.REPORT = ReportCostMap2D
+QueryNoGoZones.REPORT = ReportNoGoZones

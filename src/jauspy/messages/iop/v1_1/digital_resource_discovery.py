@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.iop.v1_0 import types as iop_v1_0_types
@@ -19,6 +19,7 @@ class QueryDigitalResourceEndpoint(rt.Message):
     VERSION = "1.1"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportDigitalResourceEndpoint]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -228,3 +229,4 @@ class ConfirmDigitalResourceEndpoint(rt.Message):
 
 _S_H = rt.Packer("<H")
 _S_H2B = rt.Packer("<H2B")
+QueryDigitalResourceEndpoint.REPORT = ReportDigitalResourceEndpoint

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.iop.v1_0 import types as iop_v1_0_types
@@ -32,6 +32,7 @@ class QueryDigitalResourceEndpoint(iop_v1_1_digital_resource_discovery.QueryDigi
     __slots__ = ()
     SERVICE = "urn:jaus:jss:iop:DigitalResourceDiscoveryClient"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportDigitalResourceEndpoint]]
 
 
 @dataclass(slots=True, repr=False)
@@ -109,3 +110,4 @@ class RemoveDigitalResourceEndpoint(iop_v1_1_digital_resource_discovery.RemoveDi
     VERSION = "1.1"
 
 
+QueryDigitalResourceEndpoint.REPORT = ReportDigitalResourceEndpoint

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.iop.v1_0 import types as iop_v1_0_types
@@ -66,6 +66,7 @@ class QueryHandoffTimeout(rt.Message):
     VERSION = "1.1"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportHandoffTimeout]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -90,6 +91,7 @@ class QueryEnhancedTimeout(rt.Message):
     VERSION = "1.1"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportEnhancedTimeout]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -315,3 +317,5 @@ _S_2B = rt.Packer("<2B")
 _L_B = rt.Rows("B")
 _E_ConfirmHandoffRequest_ResponseCode = rt.members(ConfirmHandoffRequest.ResponseCode)
 _S_H2B = rt.Packer("<H2B")
+QueryHandoffTimeout.REPORT = ReportHandoffTimeout
+QueryEnhancedTimeout.REPORT = ReportEnhancedTimeout

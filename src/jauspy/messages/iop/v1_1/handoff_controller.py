@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.iop.v1_1 import enhanced_access_control as iop_v1_1_enhanced_access_control
@@ -155,6 +155,7 @@ class QueryHandoffTimeout(iop_v1_1_enhanced_access_control.QueryHandoffTimeout):
     __slots__ = ()
     SERVICE = "urn:jaus:jss:iop:HandoffController"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportHandoffTimeout]]
 
 
 class QueryEnhancedTimeout(iop_v1_1_enhanced_access_control.QueryEnhancedTimeout):
@@ -163,6 +164,7 @@ class QueryEnhancedTimeout(iop_v1_1_enhanced_access_control.QueryEnhancedTimeout
     __slots__ = ()
     SERVICE = "urn:jaus:jss:iop:HandoffController"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportEnhancedTimeout]]
 
 
 class RemoveHandoffRequest(iop_v1_1_enhanced_access_control.RemoveHandoffRequest):
@@ -174,3 +176,5 @@ class RemoveHandoffRequest(iop_v1_1_enhanced_access_control.RemoveHandoffRequest
 
 
 _S_BH3B = rt.Packer("<BH3B")
+QueryHandoffTimeout.REPORT = ReportHandoffTimeout
+QueryEnhancedTimeout.REPORT = ReportEnhancedTimeout

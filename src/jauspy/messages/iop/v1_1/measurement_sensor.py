@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.core.v1_0 import types as core_v1_0_types
@@ -20,6 +20,7 @@ class QueryMeasurement(rt.Message):
     VERSION = "1.1"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportMeasurement]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -200,3 +201,4 @@ _L_I = rt.Rows("I")
 _M_ReportMeasurement_3 = rt.Masks("", ((2, "I"),))
 _R_3 = rt.Scaling(-10000.0, 10000.0, 4294967295)
 _S_B = rt.Packer("<B")
+QueryMeasurement.REPORT = ReportMeasurement

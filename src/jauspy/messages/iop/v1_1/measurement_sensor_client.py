@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from jauspy.messages.iop.v1_1 import measurement_sensor as iop_v1_1_measurement_sensor
 
 
@@ -19,5 +21,7 @@ class QueryMeasurement(iop_v1_1_measurement_sensor.QueryMeasurement):
     __slots__ = ()
     SERVICE = "urn:jaus:jss:iop:MeasurementSensorClient"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportMeasurement]]
 
 
+QueryMeasurement.REPORT = ReportMeasurement

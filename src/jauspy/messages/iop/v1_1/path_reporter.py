@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.iop.v1_0 import types as iop_v1_0_types
@@ -21,6 +21,7 @@ class QueryPathReporterCapabilities(rt.Message):
     VERSION = "1.1"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportPathReporterCapabilities]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -52,6 +53,7 @@ class QueryPath(rt.Message):
     VERSION = "1.1"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportPath]]
 
     class PathType(IntEnum):
         """Values of PathType."""
@@ -381,3 +383,5 @@ _R_4 = rt.Scaling(0.0, 10000.0, 65535)
 _M_QueryPath_pack = rt.Masks("HB", ((0, "B"), (1, "H"), (2, "H"), (4, "I"), (8, "I")))
 _U_6: tuple[type[ReportPath.HistoricalGlobalPath] | type[ReportPath.HistoricalLocalPath] | type[ReportPath.PlannedGlobalPath] | type[ReportPath.PlannedLocalPath], ...] = (ReportPath.HistoricalGlobalPath, ReportPath.HistoricalLocalPath, ReportPath.PlannedGlobalPath, ReportPath.PlannedLocalPath)
 _T_7: dict[type[rt.Struct], int] = {ReportPath.HistoricalGlobalPath: 0, ReportPath.HistoricalLocalPath: 1, ReportPath.PlannedGlobalPath: 2, ReportPath.PlannedLocalPath: 3}
+QueryPathReporterCapabilities.REPORT = ReportPathReporterCapabilities
+QueryPath.REPORT = ReportPath

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from jauspy.messages.iop.v1_1 import path_reporter as iop_v1_1_path_reporter
 
 
@@ -27,6 +29,7 @@ class QueryPathReporterCapabilities(iop_v1_1_path_reporter.QueryPathReporterCapa
     __slots__ = ()
     SERVICE = "urn:jaus:jss:iop:PathReporterClient"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportPathReporterCapabilities]]
 
 
 class QueryPath(iop_v1_1_path_reporter.QueryPath):
@@ -35,5 +38,8 @@ class QueryPath(iop_v1_1_path_reporter.QueryPath):
     __slots__ = ()
     SERVICE = "urn:jaus:jss:iop:PathReporterClient"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportPath]]
 
 
+QueryPathReporterCapabilities.REPORT = ReportPathReporterCapabilities
+QueryPath.REPORT = ReportPath

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 
@@ -64,6 +64,7 @@ class QueryPlatformMode(rt.Message):
     VERSION = "1.1"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportPlatformMode]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -88,6 +89,7 @@ class QuerySupportedPlatformModes(rt.Message):
     VERSION = "1.1"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportSupportedPlatformModes]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -243,3 +245,5 @@ _E_ReportPlatformMode_Status = rt.members(ReportPlatformMode.Status)
 _S_H2B = rt.Packer("<H2B")
 _E_ReportSupportedPlatformModes_PlatformMode = rt.members(ReportSupportedPlatformModes.PlatformMode)
 _L_B = rt.Rows("B")
+QueryPlatformMode.REPORT = ReportPlatformMode
+QuerySupportedPlatformModes.REPORT = ReportSupportedPlatformModes

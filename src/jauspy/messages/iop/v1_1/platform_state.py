@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.core.v1_0 import management as core_v1_0_management
@@ -67,6 +67,7 @@ class QueryPlatformState(rt.Message):
     VERSION = "1.1"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportPlatformState]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -210,3 +211,4 @@ _E_ConfirmPlatformStateRequest_PlatformState = rt.members(ConfirmPlatformStateRe
 _E_ConfirmPlatformStateRequest_ResponseCode = rt.members(ConfirmPlatformStateRequest.ResponseCode)
 _S_H2B = rt.Packer("<H2B")
 _E_ReportPlatformState_PlatformState = rt.members(ReportPlatformState.PlatformState)
+QueryPlatformState.REPORT = ReportPlatformState

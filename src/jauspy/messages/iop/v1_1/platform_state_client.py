@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from jauspy.messages.iop.v1_1 import platform_state as iop_v1_1_platform_state
 
 
@@ -35,5 +37,7 @@ class QueryPlatformState(iop_v1_1_platform_state.QueryPlatformState):
     __slots__ = ()
     SERVICE = "urn:jaus:jss:iop:PlatformStateClient"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportPlatformState]]
 
 
+QueryPlatformState.REPORT = ReportPlatformState

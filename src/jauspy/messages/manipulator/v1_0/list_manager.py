@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from jauspy.messages.core.v1_1 import list_manager as core_v1_1_list_manager
 
 
@@ -27,6 +29,7 @@ class QueryElement(core_v1_1_list_manager.QueryElement):
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:ListManager"
     VERSION = "1.0"
+    REPORT: ClassVar[type[ReportElement]]
 
 
 class QueryElementList(core_v1_1_list_manager.QueryElementList):
@@ -35,6 +38,7 @@ class QueryElementList(core_v1_1_list_manager.QueryElementList):
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:ListManager"
     VERSION = "1.0"
+    REPORT: ClassVar[type[ReportElementList]]
 
 
 class QueryElementCount(core_v1_1_list_manager.QueryElementCount):
@@ -43,6 +47,7 @@ class QueryElementCount(core_v1_1_list_manager.QueryElementCount):
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:ListManager"
     VERSION = "1.0"
+    REPORT: ClassVar[type[ReportElementCount]]
 
 
 class ConfirmElementRequest(core_v1_1_list_manager.ConfirmElementRequest):
@@ -85,3 +90,6 @@ class ReportElementCount(core_v1_1_list_manager.ReportElementCount):
     VERSION = "1.0"
 
 
+QueryElement.REPORT = ReportElement
+QueryElementList.REPORT = ReportElementList
+QueryElementCount.REPORT = ReportElementCount

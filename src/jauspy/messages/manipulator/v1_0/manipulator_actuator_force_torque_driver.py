@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.manipulator.v1_0 import types as manipulator_v1_0_types
@@ -22,6 +22,7 @@ class QueryManipulatorSpecifications(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportManipulatorSpecifications]]
 
     presence_vector: int
 
@@ -53,6 +54,7 @@ class QueryCommandedActuatorForceTorques(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportCommandedActuatorForceTorques]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -311,3 +313,5 @@ _R_6 = rt.Scaling(-1.0, 1.0, 4294967295)
 _T_7: dict[type[rt.Struct], int] = {manipulator_v1_0_types.RevoluteJoint1OffsetRec: 0, manipulator_v1_0_types.PrismaticJoint1AngleRec: 1}
 _T_8: dict[type[rt.Struct], int] = {manipulator_v1_0_types.RevoluteJointSpecificationRec: 0, manipulator_v1_0_types.PrismaticJointSpecificationRec: 1}
 _S_B = rt.Packer("<B")
+QueryManipulatorSpecifications.REPORT = ReportManipulatorSpecifications
+QueryCommandedActuatorForceTorques.REPORT = ReportCommandedActuatorForceTorques

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.manipulator.v1_0 import manipulator_actuator_force_torque_driver as manipulator_v1_0_manipulator_actuator_force_torque_driver
@@ -16,6 +16,7 @@ class QueryManipulatorSpecifications(manipulator_v1_0_manipulator_actuator_force
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorEndEffectorPoseDriver"
     VERSION = "1.0"
+    REPORT: ClassVar[type[ReportManipulatorSpecifications]]
 
 
 @dataclass(slots=True, repr=False)
@@ -28,6 +29,7 @@ class QueryToolOffset(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportToolOffset]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -259,6 +261,7 @@ class QueryCommandedEndEffectorPose(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportCommandedEndEffectorPose]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -283,6 +286,7 @@ class QueryMotionProfile(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportMotionProfile]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -520,3 +524,7 @@ _R_4 = rt.Scaling(-30.0, 30.0, 4294967295)
 _R_5 = rt.Scaling(-1.0, 1.0, 4294967295)
 _U_6: tuple[type[manipulator_v1_0_types.RevoluteMotionProfileRec] | type[manipulator_v1_0_types.PrismaticMotionProfileRec], ...] = (manipulator_v1_0_types.RevoluteMotionProfileRec, manipulator_v1_0_types.PrismaticMotionProfileRec)
 _T_7: dict[type[rt.Struct], int] = {manipulator_v1_0_types.RevoluteMotionProfileRec: 0, manipulator_v1_0_types.PrismaticMotionProfileRec: 1}
+QueryManipulatorSpecifications.REPORT = ReportManipulatorSpecifications
+QueryToolOffset.REPORT = ReportToolOffset
+QueryCommandedEndEffectorPose.REPORT = ReportCommandedEndEffectorPose
+QueryMotionProfile.REPORT = ReportMotionProfile

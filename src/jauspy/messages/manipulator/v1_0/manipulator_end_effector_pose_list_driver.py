@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.manipulator.v1_0 import manipulator_actuator_force_torque_driver as manipulator_v1_0_manipulator_actuator_force_torque_driver
@@ -77,6 +77,7 @@ class QueryToolOffset(manipulator_v1_0_manipulator_end_effector_pose_driver.Quer
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorEndEffectorPoseListDriver"
     VERSION = "1.0"
+    REPORT: ClassVar[type[ReportToolOffset]]
 
 
 @dataclass(slots=True, repr=False)
@@ -89,6 +90,7 @@ class QueryActiveElement(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportActiveElement]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -109,6 +111,7 @@ class QueryManipulatorSpecifications(manipulator_v1_0_manipulator_actuator_force
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorEndEffectorPoseListDriver"
     VERSION = "1.0"
+    REPORT: ClassVar[type[ReportManipulatorSpecifications]]
 
 
 class QueryMotionProfile(manipulator_v1_0_manipulator_end_effector_pose_driver.QueryMotionProfile):
@@ -117,6 +120,7 @@ class QueryMotionProfile(manipulator_v1_0_manipulator_end_effector_pose_driver.Q
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorEndEffectorPoseListDriver"
     VERSION = "1.0"
+    REPORT: ClassVar[type[ReportMotionProfile]]
 
 
 class QueryCommandedEndEffectorPose(manipulator_v1_0_manipulator_end_effector_pose_driver.QueryCommandedEndEffectorPose):
@@ -125,6 +129,7 @@ class QueryCommandedEndEffectorPose(manipulator_v1_0_manipulator_end_effector_po
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorEndEffectorPoseListDriver"
     VERSION = "1.0"
+    REPORT: ClassVar[type[ReportCommandedEndEffectorPose]]
 
 
 @dataclass(slots=True, repr=False)
@@ -198,3 +203,8 @@ _M_ExecuteList = rt.Masks("3x", ((1, "H"),))
 _M_ExecuteList_pack = rt.Masks("HB", ((1, "H"),))
 _S_H = rt.Packer("<H")
 _S_2H = rt.Packer("<2H")
+QueryToolOffset.REPORT = ReportToolOffset
+QueryActiveElement.REPORT = ReportActiveElement
+QueryManipulatorSpecifications.REPORT = ReportManipulatorSpecifications
+QueryMotionProfile.REPORT = ReportMotionProfile
+QueryCommandedEndEffectorPose.REPORT = ReportCommandedEndEffectorPose

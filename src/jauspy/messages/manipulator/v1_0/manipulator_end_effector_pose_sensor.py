@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.manipulator.v1_0 import manipulator_actuator_force_torque_driver as manipulator_v1_0_manipulator_actuator_force_torque_driver
@@ -16,6 +16,7 @@ class QueryManipulatorSpecifications(manipulator_v1_0_manipulator_actuator_force
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorEndEffectorPoseSensor"
     VERSION = "1.0"
+    REPORT: ClassVar[type[ReportManipulatorSpecifications]]
 
 
 class QueryToolOffset(manipulator_v1_0_manipulator_end_effector_pose_driver.QueryToolOffset):
@@ -24,6 +25,7 @@ class QueryToolOffset(manipulator_v1_0_manipulator_end_effector_pose_driver.Quer
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorEndEffectorPoseSensor"
     VERSION = "1.0"
+    REPORT: ClassVar[type[ReportToolOffset]]
 
 
 class SetToolOffset(manipulator_v1_0_manipulator_end_effector_pose_driver.SetToolOffset):
@@ -44,6 +46,7 @@ class QueryEndEffectorPose(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportEndEffectorPose]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -172,3 +175,6 @@ _S_H = rt.Packer("<H")
 _S_H7I = rt.Packer("<H7I")
 _R_2 = rt.Scaling(-30.0, 30.0, 4294967295)
 _R_3 = rt.Scaling(-1.0, 1.0, 4294967295)
+QueryManipulatorSpecifications.REPORT = ReportManipulatorSpecifications
+QueryToolOffset.REPORT = ReportToolOffset
+QueryEndEffectorPose.REPORT = ReportEndEffectorPose

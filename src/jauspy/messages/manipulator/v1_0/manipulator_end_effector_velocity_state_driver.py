@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.manipulator.v1_0 import manipulator_actuator_force_torque_driver as manipulator_v1_0_manipulator_actuator_force_torque_driver
@@ -16,6 +16,7 @@ class QueryManipulatorSpecifications(manipulator_v1_0_manipulator_actuator_force
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorEndEffectorVelocityStateDriver"
     VERSION = "1.0"
+    REPORT: ClassVar[type[ReportManipulatorSpecifications]]
 
 
 class QueryToolOffset(manipulator_v1_0_manipulator_end_effector_pose_driver.QueryToolOffset):
@@ -24,6 +25,7 @@ class QueryToolOffset(manipulator_v1_0_manipulator_end_effector_pose_driver.Quer
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorEndEffectorVelocityStateDriver"
     VERSION = "1.0"
+    REPORT: ClassVar[type[ReportToolOffset]]
 
 
 class SetToolOffset(manipulator_v1_0_manipulator_end_effector_pose_driver.SetToolOffset):
@@ -137,6 +139,7 @@ class QueryCommandedEndEffectorVelocityState(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportCommandedEndEffectorVelocityState]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -157,6 +160,7 @@ class QueryMotionProfile(manipulator_v1_0_manipulator_end_effector_pose_driver.Q
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorEndEffectorVelocityStateDriver"
     VERSION = "1.0"
+    REPORT: ClassVar[type[ReportMotionProfile]]
 
 
 class ReportManipulatorSpecifications(manipulator_v1_0_manipulator_actuator_force_torque_driver.ReportManipulatorSpecifications):
@@ -272,3 +276,7 @@ _S_H6I = rt.Packer("<H6I")
 _R_1 = rt.Scaling(-62.83185307179586, 62.83185307179586, 4294967295)
 _R_2 = rt.Scaling(-10.0, 10.0, 4294967295)
 _S_H = rt.Packer("<H")
+QueryManipulatorSpecifications.REPORT = ReportManipulatorSpecifications
+QueryToolOffset.REPORT = ReportToolOffset
+QueryCommandedEndEffectorVelocityState.REPORT = ReportCommandedEndEffectorVelocityState
+QueryMotionProfile.REPORT = ReportMotionProfile

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.manipulator.v1_0 import manipulator_actuator_force_torque_driver as manipulator_v1_0_manipulator_actuator_force_torque_driver
@@ -20,6 +20,7 @@ class QueryJointForceTorques(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportJointForceTorques]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -40,6 +41,7 @@ class QueryManipulatorSpecifications(manipulator_v1_0_manipulator_actuator_force
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointForceTorqueSensor"
     VERSION = "1.0"
+    REPORT: ClassVar[type[ReportManipulatorSpecifications]]
 
 
 @dataclass(slots=True, repr=False)
@@ -106,3 +108,5 @@ class ReportManipulatorSpecifications(manipulator_v1_0_manipulator_actuator_forc
 
 
 _S_H = rt.Packer("<H")
+QueryJointForceTorques.REPORT = ReportJointForceTorques
+QueryManipulatorSpecifications.REPORT = ReportManipulatorSpecifications

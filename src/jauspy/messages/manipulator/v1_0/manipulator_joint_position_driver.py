@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.manipulator.v1_0 import manipulator_actuator_force_torque_driver as manipulator_v1_0_manipulator_actuator_force_torque_driver
@@ -17,6 +17,7 @@ class QueryManipulatorSpecifications(manipulator_v1_0_manipulator_actuator_force
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointPositionDriver"
     VERSION = "1.0"
+    REPORT: ClassVar[type[ReportManipulatorSpecifications]]
 
 
 @dataclass(slots=True, repr=False)
@@ -29,6 +30,7 @@ class QueryCommandedJointPositions(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportCommandedJointPositions]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -49,6 +51,7 @@ class QueryMotionProfile(manipulator_v1_0_manipulator_end_effector_pose_driver.Q
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointPositionDriver"
     VERSION = "1.0"
+    REPORT: ClassVar[type[ReportMotionProfile]]
 
 
 @dataclass(slots=True, repr=False)
@@ -186,3 +189,6 @@ class ReportMotionProfile(manipulator_v1_0_manipulator_end_effector_pose_driver.
 
 
 _S_H = rt.Packer("<H")
+QueryManipulatorSpecifications.REPORT = ReportManipulatorSpecifications
+QueryCommandedJointPositions.REPORT = ReportCommandedJointPositions
+QueryMotionProfile.REPORT = ReportMotionProfile

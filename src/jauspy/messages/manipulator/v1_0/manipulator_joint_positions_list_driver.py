@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from jauspy.messages.manipulator.v1_0 import manipulator_actuator_force_torque_driver as manipulator_v1_0_manipulator_actuator_force_torque_driver
 from jauspy.messages.manipulator.v1_0 import manipulator_end_effector_pose_driver as manipulator_v1_0_manipulator_end_effector_pose_driver
 from jauspy.messages.manipulator.v1_0 import manipulator_end_effector_pose_list_driver as manipulator_v1_0_manipulator_end_effector_pose_list_driver
@@ -30,6 +32,7 @@ class QueryActiveElement(manipulator_v1_0_manipulator_end_effector_pose_list_dri
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointPositionsListDriver"
     VERSION = "1.0"
+    REPORT: ClassVar[type[ReportActiveElement]]
 
 
 class QueryManipulatorSpecifications(manipulator_v1_0_manipulator_actuator_force_torque_driver.QueryManipulatorSpecifications):
@@ -38,6 +41,7 @@ class QueryManipulatorSpecifications(manipulator_v1_0_manipulator_actuator_force
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointPositionsListDriver"
     VERSION = "1.0"
+    REPORT: ClassVar[type[ReportManipulatorSpecifications]]
 
 
 class QueryMotionProfile(manipulator_v1_0_manipulator_end_effector_pose_driver.QueryMotionProfile):
@@ -46,6 +50,7 @@ class QueryMotionProfile(manipulator_v1_0_manipulator_end_effector_pose_driver.Q
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointPositionsListDriver"
     VERSION = "1.0"
+    REPORT: ClassVar[type[ReportMotionProfile]]
 
 
 class QueryCommandedJointPositions(manipulator_v1_0_manipulator_joint_position_driver.QueryCommandedJointPositions):
@@ -54,6 +59,7 @@ class QueryCommandedJointPositions(manipulator_v1_0_manipulator_joint_position_d
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointPositionsListDriver"
     VERSION = "1.0"
+    REPORT: ClassVar[type[ReportCommandedJointPositions]]
 
 
 class ReportActiveElement(manipulator_v1_0_manipulator_end_effector_pose_list_driver.ReportActiveElement):
@@ -88,3 +94,7 @@ class ReportCommandedJointPositions(manipulator_v1_0_manipulator_joint_position_
     VERSION = "1.0"
 
 
+QueryActiveElement.REPORT = ReportActiveElement
+QueryManipulatorSpecifications.REPORT = ReportManipulatorSpecifications
+QueryMotionProfile.REPORT = ReportMotionProfile
+QueryCommandedJointPositions.REPORT = ReportCommandedJointPositions

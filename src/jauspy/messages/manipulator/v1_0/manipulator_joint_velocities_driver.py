@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.manipulator.v1_0 import manipulator_actuator_force_torque_driver as manipulator_v1_0_manipulator_actuator_force_torque_driver
@@ -17,6 +17,7 @@ class QueryManipulatorSpecifications(manipulator_v1_0_manipulator_actuator_force
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointVelocitiesDriver"
     VERSION = "1.0"
+    REPORT: ClassVar[type[ReportManipulatorSpecifications]]
 
 
 @dataclass(slots=True, repr=False)
@@ -92,6 +93,7 @@ class QueryCommandedJointVelocities(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportCommandedJointVelocities]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -112,6 +114,7 @@ class QueryMotionProfile(manipulator_v1_0_manipulator_end_effector_pose_driver.Q
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointVelocitiesDriver"
     VERSION = "1.0"
+    REPORT: ClassVar[type[ReportMotionProfile]]
 
 
 class ReportManipulatorSpecifications(manipulator_v1_0_manipulator_actuator_force_torque_driver.ReportManipulatorSpecifications):
@@ -186,3 +189,6 @@ class ReportMotionProfile(manipulator_v1_0_manipulator_end_effector_pose_driver.
 
 
 _S_H = rt.Packer("<H")
+QueryManipulatorSpecifications.REPORT = ReportManipulatorSpecifications
+QueryCommandedJointVelocities.REPORT = ReportCommandedJointVelocities
+QueryMotionProfile.REPORT = ReportMotionProfile

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 
@@ -21,6 +21,7 @@ class QueryPanTiltSpecifications(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportPanTiltSpecifications]]
 
     presence_vector: int
 
@@ -52,6 +53,7 @@ class QueryCommandedPanTiltJointPositions(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportCommandedPanTiltJointPositions]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -76,6 +78,7 @@ class QueryPanTiltMotionProfile(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportPanTiltMotionProfile]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -555,3 +558,6 @@ _M_ReportPanTiltSpecifications = rt.Masks("3x", ((1, "I"), (2, "I"), (4, "I"), (
 _R_7 = rt.Scaling(-30.0, 30.0, 4294967295)
 _R_8 = rt.Scaling(-1.0, 1.0, 4294967295)
 _M_ReportPanTiltSpecifications_pack = rt.Masks("HB", ((1, "I"), (2, "I"), (4, "I"), (8, "I"), (16, "I"), (32, "I"), (64, "I"), (0, "I"), (0, "I"), (0, "I"), (0, "I"), (0, "I"), (0, "I")))
+QueryPanTiltSpecifications.REPORT = ReportPanTiltSpecifications
+QueryCommandedPanTiltJointPositions.REPORT = ReportCommandedPanTiltJointPositions
+QueryPanTiltMotionProfile.REPORT = ReportPanTiltMotionProfile

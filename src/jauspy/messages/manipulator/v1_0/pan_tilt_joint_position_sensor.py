@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.manipulator.v1_0 import pan_tilt_joint_position_driver as manipulator_v1_0_pan_tilt_joint_position_driver
@@ -19,6 +19,7 @@ class QueryPanTiltJointPositions(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportPanTiltJointPositions]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -39,6 +40,7 @@ class QueryPanTiltSpecifications(manipulator_v1_0_pan_tilt_joint_position_driver
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:PanTiltJointPositionSensor"
     VERSION = "1.0"
+    REPORT: ClassVar[type[ReportPanTiltSpecifications]]
 
 
 @dataclass(slots=True, repr=False)
@@ -101,3 +103,5 @@ class ReportPanTiltSpecifications(manipulator_v1_0_pan_tilt_joint_position_drive
 _S_H = rt.Packer("<H")
 _S_H2I = rt.Packer("<H2I")
 _R_2 = rt.Scaling(-25.132741228718345, 25.132741228718345, 4294967295)
+QueryPanTiltJointPositions.REPORT = ReportPanTiltJointPositions
+QueryPanTiltSpecifications.REPORT = ReportPanTiltSpecifications

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.manipulator.v1_0 import pan_tilt_joint_position_driver as manipulator_v1_0_pan_tilt_joint_position_driver
@@ -15,6 +15,7 @@ class QueryPanTiltSpecifications(manipulator_v1_0_pan_tilt_joint_position_driver
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:PanTiltJointVelocitiesDriver"
     VERSION = "1.0"
+    REPORT: ClassVar[type[ReportPanTiltSpecifications]]
 
 
 @dataclass(slots=True, repr=False)
@@ -84,6 +85,7 @@ class QueryCommandedPanTiltJointVelocities(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportCommandedPanTiltJointVelocities]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -104,6 +106,7 @@ class QueryPanTiltMotionProfile(manipulator_v1_0_pan_tilt_joint_position_driver.
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:PanTiltJointVelocitiesDriver"
     VERSION = "1.0"
+    REPORT: ClassVar[type[ReportPanTiltMotionProfile]]
 
 
 class ReportPanTiltSpecifications(manipulator_v1_0_pan_tilt_joint_position_driver.ReportPanTiltSpecifications):
@@ -174,3 +177,6 @@ class ReportPanTiltMotionProfile(manipulator_v1_0_pan_tilt_joint_position_driver
 _S_H2I = rt.Packer("<H2I")
 _R_1 = rt.Scaling(-31.41592653589793, 31.41592653589793, 4294967295)
 _S_H = rt.Packer("<H")
+QueryPanTiltSpecifications.REPORT = ReportPanTiltSpecifications
+QueryCommandedPanTiltJointVelocities.REPORT = ReportCommandedPanTiltJointVelocities
+QueryPanTiltMotionProfile.REPORT = ReportPanTiltMotionProfile

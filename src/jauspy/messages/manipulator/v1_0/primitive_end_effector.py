@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 
@@ -18,6 +18,7 @@ class QueryEndEffectorSpecification(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportEndEffectorSpecification]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -42,6 +43,7 @@ class QueryEndEffectorEffort(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportEndEffectorEffort]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -174,3 +176,5 @@ _S_H = rt.Packer("<H")
 _S_2H = rt.Packer("<2H")
 _R_2 = rt.Scaling(-100.0, 100.0, 65535)
 _S_HI = rt.Packer("<HI")
+QueryEndEffectorSpecification.REPORT = ReportEndEffectorSpecification
+QueryEndEffectorEffort.REPORT = ReportEndEffectorEffort

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.manipulator.v1_0 import manipulator_actuator_force_torque_driver as manipulator_v1_0_manipulator_actuator_force_torque_driver
@@ -16,6 +16,7 @@ class QueryManipulatorSpecifications(manipulator_v1_0_manipulator_actuator_force
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:PrimitiveManipulator"
     VERSION = "1.0"
+    REPORT: ClassVar[type[ReportManipulatorSpecifications]]
 
 
 @dataclass(slots=True, repr=False)
@@ -28,6 +29,7 @@ class QueryJointEfforts(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportJointEfforts]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -161,3 +163,5 @@ class ReportJointEfforts(rt.Message):
 _S_H = rt.Packer("<H")
 _L_H = rt.Rows("H")
 _R_2 = rt.Scaling(-100.0, 100.0, 65535)
+QueryManipulatorSpecifications.REPORT = ReportManipulatorSpecifications
+QueryJointEfforts.REPORT = ReportJointEfforts

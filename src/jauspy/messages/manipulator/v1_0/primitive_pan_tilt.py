@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.manipulator.v1_0 import pan_tilt_joint_position_driver as manipulator_v1_0_pan_tilt_joint_position_driver
@@ -15,6 +15,7 @@ class QueryPanTiltSpecifications(manipulator_v1_0_pan_tilt_joint_position_driver
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:PrimitivePanTilt"
     VERSION = "1.0"
+    REPORT: ClassVar[type[ReportPanTiltSpecifications]]
 
 
 @dataclass(slots=True, repr=False)
@@ -27,6 +28,7 @@ class QueryPanTiltJointEfforts(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportPanTiltJointEfforts]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -150,3 +152,5 @@ class ReportPanTiltJointEfforts(rt.Message):
 _S_H = rt.Packer("<H")
 _S_3H = rt.Packer("<3H")
 _R_2 = rt.Scaling(-100.0, 100.0, 65535)
+QueryPanTiltSpecifications.REPORT = ReportPanTiltSpecifications
+QueryPanTiltJointEfforts.REPORT = ReportPanTiltJointEfforts

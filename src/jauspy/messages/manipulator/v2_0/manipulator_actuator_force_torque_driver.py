@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from jauspy.messages.manipulator.v1_0 import manipulator_actuator_force_torque_driver as manipulator_v1_0_manipulator_actuator_force_torque_driver
 
 
@@ -11,6 +13,7 @@ class QueryCommandedActuatorForceTorques(manipulator_v1_0_manipulator_actuator_f
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorActuatorForceTorqueDriver"
     VERSION = "2.0"
+    REPORT: ClassVar[type[ReportCommandedActuatorForceTorques]]
 
 
 class SetActuatorForceTorques(manipulator_v1_0_manipulator_actuator_force_torque_driver.SetActuatorForceTorques):
@@ -29,3 +32,4 @@ class ReportCommandedActuatorForceTorques(manipulator_v1_0_manipulator_actuator_
     VERSION = "2.0"
 
 
+QueryCommandedActuatorForceTorques.REPORT = ReportCommandedActuatorForceTorques

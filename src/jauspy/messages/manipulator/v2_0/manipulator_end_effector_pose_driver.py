@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from jauspy.messages.manipulator.v1_0 import manipulator_end_effector_pose_driver as manipulator_v1_0_manipulator_end_effector_pose_driver
 
 
@@ -19,6 +21,7 @@ class QueryCommandedEndEffectorPose(manipulator_v1_0_manipulator_end_effector_po
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorEndEffectorPoseDriver"
     VERSION = "2.0"
+    REPORT: ClassVar[type[ReportCommandedEndEffectorPose]]
 
 
 class ReportCommandedEndEffectorPose(manipulator_v1_0_manipulator_end_effector_pose_driver.ReportCommandedEndEffectorPose):
@@ -29,3 +32,4 @@ class ReportCommandedEndEffectorPose(manipulator_v1_0_manipulator_end_effector_p
     VERSION = "2.0"
 
 
+QueryCommandedEndEffectorPose.REPORT = ReportCommandedEndEffectorPose

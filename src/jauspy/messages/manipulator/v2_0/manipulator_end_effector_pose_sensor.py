@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from jauspy.messages.manipulator.v1_0 import manipulator_end_effector_pose_sensor as manipulator_v1_0_manipulator_end_effector_pose_sensor
 
 
@@ -11,6 +13,7 @@ class QueryEndEffectorPose(manipulator_v1_0_manipulator_end_effector_pose_sensor
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorEndEffectorPoseSensor"
     VERSION = "2.0"
+    REPORT: ClassVar[type[ReportEndEffectorPose]]
 
 
 class ReportEndEffectorPose(manipulator_v1_0_manipulator_end_effector_pose_sensor.ReportEndEffectorPose):
@@ -21,3 +24,4 @@ class ReportEndEffectorPose(manipulator_v1_0_manipulator_end_effector_pose_senso
     VERSION = "2.0"
 
 
+QueryEndEffectorPose.REPORT = ReportEndEffectorPose

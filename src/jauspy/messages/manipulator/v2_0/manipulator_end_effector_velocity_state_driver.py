@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from jauspy.messages.manipulator.v1_0 import manipulator_end_effector_velocity_state_driver as manipulator_v1_0_manipulator_end_effector_velocity_state_driver
 
 
@@ -19,6 +21,7 @@ class QueryCommandedEndEffectorVelocityState(manipulator_v1_0_manipulator_end_ef
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorEndEffectorVelocityStateDriver"
     VERSION = "2.0"
+    REPORT: ClassVar[type[ReportCommandedEndEffectorVelocityState]]
 
 
 class ReportCommandedEndEffectorVelocityState(manipulator_v1_0_manipulator_end_effector_velocity_state_driver.ReportCommandedEndEffectorVelocityState):
@@ -29,3 +32,4 @@ class ReportCommandedEndEffectorVelocityState(manipulator_v1_0_manipulator_end_e
     VERSION = "2.0"
 
 
+QueryCommandedEndEffectorVelocityState.REPORT = ReportCommandedEndEffectorVelocityState

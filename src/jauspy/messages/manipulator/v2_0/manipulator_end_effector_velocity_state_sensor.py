@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from jauspy.messages.manipulator.v1_0 import manipulator_end_effector_velocity_state_sensor as manipulator_v1_0_manipulator_end_effector_velocity_state_sensor
 
 
@@ -11,6 +13,7 @@ class QueryEndEffectorVelocityState(manipulator_v1_0_manipulator_end_effector_ve
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorEndEffectorVelocityStateSensor"
     VERSION = "2.0"
+    REPORT: ClassVar[type[ReportEndEffectorVelocityState]]
 
 
 class ReportEndEffectorVelocityState(manipulator_v1_0_manipulator_end_effector_velocity_state_sensor.ReportEndEffectorVelocityState):
@@ -21,3 +24,4 @@ class ReportEndEffectorVelocityState(manipulator_v1_0_manipulator_end_effector_v
     VERSION = "2.0"
 
 
+QueryEndEffectorVelocityState.REPORT = ReportEndEffectorVelocityState

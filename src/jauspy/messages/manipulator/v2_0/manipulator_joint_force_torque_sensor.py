@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from jauspy.messages.manipulator.v1_0 import manipulator_joint_force_torque_sensor as manipulator_v1_0_manipulator_joint_force_torque_sensor
 
 
@@ -11,6 +13,7 @@ class QueryJointForceTorques(manipulator_v1_0_manipulator_joint_force_torque_sen
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointForceTorqueSensor"
     VERSION = "2.0"
+    REPORT: ClassVar[type[ReportJointForceTorques]]
 
 
 class ReportJointForceTorques(manipulator_v1_0_manipulator_joint_force_torque_sensor.ReportJointForceTorques):
@@ -21,3 +24,4 @@ class ReportJointForceTorques(manipulator_v1_0_manipulator_joint_force_torque_se
     VERSION = "2.0"
 
 
+QueryJointForceTorques.REPORT = ReportJointForceTorques

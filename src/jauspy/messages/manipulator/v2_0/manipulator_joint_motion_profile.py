@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 
@@ -18,6 +18,7 @@ class QueryJointMotionProfile(rt.Message):
     VERSION = "2.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportJointMotionProfile]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -341,3 +342,4 @@ _U_5: tuple[type[SetJointMotionProfile.RevoluteJointMotionProfileRec] | type[Set
 _T_6: dict[type[rt.Struct], int] = {SetJointMotionProfile.RevoluteJointMotionProfileRec: 0, SetJointMotionProfile.PrismaticJointMotionProfileRec: 1}
 _U_7: tuple[type[ReportJointMotionProfile.RevoluteJointMotionProfileRec] | type[ReportJointMotionProfile.PrismaticJointMotionProfileRec], ...] = (ReportJointMotionProfile.RevoluteJointMotionProfileRec, ReportJointMotionProfile.PrismaticJointMotionProfileRec)
 _T_8: dict[type[rt.Struct], int] = {ReportJointMotionProfile.RevoluteJointMotionProfileRec: 0, ReportJointMotionProfile.PrismaticJointMotionProfileRec: 1}
+QueryJointMotionProfile.REPORT = ReportJointMotionProfile

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from jauspy.messages.manipulator.v1_0 import manipulator_joint_position_driver as manipulator_v1_0_manipulator_joint_position_driver
 
 
@@ -11,6 +13,7 @@ class QueryCommandedJointPositions(manipulator_v1_0_manipulator_joint_position_d
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointPositionDriver"
     VERSION = "2.0"
+    REPORT: ClassVar[type[ReportCommandedJointPositions]]
 
 
 class SetJointPositions(manipulator_v1_0_manipulator_joint_position_driver.SetJointPositions):
@@ -29,3 +32,4 @@ class ReportCommandedJointPositions(manipulator_v1_0_manipulator_joint_position_
     VERSION = "2.0"
 
 
+QueryCommandedJointPositions.REPORT = ReportCommandedJointPositions

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from jauspy.messages.manipulator.v1_0 import manipulator_joint_position_driver as manipulator_v1_0_manipulator_joint_position_driver
 
 
@@ -11,6 +13,7 @@ class QueryCommandedJointPositions(manipulator_v1_0_manipulator_joint_position_d
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointPositionListDriver"
     VERSION = "2.0"
+    REPORT: ClassVar[type[ReportCommandedJointPositions]]
 
 
 class ReportCommandedJointPositions(manipulator_v1_0_manipulator_joint_position_driver.ReportCommandedJointPositions):
@@ -21,3 +24,4 @@ class ReportCommandedJointPositions(manipulator_v1_0_manipulator_joint_position_
     VERSION = "2.0"
 
 
+QueryCommandedJointPositions.REPORT = ReportCommandedJointPositions

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from jauspy.messages.manipulator.v1_0 import manipulator_joint_position_sensor as manipulator_v1_0_manipulator_joint_position_sensor
 
 
@@ -11,6 +13,7 @@ class QueryJointPositions(manipulator_v1_0_manipulator_joint_position_sensor.Que
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointPositionSensor"
     VERSION = "2.0"
+    REPORT: ClassVar[type[ReportJointPositions]]
 
 
 class ReportJointPositions(manipulator_v1_0_manipulator_joint_position_sensor.ReportJointPositions):
@@ -21,3 +24,4 @@ class ReportJointPositions(manipulator_v1_0_manipulator_joint_position_sensor.Re
     VERSION = "2.0"
 
 
+QueryJointPositions.REPORT = ReportJointPositions

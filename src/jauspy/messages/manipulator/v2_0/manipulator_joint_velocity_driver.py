@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.manipulator.v1_0 import types as manipulator_v1_0_types
@@ -74,6 +74,7 @@ class QueryCommandedJointVelocity(rt.Message):
     VERSION = "2.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportCommandedJointVelocity]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -144,3 +145,4 @@ class ReportCommandedJointVelocity(rt.Message):
 
 
 _S_H = rt.Packer("<H")
+QueryCommandedJointVelocity.REPORT = ReportCommandedJointVelocity

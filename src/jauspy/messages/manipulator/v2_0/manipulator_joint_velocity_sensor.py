@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.manipulator.v1_0 import types as manipulator_v1_0_types
@@ -19,6 +19,7 @@ class QueryJointVelocity(rt.Message):
     VERSION = "2.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportJointVelocity]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -89,3 +90,4 @@ class ReportJointVelocity(rt.Message):
 
 
 _S_H = rt.Packer("<H")
+QueryJointVelocity.REPORT = ReportJointVelocity

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from jauspy.messages.manipulator.v1_0 import manipulator_end_effector_pose_list_driver as manipulator_v1_0_manipulator_end_effector_pose_list_driver
 
 
@@ -19,6 +21,7 @@ class QueryActiveElement(manipulator_v1_0_manipulator_end_effector_pose_list_dri
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorListDriver"
     VERSION = "2.0"
+    REPORT: ClassVar[type[ReportActiveElement]]
 
 
 class ReportActiveElement(manipulator_v1_0_manipulator_end_effector_pose_list_driver.ReportActiveElement):
@@ -29,3 +32,4 @@ class ReportActiveElement(manipulator_v1_0_manipulator_end_effector_pose_list_dr
     VERSION = "2.0"
 
 
+QueryActiveElement.REPORT = ReportActiveElement

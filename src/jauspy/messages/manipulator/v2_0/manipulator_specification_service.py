@@ -3,19 +3,45 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
-from jauspy.messages.manipulator.v1_0 import manipulator_actuator_force_torque_driver as manipulator_v1_0_manipulator_actuator_force_torque_driver
 from jauspy.messages.manipulator.v1_0 import types as manipulator_v1_0_types
 
 
-class QueryManipulatorSpecifications(manipulator_v1_0_manipulator_actuator_force_torque_driver.QueryManipulatorSpecifications):
-    """QueryManipulatorSpecifications (0x2600): Asks for geometry and limits of the manipulator."""
+@dataclass(slots=True, repr=False)
+class QueryManipulatorSpecifications(rt.Message):
+    """QueryManipulatorSpecifications (0x2600): Asks for geometry and limits of the manipulator.
 
-    __slots__ = ()
+    presence_vector: Optional fields that the report is to have: bit i asks for the i-th of them, from 0
+    """
+
+    CODE = 0x2600
+    NAME = "QueryManipulatorSpecifications"
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorSpecificationService"
     VERSION = "2.0"
+    IS_COMMAND = False
+    IS_QUERY = True
+    REPORT: ClassVar[type[ReportManipulatorSpecifications]]
+
+    presence_vector: int
+
+    @classmethod
+    def _layout(cls) -> rt.Item:
+        return rt.composite(
+            cls, None,
+            ("PresenceVector", rt.Number("B")),
+        )
+
+    @classmethod
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        self = rt.new(cls)
+        code, self.presence_vector = _S_HB.unpack(data)
+        if code != 0x2600: raise rt.Reject
+        return self
+
+    def _pack(self) -> bytes:
+        return _S_HB.pack(0x2600, self.presence_vector)
 
 
 @dataclass(slots=True, repr=False, kw_only=True)
@@ -96,7 +122,7 @@ class ReportManipulatorSpecifications(rt.Message):
             if not -10.0 <= joint1_offset_ <= 10.0: raise rt.Reject
             near = joint1_offset_ * 3276.75 + 32768.0
             joint1_offset_raw_ = int(near)
-            if not 1.52587890625e-05 < near - joint1_offset_raw_ < 0.9999847412109375: joint1_offset_raw_ = rt.exact_raw(joint1_offset_, _R_1)
+            if not 1.52587890625e-05 < near - joint1_offset_raw_ < 0.9999847412109375: joint1_offset_raw_ = rt.exact_raw(joint1_offset_, _R_2)
             raw.append(joint1_offset_raw_)
             joint1_min_value_ = self.joint1_min_value
             if joint1_min_value_ is not None:
@@ -104,7 +130,7 @@ class ReportManipulatorSpecifications(rt.Message):
                 if not -25.132741228718345 <= joint1_min_value_ <= 25.132741228718345: raise rt.Reject
                 near = joint1_min_value_ * 85445659.42715958 + 2147483647.9999998
                 joint1_min_value_raw_ = int(near)
-                if not 1.52587890625e-05 < near - joint1_min_value_raw_ < 0.9999847412109375: joint1_min_value_raw_ = rt.exact_raw(joint1_min_value_, _R_2)
+                if not 1.52587890625e-05 < near - joint1_min_value_raw_ < 0.9999847412109375: joint1_min_value_raw_ = rt.exact_raw(joint1_min_value_, _R_3)
                 raw.append(joint1_min_value_raw_)
             joint1_max_value_ = self.joint1_max_value
             if joint1_max_value_ is not None:
@@ -112,7 +138,7 @@ class ReportManipulatorSpecifications(rt.Message):
                 if not -25.132741228718345 <= joint1_max_value_ <= 25.132741228718345: raise rt.Reject
                 near = joint1_max_value_ * 85445659.42715958 + 2147483647.9999998
                 joint1_max_value_raw_ = int(near)
-                if not 1.52587890625e-05 < near - joint1_max_value_raw_ < 0.9999847412109375: joint1_max_value_raw_ = rt.exact_raw(joint1_max_value_, _R_2)
+                if not 1.52587890625e-05 < near - joint1_max_value_raw_ < 0.9999847412109375: joint1_max_value_raw_ = rt.exact_raw(joint1_max_value_, _R_3)
                 raw.append(joint1_max_value_raw_)
             joint1_max_speed_ = self.joint1_max_speed
             if joint1_max_speed_ is not None:
@@ -120,7 +146,7 @@ class ReportManipulatorSpecifications(rt.Message):
                 if not 0.0 <= joint1_max_speed_ <= 31.41592653589793: raise rt.Reject
                 near = joint1_max_speed_ * 136713055.08345532 + 0.5
                 joint1_max_speed_raw_ = int(near)
-                if not 1.52587890625e-05 < near - joint1_max_speed_raw_ < 0.9999847412109375: joint1_max_speed_raw_ = rt.exact_raw(joint1_max_speed_, _R_3)
+                if not 1.52587890625e-05 < near - joint1_max_speed_raw_ < 0.9999847412109375: joint1_max_speed_raw_ = rt.exact_raw(joint1_max_speed_, _R_4)
                 raw.append(joint1_max_speed_raw_)
             joint1_max_torque_ = self.joint1_max_torque
             if joint1_max_torque_ is not None:
@@ -128,7 +154,7 @@ class ReportManipulatorSpecifications(rt.Message):
                 if not 0.0 <= joint1_max_torque_ <= 5000.0: raise rt.Reject
                 near = joint1_max_torque_ * 858993.459 + 0.5
                 joint1_max_torque_raw_ = int(near)
-                if not 1.52587890625e-05 < near - joint1_max_torque_raw_ < 0.9999847412109375: joint1_max_torque_raw_ = rt.exact_raw(joint1_max_torque_, _R_4)
+                if not 1.52587890625e-05 < near - joint1_max_torque_raw_ < 0.9999847412109375: joint1_max_torque_raw_ = rt.exact_raw(joint1_max_torque_, _R_5)
                 raw.append(joint1_max_torque_raw_)
             offset_bounding_cylinder_radius_ = self.offset_bounding_cylinder_radius
             if offset_bounding_cylinder_radius_ is not None:
@@ -136,7 +162,7 @@ class ReportManipulatorSpecifications(rt.Message):
                 if not 0.0 <= offset_bounding_cylinder_radius_ <= 10.0: raise rt.Reject
                 near = offset_bounding_cylinder_radius_ * 6553.5 + 0.5
                 offset_bounding_cylinder_radius_raw_ = int(near)
-                if not 1.52587890625e-05 < near - offset_bounding_cylinder_radius_raw_ < 0.9999847412109375: offset_bounding_cylinder_radius_raw_ = rt.exact_raw(offset_bounding_cylinder_radius_, _R_5)
+                if not 1.52587890625e-05 < near - offset_bounding_cylinder_radius_raw_ < 0.9999847412109375: offset_bounding_cylinder_radius_raw_ = rt.exact_raw(offset_bounding_cylinder_radius_, _R_6)
                 raw.append(offset_bounding_cylinder_radius_raw_)
             out += _M_ReportManipulatorSpecifications_RevoluteJoint1OffsetRec_0[mask & 0x1F].pack(*raw)
             _S_B.pack_into(out, start, mask)
@@ -202,19 +228,19 @@ class ReportManipulatorSpecifications(rt.Message):
             if not -3.141592653589793 <= joint1_angle_ <= 3.141592653589793: raise rt.Reject
             near = joint1_angle_ * 10430.219195527361 + 32768.0
             joint1_angle_raw_ = int(near)
-            if not 1.52587890625e-05 < near - joint1_angle_raw_ < 0.9999847412109375: joint1_angle_raw_ = rt.exact_raw(joint1_angle_, _R_8)
+            if not 1.52587890625e-05 < near - joint1_angle_raw_ < 0.9999847412109375: joint1_angle_raw_ = rt.exact_raw(joint1_angle_, _R_9)
             raw.append(joint1_angle_raw_)
             joint1_min_value_ = self.joint1_min_value
             if not -10.0 <= joint1_min_value_ <= 10.0: raise rt.Reject
             near = joint1_min_value_ * 214748364.75 + 2147483648.0
             joint1_min_value_raw_ = int(near)
-            if not 1.52587890625e-05 < near - joint1_min_value_raw_ < 0.9999847412109375: joint1_min_value_raw_ = rt.exact_raw(joint1_min_value_, _R_9)
+            if not 1.52587890625e-05 < near - joint1_min_value_raw_ < 0.9999847412109375: joint1_min_value_raw_ = rt.exact_raw(joint1_min_value_, _R_10)
             raw.append(joint1_min_value_raw_)
             joint1_max_value_ = self.joint1_max_value
             if not -10.0 <= joint1_max_value_ <= 10.0: raise rt.Reject
             near = joint1_max_value_ * 214748364.75 + 2147483648.0
             joint1_max_value_raw_ = int(near)
-            if not 1.52587890625e-05 < near - joint1_max_value_raw_ < 0.9999847412109375: joint1_max_value_raw_ = rt.exact_raw(joint1_max_value_, _R_9)
+            if not 1.52587890625e-05 < near - joint1_max_value_raw_ < 0.9999847412109375: joint1_max_value_raw_ = rt.exact_raw(joint1_max_value_, _R_10)
             raw.append(joint1_max_value_raw_)
             joint1_max_speed_ = self.joint1_max_speed
             if joint1_max_speed_ is not None:
@@ -222,7 +248,7 @@ class ReportManipulatorSpecifications(rt.Message):
                 if not -5.0 <= joint1_max_speed_ <= 5.0: raise rt.Reject
                 near = joint1_max_speed_ * 429496729.5 + 2147483648.0
                 joint1_max_speed_raw_ = int(near)
-                if not 1.52587890625e-05 < near - joint1_max_speed_raw_ < 0.9999847412109375: joint1_max_speed_raw_ = rt.exact_raw(joint1_max_speed_, _R_10)
+                if not 1.52587890625e-05 < near - joint1_max_speed_raw_ < 0.9999847412109375: joint1_max_speed_raw_ = rt.exact_raw(joint1_max_speed_, _R_11)
                 raw.append(joint1_max_speed_raw_)
             joint1_max_force_ = self.joint1_max_force
             if joint1_max_force_ is not None:
@@ -230,7 +256,7 @@ class ReportManipulatorSpecifications(rt.Message):
                 if not 0.0 <= joint1_max_force_ <= 5000.0: raise rt.Reject
                 near = joint1_max_force_ * 858993.459 + 0.5
                 joint1_max_force_raw_ = int(near)
-                if not 1.52587890625e-05 < near - joint1_max_force_raw_ < 0.9999847412109375: joint1_max_force_raw_ = rt.exact_raw(joint1_max_force_, _R_4)
+                if not 1.52587890625e-05 < near - joint1_max_force_raw_ < 0.9999847412109375: joint1_max_force_raw_ = rt.exact_raw(joint1_max_force_, _R_5)
                 raw.append(joint1_max_force_raw_)
             joint_bounding_cylinder_radius_ = self.joint_bounding_cylinder_radius
             if joint_bounding_cylinder_radius_ is not None:
@@ -238,7 +264,7 @@ class ReportManipulatorSpecifications(rt.Message):
                 if not 0.0 <= joint_bounding_cylinder_radius_ <= 10.0: raise rt.Reject
                 near = joint_bounding_cylinder_radius_ * 6553.5 + 0.5
                 joint_bounding_cylinder_radius_raw_ = int(near)
-                if not 1.52587890625e-05 < near - joint_bounding_cylinder_radius_raw_ < 0.9999847412109375: joint_bounding_cylinder_radius_raw_ = rt.exact_raw(joint_bounding_cylinder_radius_, _R_5)
+                if not 1.52587890625e-05 < near - joint_bounding_cylinder_radius_raw_ < 0.9999847412109375: joint_bounding_cylinder_radius_raw_ = rt.exact_raw(joint_bounding_cylinder_radius_, _R_6)
                 raw.append(joint_bounding_cylinder_radius_raw_)
             out += _M_ReportManipulatorSpecifications_PrismaticJoint1AngleRec_0[mask & 0x7].pack(*raw)
             _S_B.pack_into(out, start, mask)
@@ -316,19 +342,19 @@ class ReportManipulatorSpecifications(rt.Message):
             if not -10.0 <= link_length_ <= 10.0: raise rt.Reject
             near = link_length_ * 3276.75 + 32768.0
             link_length_raw_ = int(near)
-            if not 1.52587890625e-05 < near - link_length_raw_ < 0.9999847412109375: link_length_raw_ = rt.exact_raw(link_length_, _R_1)
+            if not 1.52587890625e-05 < near - link_length_raw_ < 0.9999847412109375: link_length_raw_ = rt.exact_raw(link_length_, _R_2)
             raw.append(link_length_raw_)
             twist_angle_ = self.twist_angle
             if not -3.141592653589793 <= twist_angle_ <= 3.141592653589793: raise rt.Reject
             near = twist_angle_ * 10430.219195527361 + 32768.0
             twist_angle_raw_ = int(near)
-            if not 1.52587890625e-05 < near - twist_angle_raw_ < 0.9999847412109375: twist_angle_raw_ = rt.exact_raw(twist_angle_, _R_8)
+            if not 1.52587890625e-05 < near - twist_angle_raw_ < 0.9999847412109375: twist_angle_raw_ = rt.exact_raw(twist_angle_, _R_9)
             raw.append(twist_angle_raw_)
             joint_offset_ = self.joint_offset
             if not -10.0 <= joint_offset_ <= 10.0: raise rt.Reject
             near = joint_offset_ * 3276.75 + 32768.0
             joint_offset_raw_ = int(near)
-            if not 1.52587890625e-05 < near - joint_offset_raw_ < 0.9999847412109375: joint_offset_raw_ = rt.exact_raw(joint_offset_, _R_1)
+            if not 1.52587890625e-05 < near - joint_offset_raw_ < 0.9999847412109375: joint_offset_raw_ = rt.exact_raw(joint_offset_, _R_2)
             raw.append(joint_offset_raw_)
             min_value_ = self.min_value
             if min_value_ is not None:
@@ -336,7 +362,7 @@ class ReportManipulatorSpecifications(rt.Message):
                 if not -25.132741228718345 <= min_value_ <= 25.132741228718345: raise rt.Reject
                 near = min_value_ * 85445659.42715958 + 2147483647.9999998
                 min_value_raw_ = int(near)
-                if not 1.52587890625e-05 < near - min_value_raw_ < 0.9999847412109375: min_value_raw_ = rt.exact_raw(min_value_, _R_2)
+                if not 1.52587890625e-05 < near - min_value_raw_ < 0.9999847412109375: min_value_raw_ = rt.exact_raw(min_value_, _R_3)
                 raw.append(min_value_raw_)
             max_value_ = self.max_value
             if max_value_ is not None:
@@ -344,7 +370,7 @@ class ReportManipulatorSpecifications(rt.Message):
                 if not -25.132741228718345 <= max_value_ <= 25.132741228718345: raise rt.Reject
                 near = max_value_ * 85445659.42715958 + 2147483647.9999998
                 max_value_raw_ = int(near)
-                if not 1.52587890625e-05 < near - max_value_raw_ < 0.9999847412109375: max_value_raw_ = rt.exact_raw(max_value_, _R_2)
+                if not 1.52587890625e-05 < near - max_value_raw_ < 0.9999847412109375: max_value_raw_ = rt.exact_raw(max_value_, _R_3)
                 raw.append(max_value_raw_)
             max_speed_ = self.max_speed
             if max_speed_ is not None:
@@ -352,7 +378,7 @@ class ReportManipulatorSpecifications(rt.Message):
                 if not 0.0 <= max_speed_ <= 31.41592653589793: raise rt.Reject
                 near = max_speed_ * 136713055.08345532 + 0.5
                 max_speed_raw_ = int(near)
-                if not 1.52587890625e-05 < near - max_speed_raw_ < 0.9999847412109375: max_speed_raw_ = rt.exact_raw(max_speed_, _R_3)
+                if not 1.52587890625e-05 < near - max_speed_raw_ < 0.9999847412109375: max_speed_raw_ = rt.exact_raw(max_speed_, _R_4)
                 raw.append(max_speed_raw_)
             max_torque_ = self.max_torque
             if max_torque_ is not None:
@@ -360,7 +386,7 @@ class ReportManipulatorSpecifications(rt.Message):
                 if not 0.0 <= max_torque_ <= 5000.0: raise rt.Reject
                 near = max_torque_ * 858993.459 + 0.5
                 max_torque_raw_ = int(near)
-                if not 1.52587890625e-05 < near - max_torque_raw_ < 0.9999847412109375: max_torque_raw_ = rt.exact_raw(max_torque_, _R_4)
+                if not 1.52587890625e-05 < near - max_torque_raw_ < 0.9999847412109375: max_torque_raw_ = rt.exact_raw(max_torque_, _R_5)
                 raw.append(max_torque_raw_)
             offset_bounding_cylinder_radius_ = self.offset_bounding_cylinder_radius
             if offset_bounding_cylinder_radius_ is not None:
@@ -368,7 +394,7 @@ class ReportManipulatorSpecifications(rt.Message):
                 if not 0.0 <= offset_bounding_cylinder_radius_ <= 10.0: raise rt.Reject
                 near = offset_bounding_cylinder_radius_ * 6553.5 + 0.5
                 offset_bounding_cylinder_radius_raw_ = int(near)
-                if not 1.52587890625e-05 < near - offset_bounding_cylinder_radius_raw_ < 0.9999847412109375: offset_bounding_cylinder_radius_raw_ = rt.exact_raw(offset_bounding_cylinder_radius_, _R_5)
+                if not 1.52587890625e-05 < near - offset_bounding_cylinder_radius_raw_ < 0.9999847412109375: offset_bounding_cylinder_radius_raw_ = rt.exact_raw(offset_bounding_cylinder_radius_, _R_6)
                 raw.append(offset_bounding_cylinder_radius_raw_)
             link_length_bounding_cylinder_radius_ = self.link_length_bounding_cylinder_radius
             if link_length_bounding_cylinder_radius_ is not None:
@@ -376,7 +402,7 @@ class ReportManipulatorSpecifications(rt.Message):
                 if not 0.0 <= link_length_bounding_cylinder_radius_ <= 10.0: raise rt.Reject
                 near = link_length_bounding_cylinder_radius_ * 6553.5 + 0.5
                 link_length_bounding_cylinder_radius_raw_ = int(near)
-                if not 1.52587890625e-05 < near - link_length_bounding_cylinder_radius_raw_ < 0.9999847412109375: link_length_bounding_cylinder_radius_raw_ = rt.exact_raw(link_length_bounding_cylinder_radius_, _R_5)
+                if not 1.52587890625e-05 < near - link_length_bounding_cylinder_radius_raw_ < 0.9999847412109375: link_length_bounding_cylinder_radius_raw_ = rt.exact_raw(link_length_bounding_cylinder_radius_, _R_6)
                 raw.append(link_length_bounding_cylinder_radius_raw_)
             out += _M_ReportManipulatorSpecifications_RevoluteJointSpecificationRec_0[mask & 0x3F].pack(*raw)
             _S_B.pack_into(out, start, mask)
@@ -456,31 +482,31 @@ class ReportManipulatorSpecifications(rt.Message):
             if not -10.0 <= link_length_ <= 10.0: raise rt.Reject
             near = link_length_ * 3276.75 + 32768.0
             link_length_raw_ = int(near)
-            if not 1.52587890625e-05 < near - link_length_raw_ < 0.9999847412109375: link_length_raw_ = rt.exact_raw(link_length_, _R_1)
+            if not 1.52587890625e-05 < near - link_length_raw_ < 0.9999847412109375: link_length_raw_ = rt.exact_raw(link_length_, _R_2)
             raw.append(link_length_raw_)
             twist_angle_ = self.twist_angle
             if not -3.141592653589793 <= twist_angle_ <= 3.141592653589793: raise rt.Reject
             near = twist_angle_ * 10430.219195527361 + 32768.0
             twist_angle_raw_ = int(near)
-            if not 1.52587890625e-05 < near - twist_angle_raw_ < 0.9999847412109375: twist_angle_raw_ = rt.exact_raw(twist_angle_, _R_8)
+            if not 1.52587890625e-05 < near - twist_angle_raw_ < 0.9999847412109375: twist_angle_raw_ = rt.exact_raw(twist_angle_, _R_9)
             raw.append(twist_angle_raw_)
             joint_angle_ = self.joint_angle
             if not -3.141592653589793 <= joint_angle_ <= 3.141592653589793: raise rt.Reject
             near = joint_angle_ * 10430.219195527361 + 32768.0
             joint_angle_raw_ = int(near)
-            if not 1.52587890625e-05 < near - joint_angle_raw_ < 0.9999847412109375: joint_angle_raw_ = rt.exact_raw(joint_angle_, _R_8)
+            if not 1.52587890625e-05 < near - joint_angle_raw_ < 0.9999847412109375: joint_angle_raw_ = rt.exact_raw(joint_angle_, _R_9)
             raw.append(joint_angle_raw_)
             min_value_ = self.min_value
             if not -10.0 <= min_value_ <= 10.0: raise rt.Reject
             near = min_value_ * 214748364.75 + 2147483648.0
             min_value_raw_ = int(near)
-            if not 1.52587890625e-05 < near - min_value_raw_ < 0.9999847412109375: min_value_raw_ = rt.exact_raw(min_value_, _R_9)
+            if not 1.52587890625e-05 < near - min_value_raw_ < 0.9999847412109375: min_value_raw_ = rt.exact_raw(min_value_, _R_10)
             raw.append(min_value_raw_)
             max_value_ = self.max_value
             if not -10.0 <= max_value_ <= 10.0: raise rt.Reject
             near = max_value_ * 214748364.75 + 2147483648.0
             max_value_raw_ = int(near)
-            if not 1.52587890625e-05 < near - max_value_raw_ < 0.9999847412109375: max_value_raw_ = rt.exact_raw(max_value_, _R_9)
+            if not 1.52587890625e-05 < near - max_value_raw_ < 0.9999847412109375: max_value_raw_ = rt.exact_raw(max_value_, _R_10)
             raw.append(max_value_raw_)
             max_speed_ = self.max_speed
             if max_speed_ is not None:
@@ -488,7 +514,7 @@ class ReportManipulatorSpecifications(rt.Message):
                 if not -5.0 <= max_speed_ <= 5.0: raise rt.Reject
                 near = max_speed_ * 429496729.5 + 2147483648.0
                 max_speed_raw_ = int(near)
-                if not 1.52587890625e-05 < near - max_speed_raw_ < 0.9999847412109375: max_speed_raw_ = rt.exact_raw(max_speed_, _R_10)
+                if not 1.52587890625e-05 < near - max_speed_raw_ < 0.9999847412109375: max_speed_raw_ = rt.exact_raw(max_speed_, _R_11)
                 raw.append(max_speed_raw_)
             max_force_ = self.max_force
             if max_force_ is not None:
@@ -496,7 +522,7 @@ class ReportManipulatorSpecifications(rt.Message):
                 if not 0.0 <= max_force_ <= 5000.0: raise rt.Reject
                 near = max_force_ * 858993.459 + 0.5
                 max_force_raw_ = int(near)
-                if not 1.52587890625e-05 < near - max_force_raw_ < 0.9999847412109375: max_force_raw_ = rt.exact_raw(max_force_, _R_4)
+                if not 1.52587890625e-05 < near - max_force_raw_ < 0.9999847412109375: max_force_raw_ = rt.exact_raw(max_force_, _R_5)
                 raw.append(max_force_raw_)
             joint_bounding_cylinder_radius_ = self.joint_bounding_cylinder_radius
             if joint_bounding_cylinder_radius_ is not None:
@@ -504,7 +530,7 @@ class ReportManipulatorSpecifications(rt.Message):
                 if not 0.0 <= joint_bounding_cylinder_radius_ <= 10.0: raise rt.Reject
                 near = joint_bounding_cylinder_radius_ * 6553.5 + 0.5
                 joint_bounding_cylinder_radius_raw_ = int(near)
-                if not 1.52587890625e-05 < near - joint_bounding_cylinder_radius_raw_ < 0.9999847412109375: joint_bounding_cylinder_radius_raw_ = rt.exact_raw(joint_bounding_cylinder_radius_, _R_5)
+                if not 1.52587890625e-05 < near - joint_bounding_cylinder_radius_raw_ < 0.9999847412109375: joint_bounding_cylinder_radius_raw_ = rt.exact_raw(joint_bounding_cylinder_radius_, _R_6)
                 raw.append(joint_bounding_cylinder_radius_raw_)
             link_length_bounding_cylinder_radius_ = self.link_length_bounding_cylinder_radius
             if link_length_bounding_cylinder_radius_ is not None:
@@ -512,7 +538,7 @@ class ReportManipulatorSpecifications(rt.Message):
                 if not 0.0 <= link_length_bounding_cylinder_radius_ <= 10.0: raise rt.Reject
                 near = link_length_bounding_cylinder_radius_ * 6553.5 + 0.5
                 link_length_bounding_cylinder_radius_raw_ = int(near)
-                if not 1.52587890625e-05 < near - link_length_bounding_cylinder_radius_raw_ < 0.9999847412109375: link_length_bounding_cylinder_radius_raw_ = rt.exact_raw(link_length_bounding_cylinder_radius_, _R_5)
+                if not 1.52587890625e-05 < near - link_length_bounding_cylinder_radius_raw_ < 0.9999847412109375: link_length_bounding_cylinder_radius_raw_ = rt.exact_raw(link_length_bounding_cylinder_radius_, _R_6)
                 raw.append(link_length_bounding_cylinder_radius_raw_)
             out += _M_ReportManipulatorSpecifications_PrismaticJointSpecificationRec_0[mask & 0xF].pack(*raw)
             _S_B.pack_into(out, start, mask)
@@ -563,7 +589,7 @@ class ReportManipulatorSpecifications(rt.Message):
         else: self.manipulator_coordinate_system_rec = None
         tag = data[at]
         at += 1
-        self.first_joint_parameters, at = _U_14[tag]._read(data, at, nesting)
+        self.first_joint_parameters, at = _U_15[tag]._read(data, at, nesting)
         joint_specification_list_count_ = data[at]
         if joint_specification_list_count_ * 8 > size - (at + 1): raise rt.Reject
         at += 1
@@ -571,7 +597,7 @@ class ReportManipulatorSpecifications(rt.Message):
         for _ in range(joint_specification_list_count_):
             tag = data[at]
             at += 1
-            item_, at = _U_15[tag]._read(data, at, nesting)
+            item_, at = _U_16[tag]._read(data, at, nesting)
             joint_specification_list_.append(item_)
         self.joint_specification_list = joint_specification_list_
         if mask & 2:
@@ -605,46 +631,46 @@ class ReportManipulatorSpecifications(rt.Message):
             if not -30.0 <= manipulator_coordinate_sys_x_ <= 30.0: raise rt.Reject
             near = manipulator_coordinate_sys_x_ * 71582788.25 + 2147483648.0
             manipulator_coordinate_sys_x_raw_ = int(near)
-            if not 1.52587890625e-05 < near - manipulator_coordinate_sys_x_raw_ < 0.9999847412109375: manipulator_coordinate_sys_x_raw_ = rt.exact_raw(manipulator_coordinate_sys_x_, _R_16)
+            if not 1.52587890625e-05 < near - manipulator_coordinate_sys_x_raw_ < 0.9999847412109375: manipulator_coordinate_sys_x_raw_ = rt.exact_raw(manipulator_coordinate_sys_x_, _R_17)
             manipulator_coordinate_sys_y_ = manipulator_coordinate_system_rec_.manipulator_coordinate_sys_y
             if not -30.0 <= manipulator_coordinate_sys_y_ <= 30.0: raise rt.Reject
             near = manipulator_coordinate_sys_y_ * 71582788.25 + 2147483648.0
             manipulator_coordinate_sys_y_raw_ = int(near)
-            if not 1.52587890625e-05 < near - manipulator_coordinate_sys_y_raw_ < 0.9999847412109375: manipulator_coordinate_sys_y_raw_ = rt.exact_raw(manipulator_coordinate_sys_y_, _R_16)
+            if not 1.52587890625e-05 < near - manipulator_coordinate_sys_y_raw_ < 0.9999847412109375: manipulator_coordinate_sys_y_raw_ = rt.exact_raw(manipulator_coordinate_sys_y_, _R_17)
             manipulator_coordinate_sys_z_ = manipulator_coordinate_system_rec_.manipulator_coordinate_sys_z
             if not -30.0 <= manipulator_coordinate_sys_z_ <= 30.0: raise rt.Reject
             near = manipulator_coordinate_sys_z_ * 71582788.25 + 2147483648.0
             manipulator_coordinate_sys_z_raw_ = int(near)
-            if not 1.52587890625e-05 < near - manipulator_coordinate_sys_z_raw_ < 0.9999847412109375: manipulator_coordinate_sys_z_raw_ = rt.exact_raw(manipulator_coordinate_sys_z_, _R_16)
+            if not 1.52587890625e-05 < near - manipulator_coordinate_sys_z_raw_ < 0.9999847412109375: manipulator_coordinate_sys_z_raw_ = rt.exact_raw(manipulator_coordinate_sys_z_, _R_17)
             d_component_of_unit_quaternion_q_ = manipulator_coordinate_system_rec_.d_component_of_unit_quaternion_q
             if not -1.0 <= d_component_of_unit_quaternion_q_ <= 1.0: raise rt.Reject
             near = d_component_of_unit_quaternion_q_ * 2147483647.5 + 2147483648.0
             d_component_of_unit_quaternion_q_raw_ = int(near)
-            if not 1.52587890625e-05 < near - d_component_of_unit_quaternion_q_raw_ < 0.9999847412109375: d_component_of_unit_quaternion_q_raw_ = rt.exact_raw(d_component_of_unit_quaternion_q_, _R_17)
+            if not 1.52587890625e-05 < near - d_component_of_unit_quaternion_q_raw_ < 0.9999847412109375: d_component_of_unit_quaternion_q_raw_ = rt.exact_raw(d_component_of_unit_quaternion_q_, _R_18)
             a_component_of_unit_quaternion_q_ = manipulator_coordinate_system_rec_.a_component_of_unit_quaternion_q
             if not -1.0 <= a_component_of_unit_quaternion_q_ <= 1.0: raise rt.Reject
             near = a_component_of_unit_quaternion_q_ * 2147483647.5 + 2147483648.0
             a_component_of_unit_quaternion_q_raw_ = int(near)
-            if not 1.52587890625e-05 < near - a_component_of_unit_quaternion_q_raw_ < 0.9999847412109375: a_component_of_unit_quaternion_q_raw_ = rt.exact_raw(a_component_of_unit_quaternion_q_, _R_17)
+            if not 1.52587890625e-05 < near - a_component_of_unit_quaternion_q_raw_ < 0.9999847412109375: a_component_of_unit_quaternion_q_raw_ = rt.exact_raw(a_component_of_unit_quaternion_q_, _R_18)
             b_component_of_unit_quaternion_q_ = manipulator_coordinate_system_rec_.b_component_of_unit_quaternion_q
             if not -1.0 <= b_component_of_unit_quaternion_q_ <= 1.0: raise rt.Reject
             near = b_component_of_unit_quaternion_q_ * 2147483647.5 + 2147483648.0
             b_component_of_unit_quaternion_q_raw_ = int(near)
-            if not 1.52587890625e-05 < near - b_component_of_unit_quaternion_q_raw_ < 0.9999847412109375: b_component_of_unit_quaternion_q_raw_ = rt.exact_raw(b_component_of_unit_quaternion_q_, _R_17)
+            if not 1.52587890625e-05 < near - b_component_of_unit_quaternion_q_raw_ < 0.9999847412109375: b_component_of_unit_quaternion_q_raw_ = rt.exact_raw(b_component_of_unit_quaternion_q_, _R_18)
             c_component_of_unit_quaternion_q_ = manipulator_coordinate_system_rec_.c_component_of_unit_quaternion_q
             if not -1.0 <= c_component_of_unit_quaternion_q_ <= 1.0: raise rt.Reject
             near = c_component_of_unit_quaternion_q_ * 2147483647.5 + 2147483648.0
             c_component_of_unit_quaternion_q_raw_ = int(near)
-            if not 1.52587890625e-05 < near - c_component_of_unit_quaternion_q_raw_ < 0.9999847412109375: c_component_of_unit_quaternion_q_raw_ = rt.exact_raw(c_component_of_unit_quaternion_q_, _R_17)
+            if not 1.52587890625e-05 < near - c_component_of_unit_quaternion_q_raw_ < 0.9999847412109375: c_component_of_unit_quaternion_q_raw_ = rt.exact_raw(c_component_of_unit_quaternion_q_, _R_18)
             out += _S_7I.pack(manipulator_coordinate_sys_x_raw_, manipulator_coordinate_sys_y_raw_, manipulator_coordinate_sys_z_raw_, d_component_of_unit_quaternion_q_raw_, a_component_of_unit_quaternion_q_raw_, b_component_of_unit_quaternion_q_raw_, c_component_of_unit_quaternion_q_raw_)
         first_joint_parameters_ = self.first_joint_parameters
-        out.append(_T_18[type(first_joint_parameters_)])
+        out.append(_T_19[type(first_joint_parameters_)])
         first_joint_parameters_._write(out)
         joint_specification_list_ = self.joint_specification_list
         if type(joint_specification_list_) is not list: raise rt.Reject
         out.append(len(joint_specification_list_))
         for item_ in joint_specification_list_:
-            out.append(_T_19[type(item_)])
+            out.append(_T_20[type(item_)])
             item_._write(out)
         joint_names_list_ = self.joint_names_list
         if joint_names_list_ is not None:
@@ -660,23 +686,25 @@ class ReportManipulatorSpecifications(rt.Message):
         return bytes(out)
 
 
+_S_HB = rt.Packer("<HB")
 _M_ReportManipulatorSpecifications_RevoluteJoint1OffsetRec_0 = rt.Masks("", ((0, "H"), (1, "I"), (2, "I"), (4, "I"), (8, "I"), (16, "H")))
-_R_1 = rt.Scaling(-10.0, 10.0, 65535)
-_R_2 = rt.Scaling(-25.132741228718345, 25.132741228718345, 4294967295)
-_R_3 = rt.Scaling(0.0, 31.41592653589793, 4294967295)
-_R_4 = rt.Scaling(0.0, 5000.0, 4294967295)
-_R_5 = rt.Scaling(0.0, 10.0, 65535)
+_R_2 = rt.Scaling(-10.0, 10.0, 65535)
+_R_3 = rt.Scaling(-25.132741228718345, 25.132741228718345, 4294967295)
+_R_4 = rt.Scaling(0.0, 31.41592653589793, 4294967295)
+_R_5 = rt.Scaling(0.0, 5000.0, 4294967295)
+_R_6 = rt.Scaling(0.0, 10.0, 65535)
 _S_B = rt.Packer("<B")
 _M_ReportManipulatorSpecifications_PrismaticJoint1AngleRec_0 = rt.Masks("", ((0, "H"), (0, "I"), (0, "I"), (1, "I"), (2, "I"), (4, "H")))
-_R_8 = rt.Scaling(-3.141592653589793, 3.141592653589793, 65535)
-_R_9 = rt.Scaling(-10.0, 10.0, 4294967295)
-_R_10 = rt.Scaling(-5.0, 5.0, 4294967295)
+_R_9 = rt.Scaling(-3.141592653589793, 3.141592653589793, 65535)
+_R_10 = rt.Scaling(-10.0, 10.0, 4294967295)
+_R_11 = rt.Scaling(-5.0, 5.0, 4294967295)
 _M_ReportManipulatorSpecifications_RevoluteJointSpecificationRec_0 = rt.Masks("", ((0, "H"), (0, "H"), (0, "H"), (1, "I"), (2, "I"), (4, "I"), (8, "I"), (16, "H"), (32, "H")))
 _M_ReportManipulatorSpecifications_PrismaticJointSpecificationRec_0 = rt.Masks("", ((0, "H"), (0, "H"), (0, "H"), (0, "I"), (0, "I"), (1, "I"), (2, "I"), (4, "H"), (8, "H")))
 _S_7I = rt.Packer("<7I")
-_U_14: tuple[type[ReportManipulatorSpecifications.RevoluteJoint1OffsetRec] | type[ReportManipulatorSpecifications.PrismaticJoint1AngleRec], ...] = (ReportManipulatorSpecifications.RevoluteJoint1OffsetRec, ReportManipulatorSpecifications.PrismaticJoint1AngleRec)
-_U_15: tuple[type[ReportManipulatorSpecifications.RevoluteJointSpecificationRec] | type[ReportManipulatorSpecifications.PrismaticJointSpecificationRec], ...] = (ReportManipulatorSpecifications.RevoluteJointSpecificationRec, ReportManipulatorSpecifications.PrismaticJointSpecificationRec)
-_R_16 = rt.Scaling(-30.0, 30.0, 4294967295)
-_R_17 = rt.Scaling(-1.0, 1.0, 4294967295)
-_T_18: dict[type[rt.Struct], int] = {ReportManipulatorSpecifications.RevoluteJoint1OffsetRec: 0, ReportManipulatorSpecifications.PrismaticJoint1AngleRec: 1}
-_T_19: dict[type[rt.Struct], int] = {ReportManipulatorSpecifications.RevoluteJointSpecificationRec: 0, ReportManipulatorSpecifications.PrismaticJointSpecificationRec: 1}
+_U_15: tuple[type[ReportManipulatorSpecifications.RevoluteJoint1OffsetRec] | type[ReportManipulatorSpecifications.PrismaticJoint1AngleRec], ...] = (ReportManipulatorSpecifications.RevoluteJoint1OffsetRec, ReportManipulatorSpecifications.PrismaticJoint1AngleRec)
+_U_16: tuple[type[ReportManipulatorSpecifications.RevoluteJointSpecificationRec] | type[ReportManipulatorSpecifications.PrismaticJointSpecificationRec], ...] = (ReportManipulatorSpecifications.RevoluteJointSpecificationRec, ReportManipulatorSpecifications.PrismaticJointSpecificationRec)
+_R_17 = rt.Scaling(-30.0, 30.0, 4294967295)
+_R_18 = rt.Scaling(-1.0, 1.0, 4294967295)
+_T_19: dict[type[rt.Struct], int] = {ReportManipulatorSpecifications.RevoluteJoint1OffsetRec: 0, ReportManipulatorSpecifications.PrismaticJoint1AngleRec: 1}
+_T_20: dict[type[rt.Struct], int] = {ReportManipulatorSpecifications.RevoluteJointSpecificationRec: 0, ReportManipulatorSpecifications.PrismaticJointSpecificationRec: 1}
+QueryManipulatorSpecifications.REPORT = ReportManipulatorSpecifications

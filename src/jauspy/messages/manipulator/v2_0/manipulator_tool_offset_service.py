@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from jauspy.messages.manipulator.v1_0 import manipulator_end_effector_pose_driver as manipulator_v1_0_manipulator_end_effector_pose_driver
 
 
@@ -11,6 +13,7 @@ class QueryToolOffset(manipulator_v1_0_manipulator_end_effector_pose_driver.Quer
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:ManipulatorToolOffsetService"
     VERSION = "2.0"
+    REPORT: ClassVar[type[ReportToolOffset]]
 
 
 class SetToolOffset(manipulator_v1_0_manipulator_end_effector_pose_driver.SetToolOffset):
@@ -29,3 +32,4 @@ class ReportToolOffset(manipulator_v1_0_manipulator_end_effector_pose_driver.Rep
     VERSION = "2.0"
 
 
+QueryToolOffset.REPORT = ReportToolOffset

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from jauspy.messages.manipulator.v1_0 import pan_tilt_joint_position_driver as manipulator_v1_0_pan_tilt_joint_position_driver
 
 
@@ -11,6 +13,7 @@ class QueryCommandedPanTiltJointPositions(manipulator_v1_0_pan_tilt_joint_positi
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:PanTiltJointPositionDriver"
     VERSION = "2.0"
+    REPORT: ClassVar[type[ReportCommandedPanTiltJointPositions]]
 
 
 class SetPanTiltJointPositions(manipulator_v1_0_pan_tilt_joint_position_driver.SetPanTiltJointPositions):
@@ -29,3 +32,4 @@ class ReportCommandedPanTiltJointPositions(manipulator_v1_0_pan_tilt_joint_posit
     VERSION = "2.0"
 
 
+QueryCommandedPanTiltJointPositions.REPORT = ReportCommandedPanTiltJointPositions

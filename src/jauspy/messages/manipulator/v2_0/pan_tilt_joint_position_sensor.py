@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from jauspy.messages.manipulator.v1_0 import pan_tilt_joint_position_sensor as manipulator_v1_0_pan_tilt_joint_position_sensor
 
 
@@ -11,6 +13,7 @@ class QueryPanTiltJointPositions(manipulator_v1_0_pan_tilt_joint_position_sensor
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:PanTiltJointPositionSensor"
     VERSION = "2.0"
+    REPORT: ClassVar[type[ReportPanTiltJointPositions]]
 
 
 class ReportPanTiltJointPositions(manipulator_v1_0_pan_tilt_joint_position_sensor.ReportPanTiltJointPositions):
@@ -21,3 +24,4 @@ class ReportPanTiltJointPositions(manipulator_v1_0_pan_tilt_joint_position_senso
     VERSION = "2.0"
 
 
+QueryPanTiltJointPositions.REPORT = ReportPanTiltJointPositions

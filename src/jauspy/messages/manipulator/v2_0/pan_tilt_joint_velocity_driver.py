@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 
@@ -67,6 +67,7 @@ class QueryCommandedPanTiltJointVelocity(rt.Message):
     VERSION = "2.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportCommandedPanTiltJointVelocity]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -133,3 +134,4 @@ class ReportCommandedPanTiltJointVelocity(rt.Message):
 _S_H2I = rt.Packer("<H2I")
 _R_1 = rt.Scaling(-31.41592653589793, 31.41592653589793, 4294967295)
 _S_H = rt.Packer("<H")
+QueryCommandedPanTiltJointVelocity.REPORT = ReportCommandedPanTiltJointVelocity

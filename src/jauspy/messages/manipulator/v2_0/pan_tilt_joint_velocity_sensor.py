@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 
@@ -18,6 +18,7 @@ class QueryPanTiltJointVelocity(rt.Message):
     VERSION = "2.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportPanTiltJointVelocity]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -84,3 +85,4 @@ class ReportPanTiltJointVelocity(rt.Message):
 _S_H = rt.Packer("<H")
 _S_H2I = rt.Packer("<H2I")
 _R_2 = rt.Scaling(-31.41592653589793, 31.41592653589793, 4294967295)
+QueryPanTiltJointVelocity.REPORT = ReportPanTiltJointVelocity

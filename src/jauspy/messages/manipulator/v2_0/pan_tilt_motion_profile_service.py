@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from jauspy.messages.manipulator.v1_0 import pan_tilt_joint_position_driver as manipulator_v1_0_pan_tilt_joint_position_driver
 
 
@@ -11,6 +13,7 @@ class QueryPanTiltMotionProfile(manipulator_v1_0_pan_tilt_joint_position_driver.
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:PanTiltMotionProfileService"
     VERSION = "2.0"
+    REPORT: ClassVar[type[ReportPanTiltMotionProfile]]
 
 
 class SetPanTiltMotionProfile(manipulator_v1_0_pan_tilt_joint_position_driver.SetPanTiltMotionProfile):
@@ -29,3 +32,4 @@ class ReportPanTiltMotionProfile(manipulator_v1_0_pan_tilt_joint_position_driver
     VERSION = "2.0"
 
 
+QueryPanTiltMotionProfile.REPORT = ReportPanTiltMotionProfile

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from jauspy.messages.manipulator.v1_0 import pan_tilt_joint_position_driver as manipulator_v1_0_pan_tilt_joint_position_driver
 
 
@@ -11,6 +13,7 @@ class QueryPanTiltSpecifications(manipulator_v1_0_pan_tilt_joint_position_driver
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:PanTiltSpecificationService"
     VERSION = "2.0"
+    REPORT: ClassVar[type[ReportPanTiltSpecifications]]
 
 
 class ReportPanTiltSpecifications(manipulator_v1_0_pan_tilt_joint_position_driver.ReportPanTiltSpecifications):
@@ -21,3 +24,4 @@ class ReportPanTiltSpecifications(manipulator_v1_0_pan_tilt_joint_position_drive
     VERSION = "2.0"
 
 
+QueryPanTiltSpecifications.REPORT = ReportPanTiltSpecifications

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
+from jauspy.codec import runtime as rt
 from jauspy.messages.manipulator.v1_0 import primitive_end_effector as manipulator_v1_0_primitive_end_effector
 
 
@@ -11,6 +14,7 @@ class QueryEndEffectorSpecification(manipulator_v1_0_primitive_end_effector.Quer
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:PrimitiveEndEffector"
     VERSION = "2.0"
+    REPORT: ClassVar[type[ReportEndEffectorSpecification]]
 
 
 class QueryEndEffectorEffort(manipulator_v1_0_primitive_end_effector.QueryEndEffectorEffort):
@@ -19,6 +23,7 @@ class QueryEndEffectorEffort(manipulator_v1_0_primitive_end_effector.QueryEndEff
     __slots__ = ()
     SERVICE = "urn:jaus:jss:manipulator:PrimitiveEndEffector"
     VERSION = "2.0"
+    REPORT: ClassVar[type[ReportEndEffectorEffort]]
 
 
 class SetEndEffectorEffort(manipulator_v1_0_primitive_end_effector.SetEndEffectorEffort):
@@ -45,3 +50,5 @@ class ReportEndEffectorEffort(manipulator_v1_0_primitive_end_effector.ReportEndE
     VERSION = "2.0"
 
 
+QueryEndEffectorSpecification.REPORT = ReportEndEffectorSpecification
+QueryEndEffectorEffort.REPORT = ReportEndEffectorEffort

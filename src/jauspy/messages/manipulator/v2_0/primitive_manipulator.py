@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.manipulator.v1_0 import types as manipulator_v1_0_types
@@ -19,6 +19,7 @@ class QueryJointEffort(rt.Message):
     VERSION = "2.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportJointEffort]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -144,3 +145,4 @@ class ReportJointEffort(rt.Message):
 _S_H = rt.Packer("<H")
 _L_H = rt.Rows("H")
 _R_2 = rt.Scaling(-100.0, 100.0, 65535)
+QueryJointEffort.REPORT = ReportJointEffort

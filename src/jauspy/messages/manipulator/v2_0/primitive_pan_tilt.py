@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 
@@ -18,6 +18,7 @@ class QueryPanTiltJointEffort(rt.Message):
     VERSION = "2.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportPanTiltJointEffort]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -133,3 +134,4 @@ class ReportPanTiltJointEffort(rt.Message):
 _S_H = rt.Packer("<H")
 _S_3H = rt.Packer("<3H")
 _R_2 = rt.Scaling(-100.0, 100.0, 65535)
+QueryPanTiltJointEffort.REPORT = ReportPanTiltJointEffort

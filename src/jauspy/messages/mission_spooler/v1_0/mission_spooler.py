@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages import registry as _registry
@@ -1015,6 +1015,7 @@ class QuerySpoolingPreferences(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportSpoolingPreferences]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -1044,6 +1045,7 @@ class QueryMissionStatus(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportMissionStatus]]
 
     mission_id: int | None = None
     task_id: int | None = None
@@ -1100,6 +1102,7 @@ class QueryStoredMissions(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportStoredMissions]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -1127,6 +1130,7 @@ class QueryMissionPlan(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportMissionPlan]]
 
     mission_id: int
 
@@ -1690,3 +1694,7 @@ _E_ReportMissionStatus_Status = rt.members(ReportMissionStatus.Status)
 _E_ReportMissionStatus_SecondaryStatus = rt.members(ReportMissionStatus.SecondaryStatus)
 _S_HBH2B = rt.Packer("<HBH2B")
 _E_ReportMissionPlan_Blocking = rt.members(ReportMissionPlan.Blocking)
+QuerySpoolingPreferences.REPORT = ReportSpoolingPreferences
+QueryMissionStatus.REPORT = ReportMissionStatus
+QueryStoredMissions.REPORT = ReportStoredMissions
+QueryMissionPlan.REPORT = ReportMissionPlan

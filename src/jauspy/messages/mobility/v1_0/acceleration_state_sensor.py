@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.core.v1_0 import types as core_v1_0_types
@@ -22,6 +22,7 @@ class QueryAccelerationState(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportAccelerationState]]
 
     presence_vector: int
 
@@ -217,3 +218,4 @@ _R_3 = rt.Scaling(0.0, 100.0, 4294967295)
 _R_4 = rt.Scaling(-13106.8, 13106.8, 4294967295)
 _R_5 = rt.Scaling(0.0, 3.141592653589793, 65535)
 _M_ReportAccelerationState_pack = rt.Masks("HH", ((1, "I"), (2, "I"), (4, "I"), (8, "I"), (16, "I"), (32, "I"), (64, "I"), (128, "H"), (256, "I")))
+QueryAccelerationState.REPORT = ReportAccelerationState

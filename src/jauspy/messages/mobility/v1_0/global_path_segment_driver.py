@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 
@@ -203,6 +203,7 @@ class QueryTravelSpeed(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportTravelSpeed]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -230,6 +231,7 @@ class QueryGlobalPathSegment(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportGlobalPathSegment]]
 
     presence_vector: int
 
@@ -261,6 +263,7 @@ class QueryActiveElement(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportActiveElement]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -490,3 +493,6 @@ _R_9 = rt.Scaling(0.0, 327.67, 65535)
 _M_ExecuteList_pack = rt.Masks("HB", ((0, "H"), (1, "H")))
 _S_H = rt.Packer("<H")
 _S_2H = rt.Packer("<2H")
+QueryTravelSpeed.REPORT = ReportTravelSpeed
+QueryGlobalPathSegment.REPORT = ReportGlobalPathSegment
+QueryActiveElement.REPORT = ReportActiveElement

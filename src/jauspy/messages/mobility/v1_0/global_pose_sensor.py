@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.core.v1_0 import types as core_v1_0_types
@@ -229,6 +229,7 @@ class QueryGlobalPose(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportGlobalPose]]
 
     presence_vector: int
 
@@ -260,6 +261,7 @@ class QueryGeomagneticProperty(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportGeomagneticProperty]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -491,3 +493,5 @@ _R_6 = rt.Scaling(-3.141592653589793, 3.141592653589793, 65535)
 _R_7 = rt.Scaling(0.0, 3.141592653589793, 65535)
 _M_SetGlobalPose_pack = rt.Masks("HH", ((1, "I"), (2, "I"), (4, "I"), (8, "I"), (16, "H"), (32, "H"), (64, "H"), (128, "H"), (256, "I")))
 _S_H = rt.Packer("<H")
+QueryGlobalPose.REPORT = ReportGlobalPose
+QueryGeomagneticProperty.REPORT = ReportGeomagneticProperty

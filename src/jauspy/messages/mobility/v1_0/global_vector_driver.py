@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 
@@ -118,6 +118,7 @@ class QueryGlobalVector(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportGlobalVector]]
 
     presence_vector: int
 
@@ -242,3 +243,4 @@ _R_2 = rt.Scaling(0.0, 327.67, 65535)
 _R_3 = rt.Scaling(-10000.0, 35000.0, 4294967295)
 _R_4 = rt.Scaling(-3.141592653589793, 3.141592653589793, 65535)
 _M_SetGlobalVector_pack = rt.Masks("HB", ((1, "H"), (2, "I"), (4, "H"), (8, "H"), (16, "H")))
+QueryGlobalVector.REPORT = ReportGlobalVector

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.mobility.v1_0 import global_path_segment_driver as mobility_v1_0_global_path_segment_driver
@@ -186,6 +186,7 @@ class QueryTravelSpeed(mobility_v1_0_global_path_segment_driver.QueryTravelSpeed
     __slots__ = ()
     SERVICE = "urn:jaus:jss:mobility:GlobalWaypointDriver"
     VERSION = "1.0"
+    REPORT: ClassVar[type[ReportTravelSpeed]]
 
 
 @dataclass(slots=True, repr=False)
@@ -201,6 +202,7 @@ class QueryGlobalWaypoint(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportGlobalWaypoint]]
 
     presence_vector: int
 
@@ -372,3 +374,5 @@ _R_7 = rt.Scaling(-3.141592653589793, 3.141592653589793, 65535)
 _R_8 = rt.Scaling(0.0, 100.0, 65535)
 _R_9 = rt.Scaling(0.0, 100000.0, 4294967295)
 _M_SetGlobalWaypoint_pack = rt.Masks("HB", ((0, "I"), (0, "I"), (1, "I"), (2, "H"), (4, "H"), (8, "H"), (16, "H"), (32, "I")))
+QueryTravelSpeed.REPORT = ReportTravelSpeed
+QueryGlobalWaypoint.REPORT = ReportGlobalWaypoint

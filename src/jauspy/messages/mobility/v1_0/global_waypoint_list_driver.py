@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from jauspy.messages.mobility.v1_0 import global_path_segment_driver as mobility_v1_0_global_path_segment_driver
 from jauspy.messages.mobility.v1_0 import global_waypoint_driver as mobility_v1_0_global_waypoint_driver
 
@@ -20,6 +22,7 @@ class QueryTravelSpeed(mobility_v1_0_global_path_segment_driver.QueryTravelSpeed
     __slots__ = ()
     SERVICE = "urn:jaus:jss:mobility:GlobalWaypointListDriver"
     VERSION = "1.0"
+    REPORT: ClassVar[type[ReportTravelSpeed]]
 
 
 class QueryGlobalWaypoint(mobility_v1_0_global_waypoint_driver.QueryGlobalWaypoint):
@@ -28,6 +31,7 @@ class QueryGlobalWaypoint(mobility_v1_0_global_waypoint_driver.QueryGlobalWaypoi
     __slots__ = ()
     SERVICE = "urn:jaus:jss:mobility:GlobalWaypointListDriver"
     VERSION = "1.0"
+    REPORT: ClassVar[type[ReportGlobalWaypoint]]
 
 
 class QueryActiveElement(mobility_v1_0_global_path_segment_driver.QueryActiveElement):
@@ -36,6 +40,7 @@ class QueryActiveElement(mobility_v1_0_global_path_segment_driver.QueryActiveEle
     __slots__ = ()
     SERVICE = "urn:jaus:jss:mobility:GlobalWaypointListDriver"
     VERSION = "1.0"
+    REPORT: ClassVar[type[ReportActiveElement]]
 
 
 class ReportTravelSpeed(mobility_v1_0_global_path_segment_driver.ReportTravelSpeed):
@@ -62,3 +67,6 @@ class ReportActiveElement(mobility_v1_0_global_path_segment_driver.ReportActiveE
     VERSION = "1.0"
 
 
+QueryTravelSpeed.REPORT = ReportTravelSpeed
+QueryGlobalWaypoint.REPORT = ReportGlobalWaypoint
+QueryActiveElement.REPORT = ReportActiveElement

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.mobility.v1_0 import global_path_segment_driver as mobility_v1_0_global_path_segment_driver
@@ -152,6 +152,7 @@ class QueryTravelSpeed(mobility_v1_0_global_path_segment_driver.QueryTravelSpeed
     __slots__ = ()
     SERVICE = "urn:jaus:jss:mobility:LocalPathSegmentDriver"
     VERSION = "1.0"
+    REPORT: ClassVar[type[ReportTravelSpeed]]
 
 
 @dataclass(slots=True, repr=False)
@@ -167,6 +168,7 @@ class QueryLocalPathSegment(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportLocalPathSegment]]
 
     presence_vector: int
 
@@ -194,6 +196,7 @@ class QueryActiveElement(mobility_v1_0_global_path_segment_driver.QueryActiveEle
     __slots__ = ()
     SERVICE = "urn:jaus:jss:mobility:LocalPathSegmentDriver"
     VERSION = "1.0"
+    REPORT: ClassVar[type[ReportActiveElement]]
 
 
 class ReportTravelSpeed(mobility_v1_0_global_path_segment_driver.ReportTravelSpeed):
@@ -347,3 +350,6 @@ _R_3 = rt.Scaling(-10000.0, 35000.0, 4294967295)
 _R_4 = rt.Scaling(0.0, 500.0, 65535)
 _R_5 = rt.Scaling(0.0, 100000.0, 4294967295)
 _M_SetLocalPathSegment_pack = rt.Masks("HB", ((0, "I"), (0, "I"), (1, "I"), (0, "I"), (0, "I"), (2, "I"), (0, "H"), (4, "I")))
+QueryTravelSpeed.REPORT = ReportTravelSpeed
+QueryLocalPathSegment.REPORT = ReportLocalPathSegment
+QueryActiveElement.REPORT = ReportActiveElement

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.mobility.v1_0 import global_path_segment_driver as mobility_v1_0_global_path_segment_driver
@@ -155,6 +155,7 @@ class QueryTravelSpeed(mobility_v1_0_global_path_segment_driver.QueryTravelSpeed
     __slots__ = ()
     SERVICE = "urn:jaus:jss:mobility:LocalWaypointDriver"
     VERSION = "1.0"
+    REPORT: ClassVar[type[ReportTravelSpeed]]
 
 
 @dataclass(slots=True, repr=False)
@@ -170,6 +171,7 @@ class QueryLocalWaypoint(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportLocalWaypoint]]
 
     presence_vector: int
 
@@ -337,3 +339,5 @@ _R_3 = rt.Scaling(-3.141592653589793, 3.141592653589793, 65535)
 _R_4 = rt.Scaling(0.0, 100.0, 65535)
 _R_5 = rt.Scaling(0.0, 100000.0, 4294967295)
 _M_SetLocalWaypoint_pack = rt.Masks("HB", ((0, "I"), (0, "I"), (1, "I"), (2, "H"), (4, "H"), (8, "H"), (16, "H"), (32, "I")))
+QueryTravelSpeed.REPORT = ReportTravelSpeed
+QueryLocalWaypoint.REPORT = ReportLocalWaypoint

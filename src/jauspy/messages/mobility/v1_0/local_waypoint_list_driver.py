@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from jauspy.messages.mobility.v1_0 import global_path_segment_driver as mobility_v1_0_global_path_segment_driver
 from jauspy.messages.mobility.v1_0 import local_waypoint_driver as mobility_v1_0_local_waypoint_driver
 
@@ -20,6 +22,7 @@ class QueryTravelSpeed(mobility_v1_0_global_path_segment_driver.QueryTravelSpeed
     __slots__ = ()
     SERVICE = "urn:jaus:jss:mobility:LocalWaypointListDriver"
     VERSION = "1.0"
+    REPORT: ClassVar[type[ReportTravelSpeed]]
 
 
 class QueryLocalWaypoint(mobility_v1_0_local_waypoint_driver.QueryLocalWaypoint):
@@ -28,6 +31,7 @@ class QueryLocalWaypoint(mobility_v1_0_local_waypoint_driver.QueryLocalWaypoint)
     __slots__ = ()
     SERVICE = "urn:jaus:jss:mobility:LocalWaypointListDriver"
     VERSION = "1.0"
+    REPORT: ClassVar[type[ReportLocalWaypoint]]
 
 
 class QueryActiveElement(mobility_v1_0_global_path_segment_driver.QueryActiveElement):
@@ -36,6 +40,7 @@ class QueryActiveElement(mobility_v1_0_global_path_segment_driver.QueryActiveEle
     __slots__ = ()
     SERVICE = "urn:jaus:jss:mobility:LocalWaypointListDriver"
     VERSION = "1.0"
+    REPORT: ClassVar[type[ReportActiveElement]]
 
 
 class ReportTravelSpeed(mobility_v1_0_global_path_segment_driver.ReportTravelSpeed):
@@ -62,3 +67,6 @@ class ReportActiveElement(mobility_v1_0_global_path_segment_driver.ReportActiveE
     VERSION = "1.0"
 
 
+QueryTravelSpeed.REPORT = ReportTravelSpeed
+QueryLocalWaypoint.REPORT = ReportLocalWaypoint
+QueryActiveElement.REPORT = ReportActiveElement

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 
@@ -202,6 +202,7 @@ class QueryWrenchEffort(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportWrenchEffort]]
 
     presence_vector: int
 
@@ -409,3 +410,4 @@ _M_SetWrenchEffort = rt.Masks("4x", ((1, "H"), (2, "H"), (4, "H"), (8, "H"), (16
 _R_2 = rt.Scaling(-100.0, 100.0, 65535)
 _R_3 = rt.Scaling(0.0, 100.0, 255)
 _M_SetWrenchEffort_pack = rt.Masks("HH", ((1, "H"), (2, "H"), (4, "H"), (8, "H"), (16, "H"), (32, "H"), (64, "B"), (128, "B"), (256, "B"), (512, "B"), (1024, "B"), (2048, "B")))
+QueryWrenchEffort.REPORT = ReportWrenchEffort

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 
@@ -280,6 +280,7 @@ class QueryVelocityCommand(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportVelocityCommand]]
 
     presence_vector: int
     command_type: int
@@ -317,6 +318,7 @@ class QueryAccelerationLimit(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportAccelerationLimit]]
 
     presence_vector: int
     command_type: int
@@ -611,3 +613,5 @@ _M_SetAccelerationLimit_pack = rt.Masks("HB", ((0, "B"), (1, "I"), (2, "I"), (4,
 _S_H2B = rt.Packer("<H2B")
 _E_ReportVelocityCommand_CommandType = rt.members(ReportVelocityCommand.CommandType)
 _E_ReportAccelerationLimit_CommandType = rt.members(ReportAccelerationLimit.CommandType)
+QueryVelocityCommand.REPORT = ReportVelocityCommand
+QueryAccelerationLimit.REPORT = ReportAccelerationLimit

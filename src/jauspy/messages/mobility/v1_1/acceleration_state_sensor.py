@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.mobility.v1_0 import acceleration_state_sensor as mobility_v1_0_acceleration_state_sensor
@@ -15,6 +15,7 @@ class QueryAccelerationState(mobility_v1_0_acceleration_state_sensor.QueryAccele
     __slots__ = ()
     SERVICE = "urn:jaus:jss:mobility:AccelerationStateSensor"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportAccelerationState]]
 
 
 @dataclass(slots=True, repr=False)
@@ -30,6 +31,7 @@ class QueryAccelerationStateExt(rt.Message):
     VERSION = "1.1"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportAccelerationStateExt]]
 
     presence_vector: int
 
@@ -215,3 +217,5 @@ _R_3 = rt.Scaling(0.0, 100.0, 4294967295)
 _R_4 = rt.Scaling(-13106.8, 13106.8, 4294967295)
 _R_5 = rt.Scaling(0.0, 1000.0, 65535)
 _M_ReportAccelerationStateExt_pack = rt.Masks("HH", ((1, "I"), (2, "I"), (4, "I"), (8, "I"), (16, "I"), (32, "I"), (64, "I"), (128, "H"), (256, "I"), (512, "I")))
+QueryAccelerationState.REPORT = ReportAccelerationState
+QueryAccelerationStateExt.REPORT = ReportAccelerationStateExt

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.mobility.v1_0 import types as mobility_v1_0_types
@@ -232,6 +232,7 @@ class QueryGlobalLoiter(rt.Message):
     VERSION = "1.1"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportGlobalLoiter]]
 
     presence_vector: int
 
@@ -263,6 +264,7 @@ class QueryTravelSpeedExt(rt.Message):
     VERSION = "1.1"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportTravelSpeedExt]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -501,3 +503,5 @@ _S_H = rt.Packer("<H")
 _E_ReportGlobalLoiter_HoverPreference = rt.members(ReportGlobalLoiter.HoverPreference)
 _U_13: tuple[type[ReportGlobalLoiter.HoverRec] | type[mobility_v1_0_types.PolygonRec] | type[mobility_v1_0_types.RaceTrackRec], ...] = (ReportGlobalLoiter.HoverRec, mobility_v1_0_types.PolygonRec, mobility_v1_0_types.RaceTrackRec)
 _T_14: dict[type[rt.Struct], int] = {ReportGlobalLoiter.HoverRec: 0, mobility_v1_0_types.PolygonRec: 1, mobility_v1_0_types.RaceTrackRec: 2}
+QueryGlobalLoiter.REPORT = ReportGlobalLoiter
+QueryTravelSpeedExt.REPORT = ReportTravelSpeedExt

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.mobility.v1_0 import types as mobility_v1_0_types
@@ -450,6 +450,7 @@ class QueryGlobalOperatingZone(rt.Message):
     VERSION = "1.1"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportGlobalOperatingZone]]
 
     class QueryZoneID(IntEnum):
         """Values of QueryZoneID."""
@@ -491,6 +492,7 @@ class QueryExcursion(rt.Message):
     VERSION = "1.1"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportExcursion]]
 
     class QueryZoneID(IntEnum):
         """Values of QueryZoneID."""
@@ -968,3 +970,5 @@ _E_ReportGlobalOperatingZone_ZoneID = rt.members(ReportGlobalOperatingZone.ZoneI
 _E_ExcursionRec_ZoneID = rt.members(mobility_v1_0_types.ExcursionRec.ZoneID)
 _E_ExcursionRec_ZoneStatus = rt.members(mobility_v1_0_types.ExcursionRec.ZoneStatus)
 _S_HB = rt.Packer("<HB")
+QueryGlobalOperatingZone.REPORT = ReportGlobalOperatingZone
+QueryExcursion.REPORT = ReportExcursion

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.mobility.v1_0 import global_path_segment_driver as mobility_v1_0_global_path_segment_driver
@@ -138,6 +138,7 @@ class QueryTravelSpeed(mobility_v1_0_global_path_segment_driver.QueryTravelSpeed
     __slots__ = ()
     SERVICE = "urn:jaus:jss:mobility:GlobalPathSegmentDriver"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportTravelSpeed]]
 
 
 class QueryTravelSpeedExt(mobility_v1_1_global_loiter_driver.QueryTravelSpeedExt):
@@ -146,6 +147,7 @@ class QueryTravelSpeedExt(mobility_v1_1_global_loiter_driver.QueryTravelSpeedExt
     __slots__ = ()
     SERVICE = "urn:jaus:jss:mobility:GlobalPathSegmentDriver"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportTravelSpeedExt]]
 
 
 class QueryGlobalPathSegment(mobility_v1_0_global_path_segment_driver.QueryGlobalPathSegment):
@@ -154,6 +156,7 @@ class QueryGlobalPathSegment(mobility_v1_0_global_path_segment_driver.QueryGloba
     __slots__ = ()
     SERVICE = "urn:jaus:jss:mobility:GlobalPathSegmentDriver"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportGlobalPathSegment]]
 
 
 @dataclass(slots=True, repr=False)
@@ -169,6 +172,7 @@ class QueryGlobalPathSegmentExt(rt.Message):
     VERSION = "1.1"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportGlobalPathSegmentExt]]
 
     presence_vector: int
 
@@ -196,6 +200,7 @@ class QueryActiveElement(mobility_v1_0_global_path_segment_driver.QueryActiveEle
     __slots__ = ()
     SERVICE = "urn:jaus:jss:mobility:GlobalPathSegmentDriver"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportActiveElement]]
 
 
 class ReportTravelSpeed(mobility_v1_0_global_path_segment_driver.ReportTravelSpeed):
@@ -560,3 +565,8 @@ _R_13 = rt.Scaling(-90.0, 90.0, 4294967295)
 _R_14 = rt.Scaling(-180.0, 180.0, 4294967295)
 _R_15 = rt.Scaling(0.0, 500.0, 65535)
 _R_16 = rt.Scaling(0.0, 100000.0, 4294967295)
+QueryTravelSpeed.REPORT = ReportTravelSpeed
+QueryTravelSpeedExt.REPORT = ReportTravelSpeedExt
+QueryGlobalPathSegment.REPORT = ReportGlobalPathSegment
+QueryGlobalPathSegmentExt.REPORT = ReportGlobalPathSegmentExt
+QueryActiveElement.REPORT = ReportActiveElement

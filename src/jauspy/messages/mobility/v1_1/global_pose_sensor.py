@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.mobility.v1_0 import global_pose_sensor as mobility_v1_0_global_pose_sensor
@@ -208,6 +208,7 @@ class QueryGlobalPose(mobility_v1_0_global_pose_sensor.QueryGlobalPose):
     __slots__ = ()
     SERVICE = "urn:jaus:jss:mobility:GlobalPoseSensor"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportGlobalPose]]
 
 
 @dataclass(slots=True, repr=False)
@@ -223,6 +224,7 @@ class QueryGlobalPoseExt(rt.Message):
     VERSION = "1.1"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportGlobalPoseExt]]
 
     presence_vector: int
 
@@ -250,6 +252,7 @@ class QueryGeomagneticProperty(mobility_v1_0_global_pose_sensor.QueryGeomagnetic
     __slots__ = ()
     SERVICE = "urn:jaus:jss:mobility:GlobalPoseSensor"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportGeomagneticProperty]]
 
 
 class ReportGlobalPose(mobility_v1_0_global_pose_sensor.ReportGlobalPose):
@@ -489,3 +492,6 @@ _S_2H = rt.Packer("<2H")
 _M_ReportGlobalPoseExt = rt.Masks("4x", ((1, "I"), (2, "I"), (4, "I"), (8, "I"), (16, "I"), (32, "I"), (64, "I"), (128, "I"), (256, "H"), (512, "H"), (1024, "H"), (2048, "H"), (4096, "H"), (8192, "I"), (16384, "I")))
 _R_10 = rt.Scaling(-50000.0, 50000.0, 4294967295)
 _M_ReportGlobalPoseExt_pack = rt.Masks("HH", ((1, "I"), (2, "I"), (4, "I"), (8, "I"), (16, "I"), (32, "I"), (64, "I"), (128, "I"), (256, "H"), (512, "H"), (1024, "H"), (2048, "H"), (4096, "H"), (8192, "I"), (16384, "I")))
+QueryGlobalPose.REPORT = ReportGlobalPose
+QueryGlobalPoseExt.REPORT = ReportGlobalPoseExt
+QueryGeomagneticProperty.REPORT = ReportGeomagneticProperty

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.mobility.v1_0 import global_vector_driver as mobility_v1_0_global_vector_driver
@@ -140,6 +140,7 @@ class QueryGlobalVector(mobility_v1_0_global_vector_driver.QueryGlobalVector):
     __slots__ = ()
     SERVICE = "urn:jaus:jss:mobility:GlobalVectorDriver"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportGlobalVector]]
 
 
 @dataclass(slots=True, repr=False)
@@ -155,6 +156,7 @@ class QueryGlobalVectorExt(rt.Message):
     VERSION = "1.1"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportGlobalVectorExt]]
 
     presence_vector: int
 
@@ -304,3 +306,5 @@ _M_SetGlobalVectorExt_2 = rt.Masks("", ((2, "H"), (4, "H"), (8, "H"), (16, "H"))
 _R_1 = rt.Scaling(-3.141592653589793, 3.141592653589793, 65535)
 _S_B = rt.Packer("<B")
 _S_2H = rt.Packer("<2H")
+QueryGlobalVector.REPORT = ReportGlobalVector
+QueryGlobalVectorExt.REPORT = ReportGlobalVectorExt

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 
@@ -43,6 +43,7 @@ class QueryGPSFix(rt.Message):
     VERSION = "1.1"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportGPSFix]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -410,3 +411,4 @@ _R_12 = rt.Scaling(-327.68, 327.67, 4294967295)
 _R_13 = rt.Scaling(-10000.0, 35000.0, 4294967295)
 _U_14: tuple[type[ReportGPSFix.MinGPSRec] | type[ReportGPSFix.AltGPSRec], ...] = (ReportGPSFix.MinGPSRec, ReportGPSFix.AltGPSRec)
 _T_15: dict[type[rt.Struct], int] = {ReportGPSFix.MinGPSRec: 0, ReportGPSFix.AltGPSRec: 1}
+QueryGPSFix.REPORT = ReportGPSFix

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 
@@ -63,6 +63,7 @@ class QueryInertialSensorStatus(rt.Message):
     VERSION = "1.1"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportInertialSensorStatus]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -146,3 +147,4 @@ _S_H = rt.Packer("<H")
 _E_ReportInertialSensorStatus_PowerState = rt.members(ReportInertialSensorStatus.PowerState)
 _E_ReportInertialSensorStatus_OperatingState = rt.members(ReportInertialSensorStatus.OperatingState)
 _S_H2B = rt.Packer("<H2B")
+QueryInertialSensorStatus.REPORT = ReportInertialSensorStatus

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.mobility.v1_0 import types as mobility_v1_0_types
@@ -198,6 +198,7 @@ class QueryLocalLoiter(rt.Message):
     VERSION = "1.1"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportLocalLoiter]]
 
     presence_vector: int
 
@@ -225,6 +226,7 @@ class QueryTravelSpeedExt(mobility_v1_1_global_loiter_driver.QueryTravelSpeedExt
     __slots__ = ()
     SERVICE = "urn:jaus:jss:mobility:LocalLoiterDriver"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportTravelSpeedExt]]
 
 
 @dataclass(slots=True, repr=False)
@@ -414,3 +416,5 @@ _S_HB = rt.Packer("<HB")
 _E_ReportLocalLoiter_HoverPreference = rt.members(ReportLocalLoiter.HoverPreference)
 _U_11: tuple[type[ReportLocalLoiter.HoverRec] | type[mobility_v1_0_types.PolygonRec] | type[mobility_v1_0_types.RaceTrackRec], ...] = (ReportLocalLoiter.HoverRec, mobility_v1_0_types.PolygonRec, mobility_v1_0_types.RaceTrackRec)
 _T_12: dict[type[rt.Struct], int] = {ReportLocalLoiter.HoverRec: 0, mobility_v1_0_types.PolygonRec: 1, mobility_v1_0_types.RaceTrackRec: 2}
+QueryLocalLoiter.REPORT = ReportLocalLoiter
+QueryTravelSpeedExt.REPORT = ReportTravelSpeedExt

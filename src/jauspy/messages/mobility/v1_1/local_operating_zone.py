@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.mobility.v1_1 import global_operating_zone as mobility_v1_1_global_operating_zone
@@ -437,6 +437,7 @@ class QueryLocalOperatingZone(rt.Message):
     VERSION = "1.1"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportLocalOperatingZone]]
 
     class QueryZoneID(IntEnum):
         """Values of QueryZoneID."""
@@ -471,6 +472,7 @@ class QueryExcursion(mobility_v1_1_global_operating_zone.QueryExcursion):
     __slots__ = ()
     SERVICE = "urn:jaus:jss:mobility:LocalOperatingZone"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportExcursion]]
 
 
 @dataclass(slots=True, repr=False)
@@ -902,3 +904,5 @@ _S_2H = rt.Packer("<2H")
 _E_ReportLocalOperatingZone_MinZPositionChoice = rt.members(ReportLocalOperatingZone.MinZPositionChoice)
 _E_ReportLocalOperatingZone_MaxZPositionChoice = rt.members(ReportLocalOperatingZone.MaxZPositionChoice)
 _E_ReportLocalOperatingZone_ZoneID = rt.members(ReportLocalOperatingZone.ZoneID)
+QueryLocalOperatingZone.REPORT = ReportLocalOperatingZone
+QueryExcursion.REPORT = ReportExcursion

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.mobility.v1_0 import global_path_segment_driver as mobility_v1_0_global_path_segment_driver
@@ -35,6 +35,7 @@ class QueryTravelSpeed(mobility_v1_0_global_path_segment_driver.QueryTravelSpeed
     __slots__ = ()
     SERVICE = "urn:jaus:jss:mobility:LocalPathSegmentDriver"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportTravelSpeed]]
 
 
 class QueryTravelSpeedExt(mobility_v1_1_global_loiter_driver.QueryTravelSpeedExt):
@@ -43,6 +44,7 @@ class QueryTravelSpeedExt(mobility_v1_1_global_loiter_driver.QueryTravelSpeedExt
     __slots__ = ()
     SERVICE = "urn:jaus:jss:mobility:LocalPathSegmentDriver"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportTravelSpeedExt]]
 
 
 class QueryLocalPathSegment(mobility_v1_0_local_path_segment_driver.QueryLocalPathSegment):
@@ -51,6 +53,7 @@ class QueryLocalPathSegment(mobility_v1_0_local_path_segment_driver.QueryLocalPa
     __slots__ = ()
     SERVICE = "urn:jaus:jss:mobility:LocalPathSegmentDriver"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportLocalPathSegment]]
 
 
 @dataclass(slots=True, repr=False)
@@ -66,6 +69,7 @@ class QueryLocalPathSegmentExt(rt.Message):
     VERSION = "1.1"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportLocalPathSegmentExt]]
 
     presence_vector: int
 
@@ -93,6 +97,7 @@ class QueryActiveElement(mobility_v1_0_global_path_segment_driver.QueryActiveEle
     __slots__ = ()
     SERVICE = "urn:jaus:jss:mobility:LocalPathSegmentDriver"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportActiveElement]]
 
 
 class ReportTravelSpeed(mobility_v1_0_global_path_segment_driver.ReportTravelSpeed):
@@ -480,3 +485,8 @@ _R_8 = rt.Scaling(-20000000.0, 20000000.0, 4294967295)
 _R_9 = rt.Scaling(0.0, 500.0, 65535)
 _R_10 = rt.Scaling(0.0, 100000.0, 4294967295)
 _S_B = rt.Packer("<B")
+QueryTravelSpeed.REPORT = ReportTravelSpeed
+QueryTravelSpeedExt.REPORT = ReportTravelSpeedExt
+QueryLocalPathSegment.REPORT = ReportLocalPathSegment
+QueryLocalPathSegmentExt.REPORT = ReportLocalPathSegmentExt
+QueryActiveElement.REPORT = ReportActiveElement

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.mobility.v1_0 import local_pose_sensor as mobility_v1_0_local_pose_sensor
@@ -200,6 +200,7 @@ class QueryLocalPose(mobility_v1_0_local_pose_sensor.QueryLocalPose):
     __slots__ = ()
     SERVICE = "urn:jaus:jss:mobility:LocalPoseSensor"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportLocalPose]]
 
 
 @dataclass(slots=True, repr=False)
@@ -215,6 +216,7 @@ class QueryLocalPoseExt(rt.Message):
     VERSION = "1.1"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportLocalPoseExt]]
 
     presence_vector: int
 
@@ -473,3 +475,5 @@ _S_2H = rt.Packer("<2H")
 _M_ReportLocalPoseExt = rt.Masks("4x", ((1, "I"), (2, "I"), (4, "I"), (8, "I"), (16, "I"), (32, "I"), (64, "I"), (128, "I"), (256, "I"), (512, "H"), (1024, "H"), (2048, "H"), (4096, "H"), (8192, "H"), (16384, "I"), (32768, "I")))
 _R_9 = rt.Scaling(-50000.0, 50000.0, 4294967295)
 _M_ReportLocalPoseExt_pack = rt.Masks("HH", ((1, "I"), (2, "I"), (4, "I"), (8, "I"), (16, "I"), (32, "I"), (64, "I"), (128, "I"), (256, "I"), (512, "H"), (1024, "H"), (2048, "H"), (4096, "H"), (8192, "H"), (16384, "I"), (32768, "I")))
+QueryLocalPose.REPORT = ReportLocalPose
+QueryLocalPoseExt.REPORT = ReportLocalPoseExt

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
-from jauspy.messages.mobility.v1_0 import local_vector_driver as mobility_v1_0_local_vector_driver
 from jauspy.messages.mobility.v1_0 import types as mobility_v1_0_types
 
 
@@ -222,12 +221,39 @@ class SetLocalVectorExt(rt.Message):
         return bytes(out)
 
 
-class QueryLocalVector(mobility_v1_0_local_vector_driver.QueryLocalVector):
-    """QueryLocalVector (0x2408): Asks for the commanded heading, speed and attitude in the local frame."""
+@dataclass(slots=True, repr=False)
+class QueryLocalVector(rt.Message):
+    """QueryLocalVector (0x2408): Asks for the commanded heading, speed and attitude in the local frame.
 
-    __slots__ = ()
+    presence_vector: Optional fields that the report is to have: bit i asks for the i-th of them, from 0
+    """
+
+    CODE = 0x2408
+    NAME = "QueryLocalVector"
     SERVICE = "urn:jaus:jss:mobility:LocalVectorDriver"
     VERSION = "1.1"
+    IS_COMMAND = False
+    IS_QUERY = True
+    REPORT: ClassVar[type[ReportLocalVector]]
+
+    presence_vector: int
+
+    @classmethod
+    def _layout(cls) -> rt.Item:
+        return rt.composite(
+            cls, None,
+            ("PresenceVector", rt.Number("B")),
+        )
+
+    @classmethod
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        self = rt.new(cls)
+        code, self.presence_vector = _S_HB.unpack(data)
+        if code != 0x2408: raise rt.Reject
+        return self
+
+    def _pack(self) -> bytes:
+        return _S_HB.pack(0x2408, self.presence_vector)
 
 
 @dataclass(slots=True, repr=False)
@@ -243,6 +269,7 @@ class QueryLocalVectorExt(rt.Message):
     VERSION = "1.1"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportLocalVectorExt]]
 
     presence_vector: int
 
@@ -485,3 +512,5 @@ _M_SetLocalVector_pack = rt.Masks("HB", ((0, "H"), (1, "I"), (2, "H"), (4, "H"),
 _M_SetLocalVectorExt_2 = rt.Masks("", ((2, "H"), (4, "H"), (8, "H"), (16, "H")))
 _S_B = rt.Packer("<B")
 _S_2H = rt.Packer("<2H")
+QueryLocalVector.REPORT = ReportLocalVector
+QueryLocalVectorExt.REPORT = ReportLocalVectorExt

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.mobility.v1_0 import global_path_segment_driver as mobility_v1_0_global_path_segment_driver
@@ -184,6 +184,7 @@ class QueryTravelSpeed(mobility_v1_0_global_path_segment_driver.QueryTravelSpeed
     __slots__ = ()
     SERVICE = "urn:jaus:jss:mobility:LocalWaypointDriver"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportTravelSpeed]]
 
 
 class QueryTravelSpeedExt(mobility_v1_1_global_loiter_driver.QueryTravelSpeedExt):
@@ -192,6 +193,7 @@ class QueryTravelSpeedExt(mobility_v1_1_global_loiter_driver.QueryTravelSpeedExt
     __slots__ = ()
     SERVICE = "urn:jaus:jss:mobility:LocalWaypointDriver"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportTravelSpeedExt]]
 
 
 class QueryLocalWaypoint(mobility_v1_0_local_waypoint_driver.QueryLocalWaypoint):
@@ -200,6 +202,7 @@ class QueryLocalWaypoint(mobility_v1_0_local_waypoint_driver.QueryLocalWaypoint)
     __slots__ = ()
     SERVICE = "urn:jaus:jss:mobility:LocalWaypointDriver"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportLocalWaypoint]]
 
 
 @dataclass(slots=True, repr=False)
@@ -215,6 +218,7 @@ class QueryLocalWaypointExt(rt.Message):
     VERSION = "1.1"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportLocalWaypointExt]]
 
     presence_vector: int
 
@@ -408,3 +412,7 @@ _R_4 = rt.Scaling(0.0, 10000.0, 4294967295)
 _R_5 = rt.Scaling(0.0, 100000.0, 4294967295)
 _S_B = rt.Packer("<B")
 _S_2H = rt.Packer("<2H")
+QueryTravelSpeed.REPORT = ReportTravelSpeed
+QueryTravelSpeedExt.REPORT = ReportTravelSpeedExt
+QueryLocalWaypoint.REPORT = ReportLocalWaypoint
+QueryLocalWaypointExt.REPORT = ReportLocalWaypointExt

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from jauspy.messages.mobility.v1_0 import global_path_segment_driver as mobility_v1_0_global_path_segment_driver
 from jauspy.messages.mobility.v1_0 import local_waypoint_driver as mobility_v1_0_local_waypoint_driver
 from jauspy.messages.mobility.v1_1 import global_loiter_driver as mobility_v1_1_global_loiter_driver
@@ -31,6 +33,7 @@ class QueryTravelSpeed(mobility_v1_0_global_path_segment_driver.QueryTravelSpeed
     __slots__ = ()
     SERVICE = "urn:jaus:jss:mobility:LocalWaypointListDriver"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportTravelSpeed]]
 
 
 class QueryTravelSpeedExt(mobility_v1_1_global_loiter_driver.QueryTravelSpeedExt):
@@ -39,6 +42,7 @@ class QueryTravelSpeedExt(mobility_v1_1_global_loiter_driver.QueryTravelSpeedExt
     __slots__ = ()
     SERVICE = "urn:jaus:jss:mobility:LocalWaypointListDriver"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportTravelSpeedExt]]
 
 
 class QueryLocalWaypoint(mobility_v1_0_local_waypoint_driver.QueryLocalWaypoint):
@@ -47,6 +51,7 @@ class QueryLocalWaypoint(mobility_v1_0_local_waypoint_driver.QueryLocalWaypoint)
     __slots__ = ()
     SERVICE = "urn:jaus:jss:mobility:LocalWaypointListDriver"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportLocalWaypoint]]
 
 
 class QueryLocalWaypointExt(mobility_v1_1_local_waypoint_driver.QueryLocalWaypointExt):
@@ -55,6 +60,7 @@ class QueryLocalWaypointExt(mobility_v1_1_local_waypoint_driver.QueryLocalWaypoi
     __slots__ = ()
     SERVICE = "urn:jaus:jss:mobility:LocalWaypointListDriver"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportLocalWaypointExt]]
 
 
 class QueryActiveElement(mobility_v1_0_global_path_segment_driver.QueryActiveElement):
@@ -63,6 +69,7 @@ class QueryActiveElement(mobility_v1_0_global_path_segment_driver.QueryActiveEle
     __slots__ = ()
     SERVICE = "urn:jaus:jss:mobility:LocalWaypointListDriver"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportActiveElement]]
 
 
 class ReportTravelSpeed(mobility_v1_0_global_path_segment_driver.ReportTravelSpeed):
@@ -105,3 +112,8 @@ class ReportActiveElement(mobility_v1_0_global_path_segment_driver.ReportActiveE
     VERSION = "1.1"
 
 
+QueryTravelSpeed.REPORT = ReportTravelSpeed
+QueryTravelSpeedExt.REPORT = ReportTravelSpeedExt
+QueryLocalWaypoint.REPORT = ReportLocalWaypoint
+QueryLocalWaypointExt.REPORT = ReportLocalWaypointExt
+QueryActiveElement.REPORT = ReportActiveElement

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.mobility.v1_0 import types as mobility_v1_0_types
@@ -25,6 +25,7 @@ class QueryNavigation(rt.Message):
     VERSION = "1.1"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportNavigation]]
 
     global_pose_presence_vector: int
     local_pose_presence_vector: int
@@ -179,3 +180,4 @@ _S_5H = rt.Packer("<5H")
 _S_2I = rt.Packer("<2I")
 _U_2: tuple[type[mobility_v1_0_types.VelocityVehicleXYZRec] | type[mobility_v1_0_types.VelocityLocalXYZRec] | type[mobility_v1_0_types.VelocityNEDRec], ...] = (mobility_v1_0_types.VelocityVehicleXYZRec, mobility_v1_0_types.VelocityLocalXYZRec, mobility_v1_0_types.VelocityNEDRec)
 _T_3: dict[type[rt.Struct], int] = {mobility_v1_0_types.VelocityVehicleXYZRec: 0, mobility_v1_0_types.VelocityLocalXYZRec: 1, mobility_v1_0_types.VelocityNEDRec: 2}
+QueryNavigation.REPORT = ReportNavigation

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
+from jauspy.codec import runtime as rt
 from jauspy.messages.mobility.v1_0 import primitive_driver as mobility_v1_0_primitive_driver
 
 
@@ -19,6 +22,7 @@ class QueryWrenchEffort(mobility_v1_0_primitive_driver.QueryWrenchEffort):
     __slots__ = ()
     SERVICE = "urn:jaus:jss:mobility:PrimitiveDriver"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportWrenchEffort]]
 
 
 class ReportWrenchEffort(mobility_v1_0_primitive_driver.ReportWrenchEffort):
@@ -29,3 +33,4 @@ class ReportWrenchEffort(mobility_v1_0_primitive_driver.ReportWrenchEffort):
     VERSION = "1.1"
 
 
+QueryWrenchEffort.REPORT = ReportWrenchEffort

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.mobility.v1_0 import velocity_state_driver as mobility_v1_0_velocity_state_driver
@@ -286,6 +286,7 @@ class QueryVelocityCommand(mobility_v1_0_velocity_state_driver.QueryVelocityComm
     __slots__ = ()
     SERVICE = "urn:jaus:jss:mobility:VelocityStateDriver"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportVelocityCommand]]
 
 
 @dataclass(slots=True, repr=False)
@@ -302,6 +303,7 @@ class QueryVelocityCommandExt(rt.Message):
     VERSION = "1.1"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportVelocityCommandExt]]
 
     presence_vector: int
     command_type: int
@@ -325,12 +327,42 @@ class QueryVelocityCommandExt(rt.Message):
         return _S_H2B.pack(0x24B5, self.presence_vector, self.command_type)
 
 
-class QueryAccelerationLimit(mobility_v1_0_velocity_state_driver.QueryAccelerationLimit):
-    """QueryAccelerationLimit (0x2416): Asks for the limits of acceleration or deceleration."""
+@dataclass(slots=True, repr=False)
+class QueryAccelerationLimit(rt.Message):
+    """QueryAccelerationLimit (0x2416): Asks for the limits of acceleration or deceleration.
 
-    __slots__ = ()
+    presence_vector: Optional fields that the report is to have: bit i asks for the i-th of them, from 0
+    command_type: Which limit is asked for; as in the report
+    """
+
+    CODE = 0x2416
+    NAME = "QueryAccelerationLimit"
     SERVICE = "urn:jaus:jss:mobility:VelocityStateDriver"
     VERSION = "1.1"
+    IS_COMMAND = False
+    IS_QUERY = True
+    REPORT: ClassVar[type[ReportAccelerationLimit]]
+
+    presence_vector: int
+    command_type: int
+
+    @classmethod
+    def _layout(cls) -> rt.Item:
+        return rt.composite(
+            cls, None,
+            ("PresenceVector", rt.Number("B")),
+            ("CommandType", rt.Number("B")),
+        )
+
+    @classmethod
+    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
+        self = rt.new(cls)
+        code, self.presence_vector, self.command_type = _S_H2B.unpack(data)
+        if code != 0x2416: raise rt.Reject
+        return self
+
+    def _pack(self) -> bytes:
+        return _S_H2B.pack(0x2416, self.presence_vector, self.command_type)
 
 
 class ReportVelocityCommand(mobility_v1_0_velocity_state_driver.ReportVelocityCommand):
@@ -614,3 +646,6 @@ _R_8 = rt.Scaling(-13106.8, 13106.8, 4294967295)
 _S_H2B = rt.Packer("<H2B")
 _E_ReportVelocityCommandExt_CommandType = rt.members(ReportVelocityCommandExt.CommandType)
 _E_ReportAccelerationLimit_CommandType = rt.members(ReportAccelerationLimit.CommandType)
+QueryVelocityCommand.REPORT = ReportVelocityCommand
+QueryVelocityCommandExt.REPORT = ReportVelocityCommandExt
+QueryAccelerationLimit.REPORT = ReportAccelerationLimit

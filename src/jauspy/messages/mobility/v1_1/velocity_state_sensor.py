@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 from jauspy.messages.mobility.v1_0 import types as mobility_v1_0_types
@@ -16,6 +16,7 @@ class QueryVelocityState(mobility_v1_0_velocity_state_sensor.QueryVelocityState)
     __slots__ = ()
     SERVICE = "urn:jaus:jss:mobility:VelocityStateSensor"
     VERSION = "1.1"
+    REPORT: ClassVar[type[ReportVelocityState]]
 
 
 @dataclass(slots=True, repr=False)
@@ -32,6 +33,7 @@ class QueryVelocityStateExt(rt.Message):
     VERSION = "1.1"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportVelocityStateExt]]
 
     velocity_var_presence_vector: int
     report_velocity_state_ext_rec_presence_vector: int
@@ -120,3 +122,5 @@ class ReportVelocityStateExt(rt.Message):
 _S_HBH = rt.Packer("<HBH")
 _U_1: tuple[type[mobility_v1_0_types.VelocityVehicleXYZRec] | type[mobility_v1_0_types.VelocityLocalXYZRec] | type[mobility_v1_0_types.VelocityNEDRec], ...] = (mobility_v1_0_types.VelocityVehicleXYZRec, mobility_v1_0_types.VelocityLocalXYZRec, mobility_v1_0_types.VelocityNEDRec)
 _T_2: dict[type[rt.Struct], int] = {mobility_v1_0_types.VelocityVehicleXYZRec: 0, mobility_v1_0_types.VelocityLocalXYZRec: 1, mobility_v1_0_types.VelocityNEDRec: 2}
+QueryVelocityState.REPORT = ReportVelocityState
+QueryVelocityStateExt.REPORT = ReportVelocityStateExt

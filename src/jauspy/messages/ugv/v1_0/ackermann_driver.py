@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 
@@ -112,6 +112,7 @@ class QueryAckermannConfiguration(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportAckermannConfiguration]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -233,3 +234,4 @@ _M_SetAckermannConfiguration_pack = rt.Masks("HB", ((0, "H"), (0, "H"), (0, "H")
 _S_H = rt.Packer("<H")
 _R_8 = rt.Scaling(-32.767, 32.768, 65535)
 _R_9 = rt.Scaling(-500.0, 500.0, 65535)
+QueryAckermannConfiguration.REPORT = ReportAckermannConfiguration

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 
@@ -104,6 +104,7 @@ class QueryAnnunciatorState(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportAnnunciatorState]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -128,6 +129,7 @@ class QueryAnnunciatorConfiguration(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportAnnunciatorConfiguration]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -348,3 +350,5 @@ _E_ReportAnnunciatorConfiguration_Backup = rt.members(ReportAnnunciatorConfigura
 _E_ReportAnnunciatorConfiguration_Variable1 = rt.members(ReportAnnunciatorConfiguration.Variable1)
 _E_ReportAnnunciatorConfiguration_Variable2 = rt.members(ReportAnnunciatorConfiguration.Variable2)
 _S_HB = rt.Packer("<HB")
+QueryAnnunciatorState.REPORT = ReportAnnunciatorState
+QueryAnnunciatorConfiguration.REPORT = ReportAnnunciatorConfiguration

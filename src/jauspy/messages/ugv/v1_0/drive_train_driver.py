@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 
@@ -76,6 +76,7 @@ class QueryTransmissionState(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportTransmissionState]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -148,6 +149,7 @@ class QueryTransferCaseState(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportTransferCaseState]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -172,6 +174,7 @@ class QueryTransmissionCapabilities(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportTransmissionCapabilities]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -689,3 +692,6 @@ _E_ReportTransmissionCapabilities_HIGH_AWD = rt.members(ReportTransmissionCapabi
 _E_ReportTransmissionCapabilities_Reserved_For_Future_Use = rt.members(ReportTransmissionCapabilities.Reserved_For_Future_Use)
 _E_ReportTransmissionCapabilities_Reserved_For_User_Defined_Use = rt.members(ReportTransmissionCapabilities.Reserved_For_User_Defined_Use)
 _S_2HB = rt.Packer("<2HB")
+QueryTransmissionState.REPORT = ReportTransmissionState
+QueryTransferCaseState.REPORT = ReportTransferCaseState
+QueryTransmissionCapabilities.REPORT = ReportTransmissionCapabilities

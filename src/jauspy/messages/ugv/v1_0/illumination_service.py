@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 
@@ -19,6 +19,7 @@ class QueryIlluminationState(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportIlluminationState]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -43,6 +44,7 @@ class QueryIlluminationConfiguration(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportIlluminationConfiguration]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -747,3 +749,5 @@ _E_ReportIlluminationConfiguration_HighBeams = rt.members(ReportIlluminationConf
 _E_ReportIlluminationConfiguration_ParkingLights = rt.members(ReportIlluminationConfiguration.ParkingLights)
 _E_ReportIlluminationConfiguration_FogLights = rt.members(ReportIlluminationConfiguration.FogLights)
 _E_ReportIlluminationConfiguration_HazardLights = rt.members(ReportIlluminationConfiguration.HazardLights)
+QueryIlluminationState.REPORT = ReportIlluminationState
+QueryIlluminationConfiguration.REPORT = ReportIlluminationConfiguration

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 
@@ -66,6 +66,7 @@ class QueryOdometry(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportOdometry]]
 
     class Odom(IntEnum):
         """Values of Odom."""
@@ -151,3 +152,4 @@ _S_HB = rt.Packer("<HB")
 _E_QueryOdometry_Odom = rt.members(QueryOdometry.Odom)
 _E_ReportOdometry_Odom = rt.members(ReportOdometry.Odom)
 _S_HBI = rt.Packer("<HBI")
+QueryOdometry.REPORT = ReportOdometry

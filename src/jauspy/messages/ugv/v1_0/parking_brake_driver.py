@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 
@@ -58,6 +58,7 @@ class QueryParkingBrake(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportParkingBrake]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -125,3 +126,4 @@ _S_HB = rt.Packer("<HB")
 _R_1 = rt.Scaling(0.0, 100.0, 255)
 _S_H = rt.Packer("<H")
 _S_H2B = rt.Packer("<H2B")
+QueryParkingBrake.REPORT = ReportParkingBrake

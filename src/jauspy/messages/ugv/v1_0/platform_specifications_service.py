@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 
@@ -18,6 +18,7 @@ class QueryPlatformSpecifications(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportPlatformSpecifications]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -591,3 +592,4 @@ _R_16 = rt.Scaling(0.0, 1000000.0, 4294967295)
 _R_17 = rt.Scaling(0.0, 1.5707963267948966, 65535)
 _U_18: tuple[type[ReportPlatformSpecifications.Skidsteer] | type[ReportPlatformSpecifications.Ackermann], ...] = (ReportPlatformSpecifications.Skidsteer, ReportPlatformSpecifications.Ackermann)
 _T_19: dict[type[rt.Struct], int] = {ReportPlatformSpecifications.Skidsteer: 0, ReportPlatformSpecifications.Ackermann: 1}
+QueryPlatformSpecifications.REPORT = ReportPlatformSpecifications

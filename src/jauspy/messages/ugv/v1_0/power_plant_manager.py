@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 
@@ -348,6 +348,7 @@ class QueryPowerPlantConfiguration(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportPowerPlantConfiguration]]
 
     @dataclass(slots=True, repr=False)
     class PowerPlantID(rt.Struct):
@@ -411,6 +412,7 @@ class QueryPowerPlantCapabilities(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportPowerPlantCapabilities]]
 
     @dataclass(slots=True, repr=False)
     class PowerPlantID(rt.Struct):
@@ -474,6 +476,7 @@ class QueryPowerPlantStatus(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportPowerPlantStatus]]
 
     @dataclass(slots=True, repr=False)
     class PowerPlantID(rt.Struct):
@@ -2179,3 +2182,6 @@ _M_ReportPowerPlantStatus_HydraulicStatus_0 = rt.Masks("", ((1, "H"), (2, "H"), 
 _M_ReportPowerPlantStatus_FuelCellStatus_0 = rt.Masks("", ((1, "H"), (2, "I")))
 _U_35: tuple[type[ReportPowerPlantStatus.GasEngineStatus] | type[ReportPowerPlantStatus.DieselEngineStatus] | type[ReportPowerPlantStatus.BatteryStatus] | type[ReportPowerPlantStatus.HydraulicStatus] | type[ReportPowerPlantStatus.FuelCellStatus], ...] = (ReportPowerPlantStatus.GasEngineStatus, ReportPowerPlantStatus.DieselEngineStatus, ReportPowerPlantStatus.BatteryStatus, ReportPowerPlantStatus.HydraulicStatus, ReportPowerPlantStatus.FuelCellStatus)
 _T_36: dict[type[rt.Struct], int] = {ReportPowerPlantStatus.GasEngineStatus: 0, ReportPowerPlantStatus.DieselEngineStatus: 1, ReportPowerPlantStatus.BatteryStatus: 2, ReportPowerPlantStatus.HydraulicStatus: 3, ReportPowerPlantStatus.FuelCellStatus: 4}
+QueryPowerPlantConfiguration.REPORT = ReportPowerPlantConfiguration
+QueryPowerPlantCapabilities.REPORT = ReportPowerPlantCapabilities
+QueryPowerPlantStatus.REPORT = ReportPowerPlantStatus

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 
@@ -67,6 +67,7 @@ class QuerySkidSteerEffort(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportSkidSteerEffort]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -133,3 +134,4 @@ class ReportSkidSteerEffort(rt.Message):
 _S_3H = rt.Packer("<3H")
 _R_1 = rt.Scaling(-100.0, 100.0, 65535)
 _S_H = rt.Packer("<H")
+QuerySkidSteerEffort.REPORT = ReportSkidSteerEffort

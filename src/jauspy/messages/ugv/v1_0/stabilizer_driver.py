@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import ClassVar, Self
 
 from jauspy.codec import runtime as rt
 
@@ -21,6 +21,7 @@ class QueryStabilizerEffort(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportStabilizerEffort]]
 
     @dataclass(slots=True, repr=False)
     class QueryStabilizerRec(rt.Struct):
@@ -81,6 +82,7 @@ class QueryStabilizerCapabilities(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportStabilizerCapabilities]]
 
     @classmethod
     def _layout(cls) -> rt.Item:
@@ -246,6 +248,7 @@ class QueryStabilizerPosition(rt.Message):
     VERSION = "1.0"
     IS_COMMAND = False
     IS_QUERY = True
+    REPORT: ClassVar[type[ReportStabilizerPosition]]
 
     @dataclass(slots=True, repr=False)
     class QueryStabilizerRec(rt.Struct):
@@ -606,3 +609,6 @@ _R_7 = rt.Scaling(0.0, 3.14159, 65535)
 _R_8 = rt.Scaling(-3.14158, 0.0, 65535)
 _R_9 = rt.Scaling(-32.768, 32.767, 65535)
 _L_H = rt.Rows("H")
+QueryStabilizerEffort.REPORT = ReportStabilizerEffort
+QueryStabilizerCapabilities.REPORT = ReportStabilizerCapabilities
+QueryStabilizerPosition.REPORT = ReportStabilizerPosition

@@ -1,0 +1,104 @@
+"""Publishes clouds, and receives them: nanomsg's PUB and SUB by `pynng`."""
+
+from __future__ import annotations
+
+import importlib
+import secrets
+import time
+from collections import Counter
+from types import ModuleType, TracebackType
+from typing import Any, Final, Self
+
+from jauspy.cloud.message import Cloud, decode
+from jauspy.errors import ConfigError, DecodeError, TransportError
+
+BACKLOG: Final = 8
+"""Messages that wait for a subscriber that does not read; more are lost, and show as gaps in the numbers."""
+MOST_BYTES: Final = 32_000_000
+"""Of a message that a subscriber takes; a million coloured points are 24 MB."""
+
+
+def _pynng() -> ModuleType:
+    try:
+        return importlib.import_module("pynng")
+    except ImportError as error:
+        raise ConfigError("point clouds need pynng: pip install 'jauspy[cloud]'") from error
+
+
+class _Socket:
+    _socket: Any
+
+    def close(self) -> None:
+        """Twice is fine."""
+        self._socket.close()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
+
+class CloudPublisher(_Socket):
+    """Listens at an address as `tcp://127.0.0.1:5565` or `ipc:///tmp/cloud`; any number may subscribe.
+
+    Raises `ConfigError` without pynng, `TransportError` when it cannot listen there.
+    """
+
+    def __init__(self, address: str) -> None:
+        nng = _pynng()
+        self._socket = nng.Pub0(send_buffer_size=BACKLOG)
+        try:
+            self._socket.listen(address)
+        except nng.NNGException as error:
+            self._socket.close()
+            raise TransportError(f"{address}: cannot publish there: {error}") from error
+        self._stream = secrets.randbits(32)
+        self._number = 0
+
+    def publish(self, points: bytes, frame: str, at: float, values: int = 3) -> None:
+        """To all who subscribe now; never waits. `points` and `values` as in `Cloud`; `at` is its time."""
+        self._socket.send(Cloud(points, frame, at, values, self._stream, self._number).encode())
+        self._number += 1
+
+
+class CloudSubscriber(_Socket):
+    """Receives what is published at an address; connects again by itself when the publisher is gone for a while."""
+
+    def __init__(self, address: str) -> None:
+        nng = _pynng()
+        self._timeout = nng.Timeout
+        self._socket = nng.Sub0(topics=b"", recv_buffer_size=BACKLOG, recv_max_size=MOST_BYTES)
+        try:
+            self._socket.dial(address, block=False)
+        except nng.NNGException as error:
+            self._socket.close()
+            raise ConfigError(f"{address}: no address to subscribe to, as in tcp://127.0.0.1:5565: {error}") from error
+        self._last: Cloud | None = None
+        self.counters: Counter[str] = Counter()
+        """Clouds `received`; those `lost` by their numbers; `malformed` messages; `restarts` of the publisher."""
+
+    def receive(self, timeout: float) -> Cloud | None:
+        """The next cloud; None when none comes within so many seconds. What is no cloud is counted and left out."""
+        until = time.monotonic() + timeout
+        while True:
+            self._socket.recv_timeout = max(1, round((until - time.monotonic()) * 1000.0))
+            try:
+                cloud = decode(self._socket.recv())
+            except self._timeout:
+                return None
+            except DecodeError:
+                self.counters["malformed"] += 1
+            else:
+                self._count(cloud)
+                return cloud
+
+    def _count(self, cloud: Cloud) -> None:
+        last, self._last = self._last, cloud
+        self.counters["received"] += 1
+        if last is not None and last.stream != cloud.stream:
+            self.counters["restarts"] += 1
+        elif last is not None:
+            self.counters["lost"] += max(0, cloud.number - last.number - 1)
