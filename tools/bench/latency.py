@@ -71,6 +71,7 @@ async def drive(port: int, samples: int) -> Seen:
                 await driver.send(SetWrenchEffort(propulsive_linear_effort_x=effort))
                 while time.monotonic() < seen.sent[-1][0] + WATCHED:
                     report = await sensor.query(QueryVelocityState(presence_vector=X))
+                    assert report.velocity_x is not None
                     seen.replies.append((time.monotonic(), report.velocity_x))
     return seen
 
