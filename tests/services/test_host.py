@@ -86,7 +86,7 @@ def test_what_no_state_wants_is_counted(robot) -> None:
 
 
 def outgoing(number: int, priority: Priority = Priority.STANDARD) -> Outgoing:
-    return Outgoing(JausID(1, 1, number), QueryStatus(), b"", priority)
+    return Outgoing(JausID(1, 1, number), b"", priority)
 
 
 def test_the_output_queue_drops_the_oldest_of_the_lowest_priority() -> None:

@@ -407,3 +407,38 @@ def test_default_transitions_of_the_machine_come_last_of_all() -> None:
     assert (rig.log, rig.machine.state) == (["a", "b"], "Top.A")
     rig.get("Other")
     assert rig.machine.state == "Top.B"
+
+
+@pytest.mark.parametrize(
+    ("transitions", "found"),
+    [
+        ((on("Ask", do="a"),), True),
+        ((on("Ask", do="a"), on("Ask", do="b", guard="isAllowed()")), True),
+        ((on("Ask", do="b", guard="isAllowed()"), on("Ask", do="a")), False),
+        ((on("Ask", do="a b"),), False),
+        ((on("Ask"),), False),
+        ((on("Other", do="a"),), False),
+        ((on("Ask", "simple", "Next", do="a"),), False),
+    ],
+    ids=["one action", "first wins", "guarded", "two actions", "swallowed", "another message", "changes the state"],
+)
+def test_the_only_step_is_one_action_on_which_nothing_has_a_say(transitions, found) -> None:
+    rig = Rig(definition("S", state("Now", transitions=transitions), state("Next"), start="Now"))
+    step = rig.machine.only_step(CODES["Ask"])
+    assert (step is not None) is found
+    if step is not None:
+        step.call(Trigger(CODES["Ask"]))
+        assert rig.log == ["a"]
+
+
+def test_each_state_has_its_own_only_step() -> None:
+    now = state("Now", transitions=(on("Ask", do="a"), on("Go", "simple", "Next")))
+    later = state("Next", transitions=(on("Ask", do="b"), on("Back", "simple", "Now")))
+    rig = Rig(definition("S", now, later, start="Now"))
+    for move, action in (("", "a"), ("Go", "b"), ("Back", "a")):
+        if move:
+            rig.get(move)
+        step = rig.machine.only_step(CODES["Ask"])
+        assert step is not None
+        step.call(Trigger(CODES["Ask"]))
+        assert rig.log == [action]

@@ -26,6 +26,7 @@ from itertools import pairwise
 from pathlib import Path
 
 import psutil
+from _processes import free_port, node_manager, ready
 
 import jauspy
 from jauspy.codec.base import Message
@@ -64,18 +65,6 @@ async def serve(count: int, root: str) -> None:
     gc.freeze()
     print("ready", flush=True)
     await asyncio.to_thread(sys.stdin.read)
-
-
-@contextmanager
-def process(*command: str) -> Iterator[psutil.Process]:
-    """A child that has said `ready`."""
-    with subprocess.Popen([sys.executable, *command], stdin=-1, stdout=-1, stderr=subprocess.DEVNULL) as child:
-        try:
-            assert child.stdout is not None
-            assert b"ready" in child.stdout.readline()
-            yield psutil.Process(child.pid)
-        finally:
-            child.kill()
 
 
 class Subscriber:
@@ -152,8 +141,7 @@ def measure(count: int, seconds: float, *, direct: bool) -> Result:
         stack.callback(shutil.rmtree, root)
         node = None
         if not direct:
-            options = ("--address", "127.0.0.1", "--port", str(free_port()), "--local-root", str(root))
-            node = stack.enter_context(process("-m", "jauspy.cli.main", "node-manager", *options))
+            node = psutil.Process(stack.enter_context(ready(*node_manager(str(root), free_port()))).pid)
         subscriber = Subscriber(root, direct=direct)
         stack.callback(subscriber.close)
         few = memory(1, root, subscriber)
@@ -192,13 +180,6 @@ def start(count: int, root: Path, subscriber: Subscriber) -> Iterator[psutil.Pro
             yield psutil.Process(child.pid)
         finally:
             child.kill()
-
-
-def free_port() -> int:
-    """A UDP port that nobody has."""
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sock:
-        sock.bind(("127.0.0.1", 0))
-        return int(sock.getsockname()[1])
 
 
 def cpu(child: psutil.Process | None) -> float:

@@ -19,6 +19,7 @@ from jauspy.protocol.delivery import Delivery
 from jauspy.protocol.endpoint import Endpoint
 from jauspy.protocol.header import Ack, Broadcast, Packet, Priority
 from jauspy.services.host import Host
+from jauspy.services.outbox import Outgoing
 from jauspy.transport.base import Transport
 
 _LOG: Final = logging.getLogger("jauspy.component")
@@ -224,8 +225,9 @@ class Shell:
         self._schedule(self._loop)
 
     def _flush_output(self) -> None:
-        for each in self.host.poll_output(self._clock()):
-            self._pack(each.destination, each.payload, each.priority, each.broadcast)
+        now = self._clock()
+        for each in self.host.poll_output(now):
+            self._pack(each, now)
         self._transmit()
 
     def _move(self) -> TransportError | None:
@@ -246,9 +248,10 @@ class Shell:
         self._flush_output()
         return None
 
-    def _pack(self, destination: JausID, payload: bytes, priority: Priority, broadcast: Broadcast) -> None:
+    def _pack(self, outgoing: Outgoing, now: float) -> None:
+        destination, payload, priority, broadcast = outgoing
         try:
-            self._endpoint.send(destination, payload, now=self._clock(), priority=priority, broadcast=broadcast)
+            self._endpoint.send(destination, payload, now=now, priority=priority, broadcast=broadcast)
         except ProtocolError as error:
             reason = f"unsendable.{error.reason}"
             if not self._errors[reason]:

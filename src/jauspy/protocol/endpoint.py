@@ -68,7 +68,9 @@ class Endpoint:
         if large or ack is Ack.REQUIRED:
             ticket = self._transfers.start(Packet(self.id, destination, payload, 0, priority, broadcast, ack), now)
         else:
-            self._emit(Packet(self.id, destination, payload, self._reserve(1), priority, broadcast, ack))
+            control = priority | broadcast << 2 | ack << 4
+            datagram = header.pack_alone(int(self.id), int(destination), control, payload, self._reserve(1))
+            self._push(self._output, datagram, "output_full")
         self.counters["sent"] += 1
         return ticket if ack is Ack.REQUIRED else None
 

@@ -40,13 +40,14 @@ class Agenda:
 
     def put(self, trigger: Trigger, completion: Completion | None = None) -> None:
         """Handle this as soon as what happens now is done; when too much waits, it is dropped."""
-        if len(self._waiting) >= MAX_WAITING:
-            self._drop(trigger, completion)
-            return
-        self._waiting.append((trigger, completion))
         if not self._busy:
             self._busy = True
+            self._handle(trigger, completion)
             self._settle()
+        elif len(self._waiting) < MAX_WAITING:
+            self._waiting.append((trigger, completion))
+        else:
+            self._drop(trigger, completion)
 
     def begin_command(self) -> Completion:
         """What is being handled takes time, and ends when this is called; nobody may wait for that."""

@@ -138,12 +138,16 @@ class Binder:
         make = self._by_name(method, literals, f"{where}: Send of {message}", quoted=False)
         reply = self._reply
 
-        def send(trigger: Trigger) -> None:
-            report = make(trigger)
-            if report is not None:
-                reply(_checked(report, message, method), trigger, to_source)
+        def report(trigger: Trigger) -> Message | None:
+            made = make(trigger)
+            return None if made is None else _checked(made, message, method)
 
-        return Step(f"{where}, Send {message}", send, sends=True)
+        return Step(
+            f"{where}, Send {message}",
+            lambda trigger: reply(report(trigger), trigger, to_source),
+            sends=True,
+            report=report if to_source else None,
+        )
 
     def _line(self, owner: model.Service) -> Iterator[model.Service]:
         """The definition and its ancestors, nearest first."""

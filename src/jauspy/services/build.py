@@ -27,18 +27,15 @@ class Built:
     services: Mapping[str, Service]
     definitions: Mapping[str, Definition]
     machines: Mapping[str, Machine]
+    receiver: Machine | None
+    """The machine for messages, and for internal events that no machine names."""
     inputs: Mapping[int, type[Message]]
-    events: Mapping[str, Machine]
+    events: Mapping[Key, Machine]
+    """The machine that each internal event is for."""
     event_names: frozenset[str]
     """The internal events that the definitions have, whether a transition waits for them or not."""
     queries: frozenset[int]
     """Codes of messages that are answered without a change of state."""
-
-    def route(self, key: Key) -> Machine | None:
-        """The machine that a message or an internal event is for; default transitions are the receiving machine's."""
-        if isinstance(key, str) and key in self.events:
-            return self.events[key]
-        return self.machines.get("ReceiveFSM")
 
 
 def build(services: Iterable[Service], schema: Schema | None, registry: Registry, reply: Reply, bugs: Bugs) -> Built:
@@ -55,12 +52,15 @@ def build(services: Iterable[Service], schema: Schema | None, registry: Registry
     starts = {name: start_of(root, name, list(definitions.values())) for name, root in roots.items()}
     machines = {name: Machine(states, starts[name], bugs) for name, states in bound.items()}
     rules = [(rule, name) for name, states in bound.items() for rule in _rules(states.values())]
-    events = {rule.key: machines[name] for rule, name in rules if isinstance(rule.key, str)}
+    events: dict[Key, Machine] = {rule.key: machines[name] for rule, name in rules if isinstance(rule.key, str)}
     received = {rule.key for rule, _ in rules if isinstance(rule.key, int)}
     queries = frozenset(rule.key for rule, _ in rules if isinstance(rule.key, int) and _answers(rule))
     inputs = _inputs(definitions.values(), received, registry)
-    names = frozenset(event.name for each in definitions.values() for event in each.internal_events) | events.keys()
-    return Built(all_services, definitions, machines, inputs, events, names - {ANY_MESSAGE, ANY_TRIGGER}, queries)
+    names = {event.name for each in definitions.values() for event in each.internal_events}
+    names |= {key for key in events if isinstance(key, str) and key not in (ANY_MESSAGE, ANY_TRIGGER)}
+    return Built(
+        all_services, definitions, machines, machines.get("ReceiveFSM"), inputs, events, frozenset(names), queries
+    )
 
 
 def _rules(states: Iterable[BoundState]) -> Iterable[Rule]:

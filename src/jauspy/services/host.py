@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import logging
 from collections import Counter
 from collections.abc import Callable, Hashable, Iterable, Mapping
 from datetime import datetime
-from typing import TYPE_CHECKING, Any, Final, Literal, TypeVar
+from typing import TYPE_CHECKING, Any, Literal, TypeVar
 
 from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
-from jauspy.errors import ConfigError, DecodeError, EncodeError
+from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.protocol.header import Broadcast, Priority
 from jauspy.schema.model import Schema, Service as Definition
@@ -21,10 +20,12 @@ from jauspy.services.core.access_control import AccessControl
 from jauspy.services.core.management import Management
 from jauspy.services.core.time import Time
 from jauspy.services.definitions import registry_for
+from jauspy.services.drops import Drops
+from jauspy.services.inputs import Inputs
 from jauspy.services.isolation import Bugs
 from jauspy.services.machine import Outcome
 from jauspy.services.outbox import Outbox, Outgoing
-from jauspy.services.presence import mask
+from jauspy.services.sending import Sending, as_asked
 from jauspy.services.service import Service
 from jauspy.services.timers import Timers
 from jauspy.services.trigger import Trigger
@@ -33,10 +34,6 @@ if TYPE_CHECKING:
     from jauspy.messages.core import ReportStatus
 
 S = TypeVar("S", bound=Service)
-
-_LOG: Final = logging.getLogger("jauspy.services")
-_SENDING: Final = {Broadcast.NONE: "Send", Broadcast.LOCAL: "BroadcastLocal", Broadcast.GLOBAL: "BroadcastGlobal"}
-"""The internal events of Transport."""
 
 
 class Host:
@@ -67,15 +64,16 @@ class Host:
         """The id that the component asks its shell for."""
         self.counters: Counter[str] = Counter()
         self._outbox = Outbox(max_output, self.counters)
-        self._captured: list[Outgoing] | None = None
+        self._drops = Drops(self.counters, lambda: self.id)
         self._timers = Timers()
         self._agenda = Agenda(self._dispatch, lambda trigger: self.count("event_dropped", f"{trigger.key}"))
-        self._logged: set[str] = set()
         self._bugs = Bugs(self.counters, self._fail if on_action_error == "failure" else lambda: None)
+        self._sending = Sending(self._dispatch, self._bugs, self.counters)
         self._found: dict[type[Service], Service | None] = {}
         given = list(services)
-        self._registry = registry or registry_for(given)
-        self._built: Built = build(given, schema, self._registry, self._reply, self._bugs)
+        registry = registry or registry_for(given)
+        self._built: Built = build(given, schema, registry, self._reply, self._bugs)
+        self._inputs = Inputs(self._built.inputs, registry, self.count)
         for service in self.services:
             service.host = self
         for service in self.services:
@@ -95,7 +93,7 @@ class Host:
         due = self._timers.next()
         if due is not None and due < now:
             self.handle_timeout(now)
-        message = self._decoded(payload, source)
+        message = self._inputs.decode(payload, source)
         if message is not None:
             self.counters["received"] += 1
             if self._agenda.run(Trigger(message.CODE, message, source)) is Outcome.IGNORED:
@@ -200,30 +198,15 @@ class Host:
         broadcast: Broadcast = Broadcast.NONE,
     ) -> None:
         """Send a message; one that cannot be encoded is a bug: it is logged, counted and not sent."""
-        try:
-            payload = message.encode()
-        except EncodeError as error:
-            self.counters["unencodable"] += 1
-            self._bugs.met(f"encoding {message.NAME}", Trigger("send", message), error)
-            return
-        outgoing = Outgoing(destination, message, payload, priority, broadcast)
-        if self._captured is not None:
-            self._captured.append(outgoing)  # it is only asked for, so the machine that sends has no part in it
-        else:
-            self._dispatch(Trigger(_SENDING[broadcast], outgoing))
+        self._sending.send(destination, message, priority, broadcast)
 
     def output(self, outgoing: Outgoing) -> None:
         """Queue an encoded message; only the Transport service calls this."""
         self._outbox.put(outgoing)
 
-    def ask(self, query: Message, source: JausID) -> tuple[Outcome, Outgoing | None]:
+    def ask(self, query: Message, source: JausID) -> tuple[Outcome, bytes | None]:
         """What the component would answer `source` now; nothing is sent, and the state cannot change."""
-        outer, self._captured = self._captured, []
-        try:
-            outcome = self._built.machines["ReceiveFSM"].ask(Trigger(query.CODE, query, source))
-            return outcome, next((each for each in self._captured if each.destination == source), None)
-        finally:
-            self._captured = outer
+        return self._sending.answer(self._built.machines["ReceiveFSM"], Trigger(query.CODE, query, source))
 
     def fire(self, event: str, msg: Any = None, source: JausID | None = None) -> None:
         """Raise an internal event of the JSIDL; handled as soon as what happens now is done.
@@ -265,15 +248,7 @@ class Host:
 
     def read(self, content: Message | bytes) -> Message | None:
         """A message inside another one as an input of this component; None when it is not one."""
-        if isinstance(content, Message):
-            if self._built.inputs.get(content.CODE) is type(content):
-                return content
-            content = content.encode(strict=False)
-        kind = self._built.inputs.get(int.from_bytes(content[:2], "little"))
-        try:
-            return self._registry.decode_as(kind, content) if kind and len(content) >= 2 else None
-        except DecodeError:
-            return None
+        return self._inputs.read(content)
 
     def is_query(self, message: Message) -> bool:
         """True for an input that is no command and is answered, whatever its code: messages of users have any."""
@@ -281,10 +256,7 @@ class Host:
 
     def count(self, reason: str, detail: str) -> None:
         """Count something dropped; logged at DEBUG the first time."""
-        self.counters[reason] += 1
-        if reason not in self._logged:
-            self._logged.add(reason)
-            _LOG.debug("%s: first %s: %s", self.id, reason, detail)
+        self._drops.count(reason, detail)
 
     # --- inside ---------------------------------------------------------------------------------------------------
 
@@ -300,31 +272,8 @@ class Host:
         if "Failure" in self._built.event_names and "Failure" not in self.path:
             self.fire("Failure")
 
-    def _decoded(self, payload: bytes, source: JausID) -> Message | None:
-        if source.is_wildcard:
-            self.count("bad_source", str(source))
-        elif len(payload) < 2:
-            self.count("too_short", payload.hex())
-        elif (kind := self._built.inputs.get(int.from_bytes(payload[:2], "little"))) is None:
-            self.count("unknown_message", payload[:2].hex())
-        else:
-            try:
-                return self._registry.decode_as(kind, payload)
-            except DecodeError as error:
-                return self._forgiven(kind, payload, f"from {source}: {error}")
-        return None
-
-    def _forgiven(self, kind: type[Message], payload: bytes, detail: str) -> Message | None:
-        """Understand values that are merely outside of their sets: an emergency is one, whatever its code."""
-        message, deviations = self._registry.decode_as(kind, payload, strict=False)
-        if any(deviation.lost for deviation in deviations):
-            self.count(f"malformed_{kind.NAME}", detail)
-            return None
-        self.count(f"deviating_{kind.NAME}", detail)
-        return message
-
     def _dispatch(self, trigger: Trigger) -> Outcome:
-        machine = self._built.route(trigger.key)
+        machine = self._built.events.get(trigger.key) or self._built.receiver
         return machine.handle(trigger) if machine else Outcome.IGNORED
 
     def _reply(self, result: object, trigger: Trigger, to_source: bool) -> None:
@@ -336,6 +285,4 @@ class Host:
         if destination is None:
             self.count("nobody_to_send_to", result.NAME)
             return
-        if isinstance(trigger.msg, Message) and not trigger.msg.IS_COMMAND:
-            result = mask(result, trigger.msg)
-        self.send(destination, result)
+        self.send(destination, as_asked(result, trigger))

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import Final, Literal
 
+from jauspy.codec.base import Message
 from jauspy.services.isolation import Bugs
 from jauspy.services.tree import StateNode
 from jauspy.services.trigger import ANY_MESSAGE, ANY_TRIGGER, STAY, Key, Trigger
@@ -24,6 +25,8 @@ class Step:
     call: Callable[[Trigger], object]
     sends: bool = False
     """True for `Send`: a message goes out."""
+    report: Callable[[Trigger], Message | None] | None = None
+    """For a `Send` to who asked: what makes the message."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,7 +69,8 @@ class Machine:
         self._bugs = bugs
         self._active = start
         self._pushed: deque[StateNode] = deque(maxlen=MAX_PUSHED)
-        self._candidates: dict[tuple[StateNode, Key], tuple[Rule, ...]] = {}
+        self._candidates: dict[StateNode, dict[Key, tuple[Rule, ...]]] = {node: {} for node in states}
+        self._only: dict[StateNode, dict[Key, Step | None]] = {node: {} for node in states}
 
     @property
     def state(self) -> str:
@@ -99,25 +103,32 @@ class Machine:
             return Outcome.IGNORED
         return self._apply(rule, trigger)
 
+    def only_step(self, key: Key) -> Step | None:
+        """The whole answer to every trigger with this key while the present state lasts; None: more has a say in it.
+
+        That is one action of an internal transition without a guard. Found once for each state.
+        """
+        known = self._only[self._active]
+        if key not in known:
+            first = next(iter(self._rules(key)), None)
+            plain = first is not None and first.guard is None and first.kind == "internal" and len(first.steps) == 1
+            known[key] = first.steps[0] if first is not None and plain else None
+        return known[key]
+
     def _select(self, trigger: Trigger) -> Rule | None:
-        for rule in self._rules(trigger.key):
-            if rule.guard is None or self._holds(rule, rule.guard, trigger):
-                return rule
+        rules = self._candidates[self._active].get(trigger.key)
+        for rule in self._rules(trigger.key) if rules is None else rules:
+            try:
+                if rule.guard is None or rule.guard(trigger):
+                    return rule
+            except Exception as error:  # noqa: BLE001 - any bug of a service
+                self._bugs.met(f"guard of {rule.name}", trigger, error)
         return None
 
-    def _holds(self, rule: Rule, guard: Callable[[Trigger], bool], trigger: Trigger) -> bool:
-        try:
-            return guard(trigger)
-        except Exception as error:  # noqa: BLE001 - any bug of a service
-            self._bugs.met(f"guard of {rule.name}", trigger, error)
-            return False
-
     def _rules(self, key: Key) -> tuple[Rule, ...]:
-        found = self._candidates.get((self._active, key))
-        if found is None:
-            keys = (key, ANY_MESSAGE, ANY_TRIGGER) if isinstance(key, int) else (key, ANY_TRIGGER)
-            found = tuple(rule for rule in self._in_order() if rule.key in keys)
-            self._candidates[self._active, key] = found
+        """The rules of the active state for a key; they are sought once in each state."""
+        keys = (key, ANY_MESSAGE, ANY_TRIGGER) if isinstance(key, int) else (key, ANY_TRIGGER)
+        found = self._candidates[self._active][key] = tuple(rule for rule in self._in_order() if rule.key in keys)
         return found
 
     def _in_order(self) -> Iterable[Rule]:

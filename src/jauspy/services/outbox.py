@@ -5,16 +5,14 @@ from __future__ import annotations
 from collections import Counter, deque
 from typing import NamedTuple
 
-from jauspy.codec.base import Message
 from jauspy.ids import JausID
 from jauspy.protocol.header import Broadcast, Priority
 
 
 class Outgoing(NamedTuple):
-    """One message on its way out; `payload` is `message`, encoded."""
+    """One encoded message on its way out."""
 
     destination: JausID
-    message: Message
     payload: bytes
     priority: Priority = Priority.STANDARD
     broadcast: Broadcast = Broadcast.NONE

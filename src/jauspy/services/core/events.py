@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any, Final, TypeAlias
-
-from jauspy.codec.base import Message
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages.core import (
@@ -12,42 +9,26 @@ from jauspy.messages.core import (
     ConfirmEventRequest,
     CreateCommandEvent,
     CreateEvent,
-    Event,
     EventTypeRec,
     QueryEvents,
-    RejectEventRequest,
     ReportEvents,
     ReportEventTimeout,
-    UpdateEvent,
 )
-from jauspy.services.core.command_events import CommandEvents, encoded
+from jauspy.services.core.event_reports import EventReports
+from jauspy.services.core.event_requests import EventRequests, Request, Setup
 from jauspy.services.core.rates import Rates
-from jauspy.services.core.subscriptions import Entry, Subscription, Subscriptions
-from jauspy.services.machine import Outcome
-
-PERIODIC: Final = 0
-EVERY_CHANGE: Final = 1
-FIRST_CHANGE: Final = 2
-ONE_TIME: Final = 3
-_KINDS: Final = frozenset({PERIODIC, EVERY_CHANGE})
-_MORE_KINDS: Final = frozenset({FIRST_CHANGE, ONE_TIME})
-
-# Response codes of RejectEventRequest (AS5710)
-NO_PERIODIC: Final = 1
-NO_CHANGE: Final = 2
-REFUSED: Final = 3
-INVALID_SETUP: Final = 4
-NOT_SUPPORTED: Final = 5
-UNKNOWN_EVENT: Final = 6
-
-MAX_QUERY: Final = 4096
-"""Bytes of a query that a subscription may hold."""
-
-Request: TypeAlias = CreateEvent | UpdateEvent | CancelEvent
-Setup: TypeAlias = CreateEvent | UpdateEvent
+from jauspy.services.core.subscriptions import (
+    EVERY_CHANGE,
+    KINDS,
+    MORE_KINDS,
+    PERIODIC,
+    Entry,
+    Subscription,
+    Subscriptions,
+)
 
 
-class Events(CommandEvents, urn="urn:jaus:jss:core:Events", private=True):
+class Events(EventReports, EventRequests, urn="urn:jaus:jss:core:Events", private=True):
     """Subscriptions to any query that the component answers, and to the end of any command that it takes.
 
     `min_rate` and `max_rate` (Hz) bound periodic events, `max_change_rate` how often every-change events look for a
@@ -73,62 +54,13 @@ class Events(CommandEvents, urn="urn:jaus:jss:core:Events", private=True):
         self.rates = Rates(min_rate, max_rate, max_change_rate)
         self.timeout = timeout
         self.subscriptions = Subscriptions(limit, limit_per_client)
-        self._kinds = _KINDS | _MORE_KINDS if more_kinds else _KINDS
+        self._kinds = KINDS | MORE_KINDS if more_kinds else KINDS
         self._current: Entry | None = None
 
     def leaving(self) -> None:
         """Clients know events by the id of the component: all end, and their clients are told."""
         for each in self.subscriptions.all():
             self.host.fire("Timeout", each, each.client)
-
-    # --- predicates
-
-    def is_supported(self, msg: Setup, source: JausID) -> bool:
-        """The event can be set up as asked for."""
-        return self._refusal(msg, source) is None
-
-    def event_exists(self, msg: Request | CreateCommandEvent | Entry, source: JausID) -> bool:
-        """The client has this event."""
-        return self._find(msg, source) is not None
-
-    def _find(self, msg: Any, source: JausID) -> Entry | None:
-        if isinstance(msg, Entry):
-            return msg if self.subscriptions.holds(msg) else None
-        if msg.CODE == CreateEvent.CODE:
-            return self.subscriptions.same(source, msg.event_type, encoded(msg.query_message))
-        if msg.CODE == CreateCommandEvent.CODE:
-            return self._find_command(msg, source)
-        found = self.subscriptions.find(msg.event_id, source)
-        return found if msg.CODE == CancelEvent.CODE or isinstance(found, Subscription) else None
-
-    def _refusal(self, msg: Setup, source: JausID) -> int | None:
-        """Why the event cannot be set up as asked for: a response code, None when it can."""
-        if (kind := self._refused_kind(msg)) is not None:
-            return kind
-        query = self.host.read(msg.query_message)
-        if query is None or not self.host.is_query(query):
-            return NOT_SUPPORTED
-        if msg.event_type == PERIODIC and msg.requested_periodic_rate <= 0:
-            return INVALID_SETUP
-        is_new = msg.CODE == CreateEvent.CODE and self._find(msg, source) is None
-        if len(encoded(msg.query_message)) > MAX_QUERY or (is_new and self.subscriptions.full_for(source)):
-            return REFUSED
-        return None
-
-    def _refused_kind(self, msg: Setup) -> int | None:
-        if msg.event_type not in self._kinds:
-            return INVALID_SETUP
-        if msg.event_type == PERIODIC and not self.rates.highest:
-            return NO_PERIODIC
-        if msg.event_type in (EVERY_CHANGE, FIRST_CHANGE) and not self.rates.change:
-            return NO_CHANGE
-        return None
-
-    def _query(self, msg: Setup) -> Message:
-        """The query of a request that `is_supported` has let through."""
-        query = self.host.read(msg.query_message)
-        assert query is not None
-        return query
 
     # --- actions
 
@@ -165,11 +97,6 @@ class Events(CommandEvents, urn="urn:jaus:jss:core:Events", private=True):
         for entry in self.subscriptions.of(client):
             self._end(entry)
 
-    def _end(self, entry: Entry) -> None:
-        self.subscriptions.remove(entry)
-        for timer in ("event", "event timeout", "command"):
-            self.host.cancel_timer((timer, entry.id))
-
     def reset_event_timer(self) -> None:
         """The event has its full time again."""
         current = self._current
@@ -183,42 +110,6 @@ class Events(CommandEvents, urn="urn:jaus:jss:core:Events", private=True):
     def stop_event_timer(self) -> None:
         """The event that ended does not time out any more: `cancel_event` has seen to that."""
 
-    def send_event(self, msg: Subscription) -> None:
-        """Report to the subscriber what the component would answer it now; on change, only what is new to it."""
-        outcome, answer = self.host.ask(msg.query, msg.client)
-        if outcome is Outcome.FAILED:
-            self.host.fire("EventError", msg, msg.client)
-        if answer is None or not _is_due(msg, answer.payload):
-            return
-        self.host.send(msg.client, Event(event_id=msg.id, sequence_number=msg.sequence, report_message=answer.payload))
-        msg.sequence = msg.sequence + 1 & 0xFF
-        if msg.kind in _MORE_KINDS:
-            self._end(msg)
-
-    def send_reject_event_request(self, msg: Subscription) -> None:
-        """The report has a bug, so the event ends, and its client is told that."""
-        self.host.send(msg.client, RejectEventRequest(request_id=msg.request_id, response_code=NOT_SUPPORTED))
-        self._end(msg)
-
-    # --- time
-
-    def _set_rate(self, subscription: Subscription, asked: float) -> None:
-        if subscription.kind == PERIODIC:
-            subscription.confirmed = self.rates.periodic(asked)
-        else:
-            subscription.confirmed = self.rates.on_change(asked)
-        subscription.period = 1.0 / (subscription.confirmed or self.rates.change or self.rates.highest or 1.0)
-
-    def _schedule(self, subscription: Subscription) -> None:
-        self.host.set_timer(("event", subscription.id), subscription.due, lambda: self._tick(subscription))
-
-    def _tick(self, subscription: Subscription) -> None:
-        # From due time to due time, so that the rate does not drift; after a stall what was missed is left out.
-        missed = max(0, int((self.host.now - subscription.due) / subscription.period))
-        subscription.due += (missed + 1) * subscription.period
-        self._schedule(subscription)
-        self.host.fire("EventOccurred", subscription, subscription.client)
-
     # --- reports
 
     def confirm_event_request(self, msg: Request | CreateCommandEvent | Entry) -> ConfirmEventRequest | None:
@@ -228,17 +119,6 @@ class Events(CommandEvents, urn="urn:jaus:jss:core:Events", private=True):
             return None
         rate = current.confirmed if isinstance(current, Subscription) else 0.0
         return ConfirmEventRequest(request_id=msg.request_id, event_id=current.id, confirmed_periodic_rate=rate)
-
-    def reject_event_request(self, msg: Request | CreateCommandEvent, source: JausID) -> RejectEventRequest:
-        """Why not."""
-        return RejectEventRequest(request_id=msg.request_id, response_code=self._reason(msg, source))
-
-    def _reason(self, msg: Any, source: JausID) -> int:
-        if msg.CODE == CreateCommandEvent.CODE:
-            return NOT_SUPPORTED if self._command(msg) is None else REFUSED
-        if msg.CODE != CreateEvent.CODE and self._find(msg, source) is None:
-            return UNKNOWN_EVENT
-        return self._refusal(msg, source) or NOT_SUPPORTED
 
     def report_events(self, query: QueryEvents, source: JausID) -> ReportEvents:
         """The client's own events that report: all, or by id, kind or query message."""
@@ -258,14 +138,6 @@ class Events(CommandEvents, urn="urn:jaus:jss:core:Events", private=True):
     def report_event_timeout(self) -> ReportEventTimeout:
         """Minutes, 0 when events do not time out."""
         return ReportEventTimeout(timeout=self.timeout)
-
-
-def _is_due(subscription: Subscription, report: bytes) -> bool:
-    """True when the subscriber wants this report; remembers what it has then."""
-    if subscription.kind in (PERIODIC, ONE_TIME):
-        return True
-    before, subscription.last = subscription.last, report
-    return report != before and not (subscription.kind == FIRST_CHANGE and before is None)
 
 
 def _matches(subscription: Subscription, query: QueryEvents) -> bool:

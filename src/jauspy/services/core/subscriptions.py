@@ -4,9 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Final
 
 from jauspy.codec.base import Message
 from jauspy.ids import JausID
+
+PERIODIC: Final = 0
+EVERY_CHANGE: Final = 1
+FIRST_CHANGE: Final = 2
+ONE_TIME: Final = 3
+KINDS: Final = frozenset({PERIODIC, EVERY_CHANGE})
+MORE_KINDS: Final = frozenset({FIRST_CHANGE, ONE_TIME})
+"""Kinds of event that AS5710 has no numbers for."""
 
 
 @dataclass(slots=True, eq=False)

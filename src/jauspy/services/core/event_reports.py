@@ -1,0 +1,74 @@
+"""When an event is due, and what its client is sent then."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from jauspy.messages.core import Event, RejectEventRequest
+from jauspy.services.core.rates import Rates
+from jauspy.services.core.subscriptions import (
+    FIRST_CHANGE,
+    MORE_KINDS,
+    ONE_TIME,
+    PERIODIC,
+    Entry,
+    Subscription,
+    Subscriptions,
+)
+from jauspy.services.machine import Outcome
+from jauspy.services.service import Service
+
+
+class EventReports(Service):
+    """The part of Events that reports."""
+
+    rates: Rates
+    subscriptions: Subscriptions
+
+    def send_event(self, msg: Subscription) -> None:
+        """Report to the subscriber what the component would answer it now; on change, only what is new to it."""
+        outcome, answer = self.host.ask(msg.query, msg.client)
+        if outcome is Outcome.FAILED:
+            self.host.fire("EventError", msg, msg.client)
+        if answer is None or not _is_due(msg, answer):
+            return
+        self.host.send(msg.client, Event(event_id=msg.id, sequence_number=msg.sequence, report_message=answer))
+        msg.sequence = msg.sequence + 1 & 0xFF
+        if msg.kind in MORE_KINDS:
+            self._end(msg)
+
+    def send_reject_event_request(self, msg: Subscription) -> None:
+        """The report has a bug, so the event ends, and its client is told that."""
+        code = RejectEventRequest.ResponseCode.MESSAGE_NOT_SUPPORTED
+        self.host.send(msg.client, RejectEventRequest(request_id=msg.request_id, response_code=code))
+        self._end(msg)
+
+    def _set_rate(self, subscription: Subscription, asked: float) -> None:
+        if subscription.kind == PERIODIC:
+            subscription.confirmed = self.rates.periodic(asked)
+        else:
+            subscription.confirmed = self.rates.on_change(asked)
+        subscription.period = 1.0 / (subscription.confirmed or self.rates.change or self.rates.highest or 1.0)
+
+    def _schedule(self, subscription: Subscription) -> None:
+        self.host.set_timer(("event", subscription.id), subscription.due, partial(self._tick, subscription))
+
+    def _tick(self, subscription: Subscription) -> None:
+        # From due time to due time, so that the rate does not drift; after a stall what was missed is left out.
+        missed = max(0, int((self.host.now - subscription.due) / subscription.period))
+        subscription.due += (missed + 1) * subscription.period
+        self._schedule(subscription)
+        self.host.fire("EventOccurred", subscription, subscription.client)
+
+    def _end(self, entry: Entry) -> None:
+        self.subscriptions.remove(entry)
+        for timer in ("event", "event timeout", "command"):
+            self.host.cancel_timer((timer, entry.id))
+
+
+def _is_due(subscription: Subscription, report: bytes) -> bool:
+    """True when the subscriber wants this report; remembers what it has then."""
+    if subscription.kind in (PERIODIC, ONE_TIME):
+        return True
+    before, subscription.last = subscription.last, report
+    return report != before and not (subscription.kind == FIRST_CHANGE and before is None)

@@ -1,0 +1,83 @@
+"""What services say: encoded, then sent by the machine of Transport; or kept for the one who only asked."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable
+from typing import Final
+
+from jauspy.codec.base import Message
+from jauspy.errors import EncodeError
+from jauspy.ids import JausID
+from jauspy.protocol.header import Broadcast, Priority
+from jauspy.services.isolation import Bugs
+from jauspy.services.machine import Machine, Outcome, Step
+from jauspy.services.outbox import Outgoing
+from jauspy.services.presence import mask
+from jauspy.services.trigger import Trigger
+
+_EVENTS: Final = ("Send", "BroadcastLocal", "BroadcastGlobal")
+"""The internal events of Transport, by `Broadcast`."""
+
+
+class Sending:
+    """Encodes messages and hands them to `dispatch`."""
+
+    def __init__(self, dispatch: Callable[[Trigger], Outcome], bugs: Bugs, counters: Counter[str]) -> None:
+        self._dispatch = dispatch
+        self._bugs = bugs
+        self._counters = counters
+        self._kept: list[Outgoing] | None = None
+
+    def send(self, destination: JausID, message: Message, priority: Priority, broadcast: Broadcast) -> None:
+        """Send a message; one that cannot be encoded is a bug: it is logged, counted and not sent."""
+        payload = self._encoded(message)
+        if payload is None:
+            return
+        outgoing = Outgoing(destination, payload, priority, broadcast)
+        if self._kept is not None:
+            self._kept.append(outgoing)  # it is only asked for, so the machine that sends has no part in it
+        else:
+            self._dispatch(Trigger(_EVENTS[broadcast], outgoing))
+
+    def answer(self, machine: Machine, trigger: Trigger) -> tuple[Outcome, bytes | None]:
+        """What becomes of a query, and the first message that its source would be sent for it; nothing is sent."""
+        outer, self._kept = self._kept, []
+        try:
+            step = machine.only_step(trigger.key)
+            if step is None or step.report is None:
+                outcome, report = machine.ask(trigger), None
+            else:
+                outcome, report = self._made(step, step.report, trigger)
+            for each in self._kept:
+                if each.destination == trigger.source:
+                    return outcome, each.payload
+            return outcome, report
+        finally:
+            self._kept = outer
+
+    def _made(
+        self, step: Step, make: Callable[[Trigger], Message | None], trigger: Trigger
+    ) -> tuple[Outcome, bytes | None]:
+        """The short cut of most queries: the report itself, not what a machine does to send it."""
+        try:
+            report = make(trigger)
+            answer = None if report is None else self._encoded(as_asked(report, trigger))
+        except Exception as error:  # noqa: BLE001 - any bug of a service
+            self._bugs.met(step.name, trigger, error)
+            return Outcome.FAILED, None
+        return Outcome.TAKEN, answer
+
+    def _encoded(self, message: Message) -> bytes | None:
+        try:
+            return message.encode()
+        except EncodeError as error:
+            self._counters["unencodable"] += 1
+            self._bugs.met(f"encoding {message.NAME}", Trigger("send", message), error)
+            return None
+
+
+def as_asked(report: Message, trigger: Trigger) -> Message:
+    """The report with what the query that triggered it asks for; all of it when something else did."""
+    asked = trigger.msg
+    return mask(report, asked) if isinstance(asked, Message) and not asked.IS_COMMAND else report
