@@ -32,7 +32,20 @@ def ffmpeg(folder: Path, port: int, _: VideoSettings) -> list[str]:
     sdp.write_text(session("test", "127.0.0.1", port), newline="")
     quick = ["-nostdin", "-loglevel", "error", "-fflags", "nobuffer", "-flags", "low_delay"]
     source = ["-protocol_whitelist", "file,udp,rtp", "-i", str(sdp)]
-    return ["ffmpeg", *quick, *source, "-fps_mode", "passthrough", "-f", "rawvideo", "-pix_fmt", "gray", "-"]
+    return [
+        "ffmpeg",
+        *quick,
+        *source,
+        "-fps_mode",
+        "passthrough",
+        "-enc_time_base",
+        "1:90000",
+        "-f",
+        "rawvideo",
+        "-pix_fmt",
+        "gray",
+        "-",
+    ]
 
 
 def gstreamer(_: Path, port: int, settings: VideoSettings) -> list[str]:
