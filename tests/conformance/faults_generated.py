@@ -17,7 +17,7 @@ from tests.conformance.mistakes import (
 )
 
 from jauspy.messages import core, mobility
-from jauspy.services import host
+from jauspy.services import sending
 from jauspy.services.core import AccessControl, Events, Management
 
 READY, STANDBY = "Controlled.Available.Ready", "Controlled.Available.Standby"
@@ -97,11 +97,13 @@ GENERATED: Final = (
         f"{STANDBY}/SetElement/pilot/after-an-unknown-one",
         instead(core.RejectElementRequest, lambda message: core.ConfirmElementRequest(message.request_id)),
     ),
-    core_fault("time ignores the presence vector", f"{FREE}/QueryTime/rival/no-fields", patched(host, mask=unmasked)),
+    core_fault(
+        "time ignores the presence vector", f"{FREE}/QueryTime/rival/no-fields", patched(sending, mask=unmasked)
+    ),
     core_fault(
         "poses ignore the presence vector",
         f"{FREE}/QueryLocalPose/rival/no-fields",
-        patched(host, mask=unmasked),
+        patched(sending, mask=unmasked),
         profile="mobility-1.1",
     ),
     core_fault(

@@ -36,7 +36,7 @@ def asked(host, seconds):
 def test_it_asks_until_it_is_answered(host):
     announcement = Announcement(host, CONSOLE)
     (first,) = host.poll_output(0.0)
-    assert (first.destination, first.message.CODE) == (CONSOLE, QueryIdentification.CODE)
+    assert (first.destination, QueryIdentification.decode(first.payload).CODE) == (CONSOLE, QueryIdentification.CODE)
     assert asked(host, 3 * PERIOD) == [PERIOD, 2 * PERIOD, 3 * PERIOD]
     assert not announcement.intercept(Packet(OTHER, ME, ANSWER))
     assert not announcement.intercept(Packet(CONSOLE, ME, QueryIdentification(2).encode()))
