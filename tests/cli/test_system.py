@@ -56,7 +56,7 @@ def test_list_query_and_send(robot, local_root, free_port):
     [found] = [json.loads(line) for line in jauspy("ls", "--json", "--connect", udp).stdout.splitlines()]
     assert found["subsystem"] == 101
     components = found["nodes"][0]["components"]
-    assert [each["id"] for each in components] == MODULES
+    assert [each["id"] for each in components] == sorted(MODULES)
     component = components[0]
     assert {"urn": "urn:jaus:jss:mobility:PrimitiveDriver", "version": "1.1"} in component["services"]
     to = component["id"]

@@ -6,6 +6,7 @@ import mmap
 import os
 import struct
 import time
+import weakref
 from collections.abc import Callable
 from typing import Final
 
@@ -29,6 +30,7 @@ class StateWriter:
         self._descriptor: int | None = os.memfd_create("jauspy-state", 0)
         os.ftruncate(self._descriptor, _HEADER.size + self._length)
         self._memory = mmap.mmap(self._descriptor, _HEADER.size + self._length)
+        self._forgotten = weakref.finalize(self, os.close, self._descriptor)  # who is not closed leaks no file
         self._version = 0
 
     @property
@@ -50,7 +52,7 @@ class StateWriter:
         """Give the memory back; readers keep theirs. Twice is fine."""
         if self._descriptor is not None:
             self._memory.close()
-            os.close(self._descriptor)
+            self._forgotten()
             self._descriptor = None
 
 
