@@ -4,6 +4,7 @@ from jauspy.services.environment_sensing.digital_resource_discovery import Digit
 from jauspy.services.environment_sensing.digital_video import DigitalVideo
 from jauspy.services.environment_sensing.mounting import Mounted
 from jauspy.services.environment_sensing.range_sensor import RangeSensor
+from jauspy.services.environment_sensing.still_image import StillImage
 from jauspy.services.environment_sensing.video_camera import VideoCamera, VideoSource
 from jauspy.services.environment_sensing.viewers import Viewers
 from jauspy.services.environment_sensing.visual_sensor import VisualSensor
@@ -13,6 +14,7 @@ __all__ = [
     "DigitalVideo",
     "Mounted",
     "RangeSensor",
+    "StillImage",
     "VideoCamera",
     "VideoSource",
     "Viewers",
