@@ -81,6 +81,9 @@ def up(
         str | None,
         typer.Option("--cloud", metavar="ADDRESS", help="Publish point clouds there, as in tcp://127.0.0.1:5565."),
     ] = None,
+    plain: Annotated[
+        bool, typer.Option("--plain", help="Only lines of text, no live table, as in a pipe and with --verbose.")
+    ] = False,
     verbose: Verbose = False,
     with_parent: WithParent = False,
     own_root: OwnRoot = False,
@@ -89,12 +92,13 @@ def up(
 
     The robot stands in Standby until a client takes control and resumes it. The options on addresses and sockets are
     those of the node manager that is started; with --gateway its configuration file has them, no other node manager
-    may run, and it connects and filters its networks (see `jauspy node-manager --print-config`). SIGUSR1 prints all
-    counters, Ctrl-C ends everything in order.
+    may run, and it connects and filters its networks (see `jauspy node-manager --print-config`). On a terminal a live
+    table shows modules, cameras and node manager. SIGUSR1 prints all counters, Ctrl-C ends everything in order.
 
     Example:
       jauspy up inc1 --backend kinematic
     """
+    from jauspy.cli import console
     from jauspy.cli.local_node import gateway_port, node_manager
     from jauspy.cli.node_manager import mode_of
     from jauspy.cli.node_serve import log_everything
@@ -128,36 +132,56 @@ def up(
             options += ["--interface", each]
     options += ["--verbose"] * verbose
     node = None if no_node_manager else node_manager(local_root, port, options)
-    run(_up(runner, node, local_root, cloud))
+    live = not (plain or verbose) and console.is_interactive()
+    run(_up(runner, node, local_root, cloud, live=live))
     if own_root:
         remove_if_empty(local_root)
 
 
 async def _up(
-    runner: RobotRunner, node: AbstractAsyncContextManager[Keeper] | None, root: Path, cloud: str | None
+    runner: RobotRunner,
+    node: AbstractAsyncContextManager[Keeper] | None,
+    root: Path,
+    cloud: str | None,
+    *,
+    live: bool,
 ) -> None:
     """Run the robot until cancelled."""
     import asyncio
     import signal
 
+    from jauspy.cli import console
     from jauspy.cli.node_serve import print_counters
     from jauspy.modules.cloud import stream
 
     async with AsyncExitStack() as stack:
+
+        def at_the_end(text: str) -> None:
+            if live:
+                stack.callback(console.note, text)
+
+        at_the_end("all of it has stopped")
         publisher = stack.enter_context(_publisher(cloud))
         keeper = await stack.enter_async_context(node) if node else None
+        if keeper is not None and keeper.is_own:
+            at_the_end("stopping the node manager")
 
         def tell_counters() -> None:
             print_counters(runner.counters, f"counters of {runner.config.name}:")
             if keeper is not None:
                 keeper.print_counters()
 
-        async with runner:
-            asyncio.get_running_loop().add_signal_handler(signal.SIGUSR1, tell_counters)
-            _tell(runner, keeper.where if keeper else f"none started, local sockets in {root}", root)
-            if publisher is not None:
-                stack.push_async_callback(_end, asyncio.create_task(stream(runner.lidars, publisher)))
-            await runner.run()
+        await stack.enter_async_context(runner)
+        at_the_end("stopping the modules, the cameras and the robot")
+        asyncio.get_running_loop().add_signal_handler(signal.SIGUSR1, tell_counters)
+        _tell(runner, keeper.where if keeper else f"none started, local sockets in {root}", root)
+        if publisher is not None:
+            stack.push_async_callback(_end, asyncio.create_task(stream(runner.lidars, publisher)))
+        if live:
+            from jauspy.cli.up_live import live_table
+
+            await stack.enter_async_context(live_table(runner, root))
+        await runner.wait()
 
 
 async def _end(task: Task[None]) -> None:

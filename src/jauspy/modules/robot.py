@@ -78,6 +78,11 @@ class RobotRunner:
         return self._realtime.lidars if self._components and self._realtime else {}
 
     @property
+    def videos(self) -> Mapping[str, CameraProcess]:
+        """Its cameras that a module streams, by name; empty when not open."""
+        return self._videos if self._components else {}
+
+    @property
     def snapshot(self) -> Snapshot | None:
         """The robot's state after its last step; None before it was opened."""
         return self._realtime.snapshot if self._realtime else None
@@ -118,8 +123,12 @@ class RobotRunner:
     async def run(self) -> None:
         """Open, run until cancelled, close; raises what the robot raised, if it breaks down."""
         async with self:
-            if self._realtime is not None:
-                await asyncio.wrap_future(self._realtime.ended)
+            await self.wait()
+
+    async def wait(self) -> None:
+        """Until cancelled; raises what the robot raised, if it breaks down."""
+        if self._realtime is not None:
+            await asyncio.wrap_future(self._realtime.ended)
 
     async def __aenter__(self) -> Self:
         await self.open()

@@ -2,6 +2,7 @@
 
 from jauspy.services.environment_sensing.digital_resource_discovery import DigitalResourceDiscovery
 from jauspy.services.environment_sensing.digital_video import DigitalVideo
+from jauspy.services.environment_sensing.force_torque_sensor import ForceTorqueSensor, MountedGauge
 from jauspy.services.environment_sensing.mounting import Mounted
 from jauspy.services.environment_sensing.range_sensor import RangeSensor
 from jauspy.services.environment_sensing.still_image import StillImage
@@ -12,7 +13,9 @@ from jauspy.services.environment_sensing.visual_sensor import VisualSensor
 __all__ = [
     "DigitalResourceDiscovery",
     "DigitalVideo",
+    "ForceTorqueSensor",
     "Mounted",
+    "MountedGauge",
     "RangeSensor",
     "StillImage",
     "VideoCamera",
