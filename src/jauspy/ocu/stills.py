@@ -33,6 +33,7 @@ DELIVERY: Final = Delivery(max_message=MAX_REPORT)
 
 FORMATS: Final = ReportStillImageSensorConfiguration.StillImageFormat
 ALL: Final = 0xFF
+ATTEMPTS: Final = 4
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,8 +93,8 @@ async def _taken(service: ServiceClient, sensor: int, timeout: float) -> Photo:
     record = QueryStillImageDataExt.QueryStillImageDataRec(
         sensor, QueryStillImageDataExt.ReportCoordinateSystem.NATIVE, ALL
     )
-    # Asked again while the picture is under way, the camera does not take a second one.
-    report = await service.query(QueryStillImageDataExt([record]), timeout=timeout / 2.0, retries=1)
+    # Pieces get lost. Asked again while the picture is under way, the camera takes no second one.
+    report = await service.query(QueryStillImageDataExt([record]), timeout=timeout / ATTEMPTS, retries=ATTEMPTS - 1)
     for each in report.still_image_data_list:
         if each.image_frame is not None:
             number = each.image_frame.format
