@@ -33,7 +33,8 @@ class JointDriver(ArmDriver):
 
     def __init__(self, arm: Arm) -> None:
         super().__init__(arm)
-        self._commanded: Sequence[float] | None = None
+        self.commanded: Sequence[float] | None = None
+        """What was commanded, while it holds."""
 
     def motion_profile_exists(self) -> bool:
         """There always is one: the joints' own limits, until a client sets others."""
@@ -41,7 +42,7 @@ class JointDriver(ArmDriver):
 
     def taken_over(self) -> None:
         """What was commanded does not hold any more."""
-        self._commanded = None
+        self.commanded = None
 
     def values(self, choices: Choices, msg: Message) -> list[float] | None:
         """The values of a command."""
@@ -59,11 +60,11 @@ class JointPositionDriver(JointDriver, urn="urn:jaus:jss:manipulator:Manipulator
         found = self.values(read_positions(msg.joint_position_list), msg)
         if found is not None:
             self.arm.to_positions(self, found)
-            self._commanded = found
+            self.commanded = found
 
     def report_commanded_joint_positions(self) -> ReportCommandedJointPositions:
         """What was commanded, while it holds; else where the joints are."""
-        found = self._commanded or self.arm.state().positions
+        found = self.commanded or self.arm.state().positions
         return ReportCommandedJointPositions(positions(found, self.arm.geometry.links))
 
 
@@ -75,12 +76,12 @@ class JointVelocityDriver(JointDriver, urn="urn:jaus:jss:manipulator:Manipulator
         found = self.values(read_velocities(msg.joint_velocity_list), msg)
         if found is not None:
             self.arm.at_velocities(self, found)
-            self._commanded = found
+            self.commanded = found
 
     def report_commanded_joint_velocity(self) -> ReportCommandedJointVelocity:
         """What was commanded, while it holds; else zero."""
         links = self.arm.geometry.links
-        return ReportCommandedJointVelocity(velocities(self._commanded or [0.0] * len(links), links))
+        return ReportCommandedJointVelocity(velocities(self.commanded or [0.0] * len(links), links))
 
 
 class ActuatorForceTorqueDriver(JointDriver, urn="urn:jaus:jss:manipulator:ManipulatorActuatorForceTorqueDriver"):
@@ -91,9 +92,9 @@ class ActuatorForceTorqueDriver(JointDriver, urn="urn:jaus:jss:manipulator:Manip
         found = self.values(read_efforts(msg.actuator_force_torque_list), msg)
         if found is not None:
             self.arm.move(self, [Target(ControlMode.EFFORT, effort) for effort in found])
-            self._commanded = found
+            self.commanded = found
 
     def report_commanded_actuator_force_torques(self) -> ReportCommandedActuatorForceTorques:
         """What was commanded, while it holds; else zero."""
         links = self.arm.geometry.links
-        return ReportCommandedActuatorForceTorques(efforts(self._commanded or [0.0] * len(links), links))
+        return ReportCommandedActuatorForceTorques(efforts(self.commanded or [0.0] * len(links), links))
