@@ -70,7 +70,7 @@ class Tester:
 
     def client(self, id: str | JausID) -> Client:
         """The client of this id; it is reachable from now on."""
-        wanted = JausID.parse(id) if isinstance(id, str) else id
+        wanted = JausID.of(id)
         if wanted not in self._clients:
             self.wire.join(wanted)
             self._clients[wanted] = Client(self, wanted)
