@@ -58,3 +58,8 @@ def note(message: str) -> None:
 def is_terminal() -> bool:
     """True when results go to a person's terminal and not into a pipe or file."""
     return sys.stdout.isatty()
+
+
+def is_interactive() -> bool:
+    """True when a person sees results and notes on one terminal, so that there may be something live."""
+    return sys.stdout.isatty() and sys.stderr.isatty()

@@ -12,7 +12,7 @@ from types import TracebackType
 from typing import Final, Self
 
 from jauspy.modules.pace import Pace
-from jauspy.modules.shared import Order, SharedDrive, SharedJoints, SharedLidar
+from jauspy.modules.shared import Order, SharedDrive, SharedForceTorque, SharedJoints, SharedLidar
 from jauspy.modules.snapshot import Snapshot, look
 from jauspy.platform.camera import Camera
 from jauspy.platform.contract import Robot
@@ -62,6 +62,7 @@ class RealTime:
             name: SharedJoints(name, group, self.order, self._sight) for name, group in robot.groups.items()
         }
         self._lidars = {name: SharedLidar(lidar, self.order, self._sight) for name, lidar in robot.lidars.items()}
+        self._force_torque = {name: SharedForceTorque(each, self._sight) for name, each in robot.force_torque.items()}
 
     @property
     def drive(self) -> SharedDrive:
@@ -77,6 +78,11 @@ class RealTime:
     def lidars(self) -> Mapping[str, SharedLidar]:
         """The robot's lidars, for any thread."""
         return self._lidars
+
+    @property
+    def force_torque(self) -> Mapping[str, SharedForceTorque]:
+        """The robot's sensors of force and torque, for any thread."""
+        return self._force_torque
 
     @property
     def cameras(self) -> Mapping[str, Camera]:
