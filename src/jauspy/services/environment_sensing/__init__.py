@@ -5,6 +5,7 @@ from jauspy.services.environment_sensing.digital_video import DigitalVideo
 from jauspy.services.environment_sensing.force_torque_sensor import ForceTorqueSensor, MountedGauge
 from jauspy.services.environment_sensing.mounting import Mounted
 from jauspy.services.environment_sensing.range_sensor import RangeSensor
+from jauspy.services.environment_sensing.still_image import StillImage
 from jauspy.services.environment_sensing.video_camera import VideoCamera, VideoSource
 from jauspy.services.environment_sensing.viewers import Viewers
 from jauspy.services.environment_sensing.visual_sensor import VisualSensor
@@ -16,6 +17,7 @@ __all__ = [
     "Mounted",
     "MountedGauge",
     "RangeSensor",
+    "StillImage",
     "VideoCamera",
     "VideoSource",
     "Viewers",
