@@ -9,6 +9,9 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from jauspy_sim.assembly import SEEN
+from jauspy_sim.terrain import FELT
+
 PIXELS: Final = 160 * 120
 """Rays of one picture, at most: 11 ms on a small machine."""
 
@@ -16,7 +19,7 @@ FAR: Final = 40.0
 """Metres beyond which nothing is seen."""
 
 _SKY: Final = np.array((150, 190, 230), np.float64)
-_SEEN: Final = np.array((1, 1, 1, 0, 0, 0), np.uint8)
+_SEEN: Final = np.array([group in (0, SEEN, FELT) for group in range(mujoco.mjNGROUP)], np.uint8)
 _SUN: Final = np.array((0.3, 0.2, 0.93))
 _HAS_NORMALS: Final = "normal" in (mujoco.mj_multiRay.__doc__ or "")  # since MuJoCo 3.5
 
