@@ -29,7 +29,7 @@ def test_every_pose_of_the_plan_can_be_had(hand: LevelHand) -> None:
     x, y, height = plan.CAN
     standing = (y - plan.STAND[1] + plan.NEAR[0], x - plan.STAND[0] + plan.NEAR[0], height)
     turn, distance, _ = hand.around(standing)
-    for farther, higher in (plan.OVER, *plan.APPROACH):
+    for farther, higher in (plan.HIGH, plan.OVER, *plan.APPROACH):
         hand.joints(turn, distance + farther, height + higher)
     hand.joints(0.0, *plan.LOOKS_FROM)
 

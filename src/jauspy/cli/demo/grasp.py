@@ -66,7 +66,7 @@ class Grasp:
     async def reach(self) -> Finding:
         """Weigh the empty hand over the can, then go around the can."""
         opened = await self._arm.open_gripper()
-        errors = [await self._go(*plan.OVER)]
+        errors = [await self._go(*plan.HIGH), await self._go(*plan.OVER)]
         self._empty = await self._arm.weight()
         errors += [await self._go(*step) for step in plan.APPROACH]
         return Finding(

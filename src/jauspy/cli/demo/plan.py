@@ -30,8 +30,10 @@ WEIGHT: Final = 1.0
 """Kilograms."""
 
 # --- the hand, level; metres that it is farther out and higher than in the grasp
-LOOKS_FROM: Final = (0.48, 0.70)
-"""From the arm's first axis, and above the ground: here the camera sees the whole table."""
+LOOKS_FROM: Final = (0.43, 0.52)
+"""From the arm's first axis, and above the ground: here the camera sees the table over the gripper."""
+HIGH: Final = (-0.25, 0.28)
+"""On the way from there."""
 OVER: Final = (-0.05, 0.13)
 """Over the can, and where the can is lifted to."""
 APPROACH: Final = ((-0.18, 0.09), (-0.12, 0.01), (0.0, 0.0))
