@@ -14,6 +14,9 @@ from numpy.typing import NDArray
 
 LIBRARIES: Final = {"egl": ("libEGL.so.1",), "osmesa": ("libOSMesa.so.8", "libOSMesa.so.6")}
 
+NEAR: Final = 0.02
+"""Metres from a camera to the nearest that it sees: the gripper is close to the arm's."""
+
 MAX_GEOMS: Final = 10_000
 """Shapes in a picture, at most."""
 
@@ -51,6 +54,7 @@ class GlPainter:
         self._scene.flags[mujoco.mjtRndFlag.mjRND_SHADOW] = 0
         self._rect = mujoco.MjrRect(0, 0, 0, 0)
         model.vis.quality.offsamples = 0
+        model.vis.map.znear = NEAR / model.stat.extent
         self._gl = import_module(f"mujoco.{way}").GLContext(64, 64)
         self._gl.make_current()
         self._context = mujoco.MjrContext(model, mujoco.mjtFontScale.mjFONTSCALE_100.value)
