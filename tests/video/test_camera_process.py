@@ -83,12 +83,13 @@ async def test_it_starts_when_it_is_first_wanted(camera):
 
 
 async def test_two_receivers_see_the_same_pictures(camera, receiver):
+    decoder = H264Decoder()
     with RtpReceiver() as other:
         camera.watch(at(receiver))
-        first = await images(receiver, 3)
+        first = await images(receiver, 3, decoder)
         camera.watch(at(other))
         second = await images(other, 3)
-        numbers = [read(image)[0] for image in [*first, *await images(receiver, len(second))]]
+        numbers = [read(image)[0] for image in [*first, *await images(receiver, len(second), decoder)]]
     assert numbers == list(range(numbers[0], numbers[0] + len(numbers)))
     assert read(second[0])[0] > numbers[2]
     assert camera.counters["started"] == 1

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from contextlib import AbstractAsyncContextManager, AbstractContextManager, AsyncExitStack
+from contextlib import AbstractAsyncContextManager, AsyncExitStack
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Final
@@ -27,10 +27,8 @@ from jauspy.cli.options import (
 )
 
 if TYPE_CHECKING:
-    from asyncio import Task
-
     from jauspy.cli.local_node import Keeper
-    from jauspy.cloud.socket import CloudPublisher
+    from jauspy.modules.cloud import Clouds
     from jauspy.modules.robot import RobotRunner
 
 
@@ -78,8 +76,13 @@ def up(
         ),
     ] = None,
     cloud: Annotated[
-        str | None,
-        typer.Option("--cloud", metavar="ADDRESS", help="Publish point clouds there, as in tcp://127.0.0.1:5565."),
+        list[str] | None,
+        typer.Option(
+            "--cloud",
+            metavar="[CAMERA=]ADDRESS",
+            help="Publish the lidars' point clouds there, as in tcp://127.0.0.1:5565, or those of a depth camera; "
+            "may be repeated.",
+        ),
     ] = None,
     plain: Annotated[
         bool, typer.Option("--plain", help="Only lines of text, no live table, as in a pipe and with --verbose.")
@@ -105,6 +108,7 @@ def up(
     from jauspy.cli.run import end_with_parent, remove_if_empty, run
     from jauspy.errors import ConfigError
     from jauspy.modules import robots
+    from jauspy.modules.cloud import Clouds
     from jauspy.modules.robot import RobotRunner
     from jauspy.transport import LocalTransport
 
@@ -114,6 +118,7 @@ def up(
     if with_parent:
         end_with_parent()
     config = robots.load(robot)
+    clouds = Clouds(config, cloud or ())
     runner = RobotRunner(
         config,
         lambda component: LocalTransport(component, local_root),
@@ -133,7 +138,7 @@ def up(
     options += ["--verbose"] * verbose
     node = None if no_node_manager else node_manager(local_root, port, options)
     live = not (plain or verbose) and console.is_interactive()
-    run(_up(runner, node, local_root, cloud, live=live))
+    run(_up(runner, node, local_root, clouds, live=live))
     if own_root:
         remove_if_empty(local_root)
 
@@ -142,7 +147,7 @@ async def _up(
     runner: RobotRunner,
     node: AbstractAsyncContextManager[Keeper] | None,
     root: Path,
-    cloud: str | None,
+    clouds: Clouds,
     *,
     live: bool,
 ) -> None:
@@ -152,7 +157,6 @@ async def _up(
 
     from jauspy.cli import console
     from jauspy.cli.node_serve import print_counters
-    from jauspy.modules.cloud import stream
 
     async with AsyncExitStack() as stack:
 
@@ -161,13 +165,12 @@ async def _up(
                 stack.callback(console.note, text)
 
         at_the_end("all of it has stopped")
-        publisher = stack.enter_context(_publisher(cloud))
         keeper = await stack.enter_async_context(node) if node else None
         if keeper is not None and keeper.is_own:
             at_the_end("stopping the node manager")
 
         def tell_counters() -> None:
-            print_counters(runner.counters, f"counters of {runner.config.name}:")
+            print_counters({**runner.counters, **clouds.counters}, f"counters of {runner.config.name}:")
             if keeper is not None:
                 keeper.print_counters()
 
@@ -175,31 +178,12 @@ async def _up(
         at_the_end("stopping the modules, the cameras and the robot")
         asyncio.get_running_loop().add_signal_handler(signal.SIGUSR1, tell_counters)
         _tell(runner, keeper.where if keeper else f"none started, local sockets in {root}", root)
-        if publisher is not None:
-            stack.push_async_callback(_end, asyncio.create_task(stream(runner.lidars, publisher)))
+        await stack.enter_async_context(clouds.published(runner))
         if live:
             from jauspy.cli.up_live import live_table
 
             await stack.enter_async_context(live_table(runner, root))
         await runner.wait()
-
-
-async def _end(task: Task[None]) -> None:
-    """Raises what ended the task before."""
-    from asyncio import CancelledError
-    from contextlib import suppress
-
-    task.cancel()
-    with suppress(CancelledError):
-        await task
-
-
-def _publisher(address: str | None) -> AbstractContextManager[CloudPublisher | None]:
-    from contextlib import nullcontext
-
-    from jauspy.cloud.socket import CloudPublisher
-
-    return nullcontext() if address is None else CloudPublisher(address)
 
 
 def _tell(runner: RobotRunner, where: str, root: Path) -> None:

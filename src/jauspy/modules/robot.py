@@ -20,6 +20,7 @@ from jauspy.modules.hosts import host_of
 from jauspy.modules.realtime import RealTime
 from jauspy.modules.snapshot import Snapshot
 from jauspy.platform import backends
+from jauspy.platform.camera import Camera
 from jauspy.platform.contract import Robot
 from jauspy.platform.description import RobotModel
 from jauspy.platform.ranging import RangeFinder
@@ -81,6 +82,11 @@ class RobotRunner:
     def videos(self) -> Mapping[str, CameraProcess]:
         """Its cameras that a module streams, by name; empty when not open."""
         return self._videos if self._components else {}
+
+    @property
+    def cameras(self) -> Mapping[str, Camera]:
+        """Its cameras, for other processes; empty when not open."""
+        return self._realtime.cameras if self._components and self._realtime else {}
 
     @property
     def snapshot(self) -> Snapshot | None:
