@@ -9,8 +9,10 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from jauspy_sim.assembly import SEEN
 from jauspy_sim.shading import Shading
 from jauspy_sim.sky import Sky
+from jauspy_sim.terrain import FELT
 
 PIXELS: Final = 160 * 120
 """Rays of one picture, at most: 11 ms on a small machine."""
@@ -18,7 +20,7 @@ PIXELS: Final = 160 * 120
 FAR: Final = 40.0
 """Metres beyond which nothing is seen."""
 
-_SEEN: Final = np.array((1, 1, 1, 0, 0, 0), np.uint8)
+_SEEN: Final = np.array([group in (0, SEEN, FELT) for group in range(mujoco.mjNGROUP)], np.uint8)
 _HAS_NORMALS: Final = "normal" in (mujoco.mj_multiRay.__doc__ or "")  # since MuJoCo 3.5
 
 
