@@ -62,13 +62,13 @@ class Film:
     async def begins(self) -> None:
         """Wait for the first picture; `RequestError` when it stays out."""
         try:
-            async with asyncio.timeout(plan.SILENCE) as limit:
+            async with asyncio.timeout(plan.CAMERA_TIME) as limit:
                 while not self.recorder.pictures:  # noqa: ASYNC110 - the socket's reader adds them
                     await asyncio.sleep(0.05)
         except TimeoutError:
             if not limit.expired():
                 raise
-            raise RequestError(f"camera {self.name}: no picture came within {plan.SILENCE:g} s") from None
+            raise RequestError(f"camera {self.name}: no picture came within {plan.CAMERA_TIME:g} s") from None
         self.began = time.monotonic()
 
     def newest(self) -> Image:

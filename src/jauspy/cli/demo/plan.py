@@ -45,7 +45,9 @@ HOLD: Final = 2.0
 
 # --- patience, seconds
 SILENCE: Final = 10.0
-"""Without a report, or a first picture: a busy machine takes its time."""
+"""Without a report: a busy machine takes its time."""
+CAMERA_TIME: Final = 40.0
+"""Until the first picture; processes of cameras give way to others."""
 DRIVE_TIME: Final = 45.0
 MOVE_TIME: Final = 20.0
 GRIP_TIME: Final = 15.0
