@@ -76,7 +76,7 @@ SERVICES: Final[Mapping[str, tuple[str, ...]]] = {
         "ManipulatorEndEffectorVelocityStateSensor",
         "ManipulatorToolOffsetService",
     ),
-    "CM-EEF": (*_EVERYWHERE, "PrimitiveEndEffector"),
+    "CM-EEF": (*_EVERYWHERE, "PrimitiveEndEffector", "ManipulatorJointPositionSensor"),
     "CM-SEN": (*_EVERYWHERE, "RangeSensor", "ForceTorqueSensor"),
     "CM-VIS": (
         *_EVERYWHERE,
