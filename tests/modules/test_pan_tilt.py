@@ -15,7 +15,16 @@ from jauspy.codec.base import Message
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages import manipulator as m, registry
-from jauspy.messages.core import QueryStatus, ReleaseControl, RequestControl, Resume, SetEmergency, Standby
+from jauspy.messages.core import (
+    CommandEvent,
+    CreateCommandEvent,
+    QueryStatus,
+    ReleaseControl,
+    RequestControl,
+    Resume,
+    SetEmergency,
+    Standby,
+)
 from jauspy.messages.environment_sensing import QueryVisualSensorConfiguration
 from jauspy.modules import robots
 from jauspy.modules.config import AccessControlConfig
@@ -68,12 +77,14 @@ class Head:
     def take_control(self, client: JausID = CLIENT) -> None:
         self.tell(RequestControl(200), Resume(), client=client)
 
-    def run(self, seconds: float) -> None:
+    def run(self, seconds: float, sent: list[Message] | None = None) -> None:
         for _ in range(round(seconds / STEP)):
             self.robot.advance(STEP)
             self.now += STEP
             while (due := self.host.next_timeout()) is not None and due <= self.now:
                 self.host.handle_timeout(self.now)
+                if sent is not None:
+                    sent += self.tell()
 
     def angles(self) -> tuple[float, float]:
         found = self.ask(m.QueryPanTiltJointPositions())
@@ -190,6 +201,15 @@ def test_a_profile_limits_all_drivers(head: Head) -> None:
     head.tell(m.SetPanTiltJointVelocity(-1.0, 0.0))
     head.run(1.0)
     assert head.speeds()[0] == pytest.approx(-0.2, abs=0.03)
+
+
+def test_a_command_event_tells_when_it_looks_there(head: Head) -> None:
+    head.tell(CreateCommandEvent(7, 10, m.SetPanTiltJointPositions(0.8, 0.5)))
+    results: list[Message] = []
+    head.run(3.0, results)
+    (found,) = [each for each in results if isinstance(each, CommandEvent)]
+    assert found.command_result == CommandEvent.CommandResult.SUCCESSFUL
+    assert head.angles() == pytest.approx((0.8, 0.5), abs=0.03)
 
 
 @pytest.mark.parametrize("ending", [Standby(), SetEmergency(1), ReleaseControl()])

@@ -30,6 +30,7 @@ from jauspy.video.decoder import H264Decoder
 from jauspy.video.receiver import RtpReceiver
 from jauspy.video.sender import MAX_RECEIVERS
 from jauspy.video.stamp import read
+from jauspy.video.worker import POLITENESS
 
 SMALL = VideoSettings(320, 240, 20)
 TINY = StillSettings(128, 96, StillFormat.PNG)
@@ -80,6 +81,15 @@ async def test_it_starts_when_it_is_first_wanted(camera):
     camera.watch(("127.0.0.1", 2000), playing=False)
     await until(lambda: camera.description)
     assert camera.counters["started"] == 1
+
+
+async def test_its_process_leaves_the_processor_to_the_robots(camera):
+    camera.watch(("127.0.0.1", 2000), playing=False)
+    await until(lambda: camera.description)
+    nice = os.getpriority(os.PRIO_PROCESS, camera.pid) - os.getpriority(os.PRIO_PROCESS, 0)
+    assert nice == min(POLITENESS, 19 - os.getpriority(os.PRIO_PROCESS, 0))
+    assert os.getsid(camera.pid) == os.getsid(0), "sessions get shares of their own"
+    assert os.getpgid(camera.pid) != os.getpgid(0), "Ctrl-C is the robot's"
 
 
 async def test_two_receivers_see_the_same_pictures(camera, receiver):

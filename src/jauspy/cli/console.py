@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import sys
 from functools import cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 if TYPE_CHECKING:
     from rich.console import Console
+
+
+_PIPE: Final = 1000
+"""Columns of what is no terminal: tables are laid out as wide as they need."""
 
 
 @cache
@@ -20,7 +24,10 @@ def _console(*, stderr: bool) -> Console:
         def on_broken_pipe(self) -> None:
             raise  # noqa: PLE0704 - rich calls this while it handles the error
 
-    return Piped(stderr=stderr, highlight=False, emoji=False, soft_wrap=True)
+    made = Piped(stderr=stderr, highlight=False, emoji=False, soft_wrap=True)
+    if not made.is_terminal:
+        made.width = _PIPE
+    return made
 
 
 def stdout() -> Console:

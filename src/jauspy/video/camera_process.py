@@ -180,7 +180,7 @@ class CameraProcess:
             stdin=asyncio.subprocess.PIPE,
             stdout=asyncio.subprocess.PIPE,
             pass_fds=self._camera.descriptors,
-            start_new_session=True,
+            process_group=0,  # no Ctrl-C; a session of its own would have a share of its own, however nice it is
             env={**os.environ, "PYTHONUNBUFFERED": "1"},
         )
         self._own["started"] += 1

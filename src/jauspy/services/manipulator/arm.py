@@ -6,7 +6,7 @@ import operator
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import accumulate
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from jauspy.platform.description import Joint
 from jauspy.platform.joints import ControlMode, JointGroup, JointState, Target
@@ -16,6 +16,9 @@ from jauspy.services.manipulator.denavit_hartenberg import Link, geometry
 
 if TYPE_CHECKING:
     from jauspy.services.manipulator.driver import ArmDriver
+
+NEAR: Final = 0.01
+"""Radians or metres from a position at which it counts as reached."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,6 +79,11 @@ class Arm:
         """The positions nearest to these that the joints can have."""
         rows = zip(positions, self.geometry.links, strict=True)
         return [min(link.joint.upper + link.zero, max(link.joint.lower + link.zero, p)) for p, link in rows]
+
+    def is_at(self, positions: Sequence[float]) -> bool:
+        """True when all joints are there, or as near as their limits let them."""
+        rows = zip(self.limited(positions), self.state().positions, strict=True)
+        return all(abs(goal - position) <= NEAR for goal, position in rows)
 
     def stop(self) -> None:
         """Hold the present positions, whoever moves the joints. Twice is fine."""

@@ -8,33 +8,31 @@ from jauspy.messages.manipulator import (
     SetPanTiltJointPositions,
     SetPanTiltJointVelocity,
 )
-from jauspy.services.manipulator.joint_drivers import JointDriver
+from jauspy.services.manipulator.joint_drivers import JointDriver, PositionDriver
 
 
-class PanTiltDriver(JointDriver):
-    """Moves both joints within the motion profile."""
+class PanTiltJointPositionDriver(PositionDriver, urn="urn:jaus:jss:manipulator:PanTiltJointPositionDriver"):
+    """Radians, positive to the right and upwards; angles beyond a joint's limits are limited."""
 
     def pan_tilt_motion_profile_exists(self) -> bool:
         """There always is one: the joints' own limits, until a client sets others."""
-        return True
-
-
-class PanTiltJointPositionDriver(PanTiltDriver, urn="urn:jaus:jss:manipulator:PanTiltJointPositionDriver"):
-    """Radians, positive to the right and upwards; angles beyond a joint's limits are limited."""
+        return self.motion_profile_exists()
 
     def set_pan_tilt_joint_efforts(self, msg: SetPanTiltJointPositions) -> None:
         """Look there. The standard's definition gives the action this name."""
-        found = [msg.joint1_position, msg.joint2_position]
-        self.arm.to_positions(self, found)
-        self.commanded = found
+        self.go([msg.joint1_position, msg.joint2_position])
 
     def report_commanded_pan_tilt_joint_positions(self) -> ReportCommandedPanTiltJointPositions:
         """What was commanded, while it holds; else where the unit looks."""
         return ReportCommandedPanTiltJointPositions(*(self.commanded or self.arm.state().positions))
 
 
-class PanTiltJointVelocityDriver(PanTiltDriver, urn="urn:jaus:jss:manipulator:PanTiltJointVelocityDriver"):
+class PanTiltJointVelocityDriver(JointDriver, urn="urn:jaus:jss:manipulator:PanTiltJointVelocityDriver"):
     """rad/s, positive to the right and upwards; a joint stops at its limit."""
+
+    def pan_tilt_motion_profile_exists(self) -> bool:
+        """There always is one: the joints' own limits, until a client sets others."""
+        return self.motion_profile_exists()
 
     def set_pan_tilt_joint_velocity(self, msg: SetPanTiltJointVelocity) -> None:
         """Turn like that until the next command."""
