@@ -24,8 +24,8 @@ from jauspy.platform.camera import CameraSetup
 from jauspy.platform.kinematic import KinematicRobot
 from jauspy.platform.stills import StillFormat, StillSettings
 from jauspy.platform.video_settings import VideoSettings
-from jauspy.video import camera_process
-from jauspy.video.camera_process import MAX_STILLS, CameraProcess
+from jauspy.video import camera_process, still_orders
+from jauspy.video.camera_process import CameraProcess
 from jauspy.video.decoder import H264Decoder
 from jauspy.video.receiver import RtpReceiver
 from jauspy.video.sender import MAX_RECEIVERS
@@ -149,7 +149,7 @@ async def test_still_images_of_any_size(camera, format, size):
 
 
 async def test_too_many_stills_and_receivers_are_refused(camera):
-    for _ in range(MAX_STILLS):
+    for _ in range(still_orders.MOST):
         camera.take(TINY, lambda _: None)
     with pytest.raises(ConfigError, match="8 still images of this camera are under way"):
         camera.take(TINY, lambda _: None)
@@ -188,6 +188,23 @@ async def test_a_process_that_hangs_is_ended(camera, monkeypatch):
         if camera.counters["hung"]:
             break
     await until(lambda: camera.pid not in {hanging, None})
+
+
+async def test_a_process_that_does_not_take_a_picture_is_ended(camera, monkeypatch):
+    camera.watch(("127.0.0.1", 2000))
+    await until(lambda: camera.description)
+    hanging = camera.pid
+    os.kill(hanging, signal.SIGSTOP)
+    monkeypatch.setattr(camera_process, "STILL_TIMEOUT", 0.1)
+    lost = asyncio.get_running_loop().create_future()
+    camera.take(TINY, lost.set_result)
+    assert await asyncio.wait_for(lost, 20.0) is None
+    assert camera.counters["hung"] == 1
+    await until(lambda: camera.pid not in {hanging, None})
+    monkeypatch.undo()
+    taken = asyncio.get_running_loop().create_future()
+    camera.take(TINY, taken.set_result)
+    assert (await asyncio.wait_for(taken, 20.0)).content
 
 
 async def test_it_ends_with_the_robots_process(tmp_path):
