@@ -22,6 +22,7 @@ from jauspy.modules.description import robot_model
 from jauspy.modules.robots import load
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.kinematic import KinematicRobot
+from jauspy.platform.kinematic_camera import SKY
 from jauspy.platform.stills import StillFormat, StillSettings
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.video import camera_process, still_orders
@@ -146,6 +147,16 @@ async def test_still_images_of_any_size(camera, format, size):
     image = cv2.imdecode(np.frombuffer(still.content, np.uint8), cv2.IMREAD_COLOR)
     assert image.shape == (size[1], size[0], 3)
     assert image.std() > 10.0
+
+
+@pytest.mark.parametrize(("size", "smooth"), [((640, 480), True), ((1408, 1152), False)], ids=str)
+async def test_the_edges_of_stills_are_smooth_unless_they_are_large(camera, size, smooth):
+    taken = asyncio.get_running_loop().create_future()
+    camera.take(StillSettings(*size, StillFormat.PNG), taken.set_result)
+    content = (await asyncio.wait_for(taken, 20.0)).content
+    image = cv2.imdecode(np.frombuffer(content, np.uint8), cv2.IMREAD_COLOR)
+    colours = {tuple(pixel) for pixel in image.reshape(-1, 3)}
+    assert (len(colours) > SKY + 1) is smooth
 
 
 async def test_too_many_stills_and_receivers_are_refused(camera):
