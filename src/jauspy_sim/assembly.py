@@ -14,11 +14,13 @@ from lxml import etree
 from jauspy.errors import ConfigError
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.description import Description, Joint, JointKind, RobotModel, TrackSetup
+from jauspy.platform.joint_control import LIVELIEST
+from jauspy_sim.force_torque import add_force_torque
 
 TIMESTEP: Final = 0.002
 """Seconds of one physics step."""
 
-ROTOR_INERTIA: Final = 0.02
+ROTOR_INERTIA: Final = 1.0 / LIVELIEST
 """Armature of a joint as a part of its greatest effort: what geared rotors add to what a joint moves."""
 
 SEEN: Final = 1
@@ -61,6 +63,8 @@ def robot_spec(robot: RobotModel) -> mujoco.MjSpec:
         _grip(spec, link, coefficient)
     for camera in robot.cameras:
         _camera(spec, camera)
+    for sensor in robot.force_torque:
+        add_force_torque(spec, sensor)
     for geom in spec.geoms:
         geom.group = SEEN if not (geom.contype or geom.conaffinity) else COLLIDING
     return spec

@@ -9,7 +9,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from jauspy.platform.camera import CameraSetup, Frame
+from jauspy.platform.camera import CameraSetup, DepthFrame, Frame
 from jauspy.platform.shared_state import StateReader
 from jauspy_sim import gl, log
 from jauspy_sim.rays import RayPainter
@@ -35,6 +35,10 @@ class Painter(Protocol):
 
     def paint(self, data: mujoco.MjData, width: int, height: int) -> NDArray[np.uint8]:
         """A picture of that size."""
+        ...
+
+    def measure(self, data: mujoco.MjData, width: int, height: int) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
+        """A picture, at most that large, and how far its pixels are along the camera's axis: metres, or inf."""
         ...
 
     def close(self) -> None:
@@ -78,14 +82,23 @@ class SimulatedEye:
 
     def look(self, width: int, height: int) -> Frame:
         """The world as the robot's process left it with its last step."""
-        taken, numbers = self._state.read()
-        self._place(np.frombuffer(numbers))
+        taken = self._update()
         return Frame(self._painter.paint(self._data, width, height), taken)
+
+    def measure(self, width: int, height: int) -> DepthFrame:
+        """The same, with distances; rays are fewer than pixels may be."""
+        taken = self._update()
+        return DepthFrame(*self._painter.measure(self._data, width, height), taken)
 
     def close(self) -> None:
         """Give GL and memory back."""
         self._painter.close()
         self._state.close()
+
+    def _update(self) -> float:
+        taken, numbers = self._state.read()
+        self._place(np.frombuffer(numbers))
+        return taken
 
     def _place(self, numbers: NDArray[np.float64]) -> None:
         model, data = self._model, self._data

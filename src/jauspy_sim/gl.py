@@ -54,22 +54,36 @@ class GlPainter:
         self._gl = import_module(f"mujoco.{way}").GLContext(64, 64)
         self._gl.make_current()
         self._context = mujoco.MjrContext(model, mujoco.mjtFontScale.mjFONTSCALE_100.value)
+        self._context.readDepthMap = mujoco.mjtDepthMap.mjDEPTH_ZEROFAR
 
     def paint(self, data: mujoco.MjData, width: int, height: int) -> NDArray[np.uint8]:
         """A picture of that size."""
-        if (width, height) != (self._rect.width, self._rect.height):
-            self._resize(width, height)
-        every = mujoco.mjtCatBit.mjCAT_ALL.value
-        mujoco.mjv_updateScene(self._model, data, self._options, None, self._view, every, self._scene)
-        mujoco.mjr_render(self._rect, self._scene, self._context)
+        self._render(data, width, height)
         image = np.empty((height, width, 3), np.uint8)
         mujoco.mjr_readPixels(image, None, self._rect, self._context)
         return np.ascontiguousarray(image[::-1])  # GL's first row is the lowest
+
+    def measure(self, data: mujoco.MjData, width: int, height: int) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
+        """A picture of that size, and how far its pixels are along the camera's axis."""
+        self._render(data, width, height)
+        image, depth = np.empty((height, width, 3), np.uint8), np.empty((height, width), np.float32)
+        mujoco.mjr_readPixels(image, depth, self._rect, self._context)
+        near, far = (self._model.stat.extent * plane for plane in (self._model.vis.map.znear, self._model.vis.map.zfar))
+        upright = depth[::-1]  # 1 at the near plane, 0 at the far one
+        along = np.float32(near * far) / (upright * np.float32(far - near) + np.float32(near))
+        return np.ascontiguousarray(image[::-1]), np.where(upright > 0.0, along, np.float32(math.inf))
 
     def close(self) -> None:
         """Give the GL context back; twice is fine."""
         self._context.free()
         self._gl.free()
+
+    def _render(self, data: mujoco.MjData, width: int, height: int) -> None:
+        if (width, height) != (self._rect.width, self._rect.height):
+            self._resize(width, height)
+        every = mujoco.mjtCatBit.mjCAT_ALL.value
+        mujoco.mjv_updateScene(self._model, data, self._options, None, self._view, every, self._scene)
+        mujoco.mjr_render(self._rect, self._scene, self._context)
 
     def _resize(self, width: int, height: int) -> None:
         self._model.cam_fovy[self._view.fixedcamid] = math.degrees(2.0 * math.atan(self._spread * height / width))

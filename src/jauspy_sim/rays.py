@@ -33,25 +33,36 @@ class RayPainter:
 
     def paint(self, data: mujoco.MjData, width: int, height: int) -> NDArray[np.uint8]:
         """A picture of that size, made of fewer and larger dots."""
-        shrink = max(1.0, math.sqrt(width * height / PIXELS))
-        columns, rows = round(width / shrink), round(height / shrink)
-        dots = self._cast(data, self._rays(columns, rows)).reshape(rows, columns, 3)
+        columns, rows = _affordable(width, height)
+        dots, _ = self._cast(data, self._rays(columns, rows))
+        dots = dots.reshape(rows, columns, 3)
         down = np.arange(height) * rows // height
         across = np.arange(width) * columns // width
         return np.ascontiguousarray(dots[down][:, across])
+
+    def measure(self, data: mujoco.MjData, width: int, height: int) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
+        """The dots, and how far each is along the camera's axis."""
+        columns, rows = _affordable(width, height)
+        rays = self._rays(columns, rows)
+        dots, far = self._cast(data, rays)
+        along = (far * -rays[:, 2]).astype(np.float32)
+        return dots.reshape(rows, columns, 3), along.reshape(rows, columns)
 
     def close(self) -> None:
         """Nothing to give back."""
 
     def _rays(self, columns: int, rows: int) -> NDArray[np.float64]:
-        """Directions in the camera's frame, which looks along -z with y up."""
-        edge = self._spread * rows / columns
-        x, y = np.meshgrid(np.linspace(-self._spread, self._spread, columns), np.linspace(edge, -edge, rows))
+        """Directions through the middles of pixels in the camera's frame, which looks along -z with y up."""
+        dot = 2.0 * self._spread / columns
+        x, y = np.meshgrid(
+            dot * (np.arange(columns) - (columns - 1) / 2.0), -dot * (np.arange(rows) - (rows - 1) / 2.0)
+        )
         rays = np.stack((x, y, -np.ones_like(x)), axis=-1).reshape(-1, 3)
         units: NDArray[np.float64] = rays / np.linalg.norm(rays, axis=1, keepdims=True)
         return units
 
-    def _cast(self, data: mujoco.MjData, rays: NDArray[np.float64]) -> NDArray[np.uint8]:
+    def _cast(self, data: mujoco.MjData, rays: NDArray[np.float64]) -> tuple[NDArray[np.uint8], NDArray[np.float64]]:
+        """What the rays hit: colours and distances."""
         directions = rays @ data.cam_xmat[self._camera].reshape(3, 3).T
         count = len(directions)
         hit, far = np.empty(count, np.int32), np.empty(count)
@@ -72,7 +83,14 @@ class RayPainter:
         )
         light = 0.45 + 0.55 * np.clip(normals @ _SUN, 0.0, 1.0)
         painted = self._colours[hit] * light[:, None]
-        return np.where((hit >= 0)[:, None], painted, _SKY).astype(np.uint8)
+        met = hit >= 0
+        return np.where(met[:, None], painted, _SKY).astype(np.uint8), np.where(met, far, math.inf)
+
+
+def _affordable(width: int, height: int) -> tuple[int, int]:
+    """Columns and rows of a picture of that shape, in rays."""
+    shrink = max(1.0, math.sqrt(width * height / PIXELS))
+    return round(width / shrink), round(height / shrink)
 
 
 def _colour(model: mujoco.MjModel, geom: int) -> NDArray[np.float64]:

@@ -9,11 +9,13 @@ from typing import Final
 import mujoco
 
 from jauspy.platform.description import RobotModel
+from jauspy.platform.force_torque import SampledForceTorque
 from jauspy.platform.scanner import Scanner
 from jauspy_sim import log
 from jauspy_sim.assembly import TIMESTEP, build, prefix
 from jauspy_sim.camera import SimulatedCamera
 from jauspy_sim.cameras import SimulatedCameras
+from jauspy_sim.force_torque import simulated_force_torque
 from jauspy_sim.joints import SimulatedJoints
 from jauspy_sim.lidar import simulated_lidar
 from jauspy_sim.tracks import TrackedDrive
@@ -38,11 +40,15 @@ class SimulatedRobot:
             for name, setup in robot.groups.items()
         }
         self._lidars: dict[str, Scanner] = {}
+        self._force_torque: dict[str, SampledForceTorque] = {}
         mujoco.mj_forward(model, data)
         self._owed = 0.0
         self._steps = -SETTLING_STEPS
         self._run(SETTLING_STEPS)
         self._lidars = {setup.name: simulated_lidar(model, data, name_prefix, setup) for setup in robot.lidars}
+        self._force_torque = {
+            setup.name: simulated_force_torque(data, name_prefix, setup) for setup in robot.force_torque
+        }
         self._look()
         self._cameras = SimulatedCameras(model, data, name_prefix, robot.cameras)
 
@@ -76,6 +82,11 @@ class SimulatedRobot:
     def lidars(self) -> Mapping[str, Scanner]:
         """Its lidars, by name."""
         return self._lidars
+
+    @property
+    def force_torque(self) -> Mapping[str, SampledForceTorque]:
+        """Its sensors of force and torque, by name."""
+        return self._force_torque
 
     @property
     def cameras(self) -> Mapping[str, SimulatedCamera]:
@@ -121,3 +132,5 @@ class SimulatedRobot:
     def _look(self) -> None:
         for lidar in self._lidars.values():
             lidar.step(self.time)
+        for sensor in self._force_torque.values():
+            sensor.step(self.time)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from typing import Final
 
 import mujoco
 import numpy as np
@@ -12,9 +11,6 @@ from jauspy.platform.acceleration import mean_acceleration
 from jauspy.platform.contract import Acceleration, Pose, Twist
 from jauspy.platform.description import TrackSetup
 from jauspy.platform.skid_steer import mix
-
-BRAKE_FORCE: Final = 400.0
-"""Holding force of one track's brake, newtons: more than the ground can pass on to it."""
 
 
 def roll_pitch_yaw(w: float, x: float, y: float, z: float) -> tuple[float, float, float]:
@@ -46,14 +42,14 @@ class TrackedDrive:
         self.stop()
 
     def set_effort(self, linear_x: float, rotational_z: float) -> None:
-        """Drive with fractions of the motors' full force, -1..1; positive z turns left. Zero brakes."""
+        """Drive with fractions of the motors' full force, -1..1; positive z turns left. Zero brakes, with all of it."""
         left, right = mix(linear_x, rotational_z)
         braking = not (left or right)
         efforts = (left,) * self._lefts + (right,) * self._rights
         rows = zip(self._motors, self._forces, self._belt_dofs, self._gear_friction, efforts, strict=True)
         for motor, force, dof, friction, effort in rows:
             self._data.ctrl[motor] = -force * effort  # on the ground a belt runs backward when the robot drives forward
-            self._model.dof_frictionloss[dof] = BRAKE_FORCE if braking else friction
+            self._model.dof_frictionloss[dof] = force if braking else friction
 
     def stop(self) -> None:
         """Brake, and hold the robot also on a slope."""

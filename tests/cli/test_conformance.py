@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import signal
 import subprocess
 import sys
 from xml.etree import ElementTree as ET
@@ -46,7 +47,7 @@ def test_some_steps_by_udp_and_through_a_node_manager(robot, tmp_path):
         assert [each for each in lines[:-1] if each["verdict"] != "pass"] == []
         assert result.exit_code == 0
         assert lines[-1]["points"] == lines[-1]["of"] == 13
-    assert len(ET.fromstring(files["junit"].read_bytes())) == 13
+    assert len(ET.fromstring(files["junit"].read_bytes())[0]) == 13
     assert "13 pass" in files["html"].read_text()
     assert is_capture(files["pcapng"].read_bytes()[:4])
 
@@ -73,6 +74,37 @@ def test_wrong_use():
     assert nothing.exit_code == 2
     assert "say which test" in nothing.stderr
     assert invoke("igvc-2015", "--target", "1.1").exit_code == 2
+    assert invoke("igvc-1815", "--list").exit_code == 2
+    assert "0.0.0 is nobody" in invoke("igvc-2015", "--target", "0.0.0").stderr
+    assert "42.1.1 is an id that the test itself speaks as" in invoke("igvc-2015", "--target", "42.1.1").stderr
+
+
+@pytest.mark.parametrize("kind", ["junit", "html", "pcapng"])
+def test_a_file_that_cannot_be_written_is_told_before_the_run(kind, tmp_path, free_port):
+    where = ("igvc-2015", "--target", "1.1.1", "--connect", f"udp://127.0.0.1:{free_port}")
+    missing = invoke(*where, f"--{kind}", tmp_path / "none" / "x")
+    assert missing.exit_code == 2
+    assert f"there is no directory {tmp_path / 'none'}" in missing.stderr
+    assert missing.stdout == ""
+    assert "it is a directory" in invoke(*where, f"--{kind}", tmp_path).stderr
+
+
+def test_ctrl_c_leaves_a_report_and_a_free_robot(robot, tmp_path):
+    _, port = robot
+    where = ("--target", "105.1.1", "--connect", f"udp://127.0.0.1:{port}")
+    steps = ("--only", "23", "--only", "32", "--only", "33", "--only", "75")
+    page = tmp_path / "run.html"
+    command = [*JAUSPY, "conformance", "igvc-2015", *where, *steps, "--json", "--html", str(page)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        for line in process.stdout:
+            if json.loads(line)["step"] == "33":
+                break
+        process.send_signal(signal.SIGINT)  # the heartbeat of step 75 is watched for four seconds
+        process.communicate(timeout=20)
+    assert process.returncode == 130
+    assert "interrupted after 3 steps" in page.read_text()
+    free = invoke("igvc-2015", *where, "--only", "21", "--only", "37", "--timeout", 5)
+    assert free.exit_code == 0, free.stdout
 
 
 def test_list():

@@ -76,6 +76,27 @@ async def test_a_query_is_answered():
         assert me.counters["transport.sent"] == 1
 
 
+async def test_an_answer_that_comes_later_is_sent_when_it_is_there():
+    class Slow(Liveness):
+        later = None
+
+        def report_heartbeat_pulse(self):
+            self.later = self.host.later(ReportTimeout)
+            return self.later
+
+    slow, hub = Slow(), LoopbackHub()
+    host = Host(ME, [slow], utc_now=lambda: datetime.now(UTC), now=time.monotonic())
+    async with Shell(host, LoopbackTransport(ME, hub)), Peer(hub) as peer:
+        peer.send(QueryHeartbeatPulse(), ack=Ack.REQUIRED)
+        acknowledged = await peer.next()
+        assert acknowledged.ack is Ack.ACK
+        assert peer.packets.empty()
+        slow.later.fulfil(ReportHeartbeatPulse())
+        answer = await peer.next()
+    assert answer.payload == ReportHeartbeatPulse().encode()
+    slow.later.fulfil(ReportHeartbeatPulse())
+
+
 async def test_what_asks_for_an_ack_gets_one():
     hub = LoopbackHub()
     async with component(hub), Peer(hub) as peer:

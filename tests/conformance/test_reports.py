@@ -59,7 +59,9 @@ def test_json(report):
 
 
 def test_junit(report):
-    suite = ET.fromstring(junit(report))
+    suites = ET.fromstring(junit(report))
+    assert suites.tag == "testsuites"
+    (suite,) = suites
     assert suite.attrib | {"time": ""} == {
         "name": "mine",
         "tests": "3",
@@ -67,7 +69,7 @@ def test_junit(report):
         "errors": "0",
         "skipped": "1",
         "time": "",
-        "timestamp": "2023-11-14T22:13:20+00:00",
+        "timestamp": "2023-11-14T22:13:20",
         "hostname": "101.1.1",
     }
     failure = suite[1].find("failure")
@@ -87,7 +89,7 @@ class Page(HTMLParser):
 
     def handle_starttag(self, tag, attributes):
         self.tags.append((tag, dict(attributes)))
-        if tag not in ("meta",):
+        if tag not in ("meta", "input", "br"):
             self.open.append(tag)
 
     def handle_endtag(self, tag):
@@ -108,6 +110,9 @@ def test_html_is_whole_safe_and_needs_nothing_else(report):
     assert "status is 2 STANDBY, not 1 READY" in parsed.text
     steps = [attributes for tag, attributes in parsed.tags if tag == "details"]
     assert ["open" in each for each in steps] == [False, True, False]
+    assert [each["id"] for each in steps] == ["1", "2", "3"]
+    assert [dict(each)["href"] for tag, each in parsed.tags if tag == "a"] == ["#2"]
+    assert "Expected: ReportStatus 4002h and has status 1 READY" in parsed.text
     assert summary(report) == "1 pass, 1 fail, 1 skipped; 1 of 3 points"
 
 
@@ -126,6 +131,6 @@ def test_what_cannot_run_is_an_error():
         Profile("p", "t", (Step("1", "x", ask("42.1.1", QueryStatus(), ReportStatus)),)), deaf, deaf.id, began=0.0
     )
     assert report.results[0].verdict is Verdict.SILENT
-    suite = ET.fromstring(junit(report))
+    (suite,) = ET.fromstring(junit(report))
     assert suite.get("errors") == "1"
     assert "answers nothing" in page(report)

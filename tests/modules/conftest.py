@@ -9,6 +9,7 @@ import pytest
 from tests.modules.world import World
 
 from jauspy.platform.contract import Acceleration, Pose, Twist
+from jauspy.platform.force_torque import ForceTorqueSensor
 from jauspy.platform.joints import JointGroup
 from jauspy.platform.ranging import RangeFinder
 
@@ -43,6 +44,7 @@ class FakeRobot:
     def __init__(self, breaks_after: int | None = None) -> None:
         self.groups: dict[str, JointGroup] = {}
         self.lidars: dict[str, RangeFinder] = {}
+        self.force_torque: dict[str, ForceTorqueSensor] = {}
         self.drive = FakeDrive()
         self.time = 0.0
         self.closed = 0

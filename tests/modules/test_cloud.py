@@ -5,10 +5,17 @@ from __future__ import annotations
 import asyncio
 import math
 import struct
+from importlib.util import find_spec
+from pathlib import Path
 
 import pytest
 
-from jauspy.modules.cloud import points, stream
+from jauspy.cloud.socket import CloudSubscriber
+from jauspy.errors import ConfigError
+from jauspy.modules import robots
+from jauspy.modules.cloud import Clouds, points, stream
+from jauspy.modules.description import robot_model
+from jauspy.platform.kinematic import KinematicRobot
 from jauspy.platform.ranging import LidarSetup, RangeScan
 from jauspy.platform.scanner import Scanner
 
@@ -40,3 +47,42 @@ async def test_every_scan_is_published_once() -> None:
         assert len(published.clouds) == scans
     task.cancel()
     assert {(len(found), frame) for found, frame, _ in published.clouds} == {(48, "lidar_link")}
+
+
+@pytest.mark.parametrize(
+    ("wanted", "said"),
+    [
+        (["nose=tcp://127.0.0.1:1"], "'nose' is no camera with `depth` in the robot's file; those are: chassis"),
+        (["arm=tcp://127.0.0.1:1"], "'arm' is no camera with `depth`"),
+        (["ipc:///a", "chassis=ipc:///a"], "ipc:///a is there twice"),
+        (["ipc:///a", "ipc:///b"], "the lidars would be published twice"),
+        (["chassis=ipc:///a", "chassis=ipc:///b"], "chassis would be published twice"),
+    ],
+)
+def test_what_cannot_be_published_is_said_before_anything_starts(wanted: list[str], said: str) -> None:
+    with pytest.raises(ConfigError, match=said):
+        Clouds(robots.load("inc1"), wanted)
+
+
+@pytest.mark.skipif(not (find_spec("pynng") and find_spec("numpy")), reason="the extra 'cloud' is not installed")
+async def test_scans_and_depth_are_published_each_at_its_address(tmp_path: Path) -> None:
+    class Running(KinematicRobot):
+        config = robots.load("inc1")
+
+    robot = Running(robot_model(Running.config))
+    scans, depth = f"ipc://{tmp_path}/a=b", f"ipc://{tmp_path}/depth"
+    clouds = Clouds(Running.config, [scans, f"chassis={depth}"])
+    with CloudSubscriber(scans) as lidar, CloudSubscriber(depth) as camera:
+        async with clouds.published(robot):
+            seen = await asyncio.to_thread(camera.receive, 20.0)
+            scan = None
+            async with asyncio.timeout(20.0):
+                while scan is None:
+                    robot.advance(0.1)
+                    scan = await asyncio.to_thread(lidar.receive, 0.1)
+        assert seen is not None
+        assert (seen.frame, seen.values) == ("chassis_camera_link", 6)
+        assert 10_000 < len(seen) < 50_000, "the lower half of the picture is the floor"
+        assert (scan.frame, scan.values, len(scan)) == ("lidar_link", 3, 0)
+    assert clouds.counters["cloud.chassis.started"] == 1
+    robot.close()

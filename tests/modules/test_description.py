@@ -32,6 +32,10 @@ def test_every_robot_fits_its_urdf(name: str) -> None:
             "[groups.arm]\nbase = 'b'\ntip = 'tool_link'\nJOINT",
             "groups.arm: the URDF has no link 'b'; it has: .*base_link",
         ),
+        (
+            "[[force_torque]]\nname = 'w'\nlink = 'base_link'",
+            r"force_torque\[0\].link: nothing carries 'base_link'",
+        ),
         ("[groups.arm]\nbase = 'base_link'\ntip = 'tool_link'\nJOINT", "no joint 'elbow'; those that move are"),
         (
             "[groups.arm]\nbase = 'base_link'\ntip = 'tool_link'\nFLIPPERS",

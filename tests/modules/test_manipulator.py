@@ -14,7 +14,9 @@ from jauspy.codec.base import Message
 from jauspy.ids import JausID
 from jauspy.messages import manipulator as m, registry
 from jauspy.messages.core import (
+    CommandEvent,
     ConfirmElementRequest,
+    CreateCommandEvent,
     ElementRec,
     QueryStatus,
     ReleaseControl,
@@ -215,6 +217,24 @@ def test_goes_to_positions(arm: Workcell) -> None:
     assert arm.positions() == pytest.approx(wanted, abs=0.003)
     commanded = arm.ask(m.QueryCommandedJointPositions()).joint_position_list
     assert [record.joint_position.value for record in commanded] == pytest.approx(wanted, abs=1e-6)
+
+
+def told(arm: Workcell, *messages: Message) -> list[int]:
+    """How commands ended, of which command events tell now: 0 is carried out."""
+    return [int(each.command_result) for each in arm.tell(*messages) if isinstance(each, CommandEvent)]
+
+
+def test_a_command_event_tells_when_the_positions_are_reached_or_given_up(arm: Workcell) -> None:
+    assert told(arm, CreateCommandEvent(1, 60, positions(arm, GOAL))) == []
+    ends: list[int] = []
+    arm.run(6.0, lambda: ends.extend(told(arm)))
+    assert ends == [0]
+    back = CreateCommandEvent(1, 60, positions(arm, (0.0, 1.0, -1.0, 0.0, 0.0)))
+    assert told(arm, back) == []
+    assert told(arm, velocities(0.1, 0.1, 0.1, 0.1, 0.1)) == [1]
+    assert told(arm, back, Standby()) == [1]
+    arm.tell(Resume())
+    assert told(arm, CreateCommandEvent(1, 60, velocities(0.1))) == [1], "it does not fit the joints"
 
 
 def test_the_motion_profile_limits_speed(arm: Workcell) -> None:

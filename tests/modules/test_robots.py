@@ -139,6 +139,26 @@ def test_not_even_text(write, tmp_path):
             "component = 33\n[[modules]]\ntype = 'CM-SEN'\ncomponent = 34\nservices = ['RangeSensor']",
             r"lidars: there is none, and 34 offers RangeSensor; add \[\[lidars\]\]",
         ),
+        (
+            "component = 33",
+            "component = 33\n[[modules]]\ntype = 'CM-SEN'\ncomponent = 34\nservices = ['ForceTorqueSensor']",
+            r"force_torque: there is none, and 34 offers ForceTorqueSensor; add \[\[force_torque\]\]",
+        ),
+        (
+            "[[modules]]",
+            "[[force_torque]]\nname = 'l'\nlink = 'm'\nforce = 0\n[[modules]]",
+            r"force_torque\[0\]\.force = 0: .*0",
+        ),
+        (
+            "[[modules]]",
+            "[[cameras]]\nname = 'c'\nlink = 'l'\ndepth = { range = [3, 2] }\n[[modules]]",
+            r"range: \[3.0, 2.0\] is empty",
+        ),
+        (
+            "[[modules]]",
+            "[[cameras]]\nname = 'c'\nlink = 'l'\ndepth = { size = [1920, 1080] }\n[[modules]]",
+            r"size: \[1920, 1080\] are too many points for one message; it has 1000000",
+        ),
         ("component = 33", "component = 33\nservices = []", r"none has the service Discovery; nobody could find"),
         ("component = 33", "component = 33\nservices = ['PrimitiveDriver']", r"none has the service Discovery"),
         (

@@ -67,7 +67,7 @@ def test_positive_rotational_effort_turns_left_in_place(robot: Robot, effort: fl
     pose, twist = robot.drive.pose(), robot.drive.twist()
     assert 0.1 < pose.yaw < math.pi
     assert twist.wz > 0.3
-    assert math.hypot(pose.x, pose.y) < 0.05
+    assert math.hypot(pose.x, pose.y) < 0.08
 
 
 def test_turns_right_as_much_as_left(open_robot: Callable[[], Robot]) -> None:

@@ -8,6 +8,8 @@ import pytest
 
 pytest.importorskip("numpy", reason="the extra 'video' is not installed")
 
+import numpy as np
+
 from jauspy.modules.description import robot_model
 from jauspy.modules.robots import load
 from jauspy.platform import kinematic_camera
@@ -92,3 +94,12 @@ def test_without_numpy_it_says_what_to_install(robot, monkeypatch):
     monkeypatch.setattr(kinematic_camera, "FloorEye", fail)
     with pytest.raises(Exception, match=r"cameras need NumPy: pip install 'jauspy\[video\]'"):
         robot.cameras["front"].open()
+
+
+def test_distances_are_those_of_the_floor(eye):
+    frame = eye.measure(320, 240)
+    image, far = frame.image, frame.distances
+    assert (image == eye.look(320, 240).image).all()
+    assert (np.isinf(far) == sky(image)).all()
+    below = (np.arange(240) + 0.5 - 120.0) / 160.0  # metres down for each metre ahead, at 90 degrees across
+    assert far[120:, 7] == pytest.approx(0.24 / below[120:], rel=1e-4)

@@ -74,8 +74,9 @@ class Moody(Liveness):
             case "tells somebody else":
                 self.host.send(self.host.id.parse(STRANGER), ReportTimeout(timeout=3))
             case "asks":
-                _, inner = self.host.ask(QueryStatus(), source)
-                assert inner is not None
+                inner = []
+                self.host.ask(QueryStatus(), source, lambda _, answer: inner.append(answer))
+                assert inner[0] is not None
         return ReportHeartbeatPulse()
 
 

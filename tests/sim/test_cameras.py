@@ -70,6 +70,22 @@ def test_a_thing_is_seen_where_it_is(robot, eye):
     assert rows.mean() == pytest.approx(row, abs=12.0)
 
 
+def test_distances_put_the_floor_and_the_things_where_they_are(robot, eye):
+    frame = eye.measure(160, 120)
+    assert frame.image.shape == (120, 160, 3)
+    (thing,) = np.flatnonzero(robot.model.geom_matid == robot.model.mat("tin").id)
+    number = robot.cameras["front"].number
+    at, turn = robot.data.cam_xpos[number], robot.data.cam_xmat[number].reshape(3, 3)
+    ahead = -(turn.T @ (robot.data.geom_xpos[thing] - at))[2]
+    radius = robot.model.geom_size[thing][0]
+    found = frame.distances[red(frame.image)]
+    assert ahead - 1.1 * radius < np.median(found) < ahead, "its front is nearer than its middle"
+    lowest = frame.distances[-1]
+    down = (119.5 - 59.5) / 80.0 * math.tan(FRONT.fov / 2.0)
+    assert lowest == pytest.approx(np.full(160, at[2] / down), rel=0.02), "the floor before the robot"
+    assert np.isinf(frame.distances[0]).any(), "the sky is nowhere"
+
+
 def test_it_sees_what_the_last_step_left(robot, eye):
     before = eye.look(160, 120)
     robot.drive.set_effort(0.0, 0.5)
@@ -89,7 +105,9 @@ def test_sizes_change_from_picture_to_picture(eye):
 def test_rays_are_fewer_than_the_pixels_of_a_large_picture(robot, monkeypatch):
     painter = RayPainter(robot.model, robot.cameras["front"].number, FRONT.fov)
     cast = []
-    monkeypatch.setattr(painter, "_cast", lambda _, rays: cast.append(len(rays)) or np.zeros((len(rays), 3), np.uint8))
+    monkeypatch.setattr(
+        painter, "_cast", lambda _, rays: cast.append(len(rays)) or (np.zeros((len(rays), 3), np.uint8), None)
+    )
     painter.paint(robot.data, 1280, 720)
     painter.paint(robot.data, 100, 100)
     assert cast[0] <= PIXELS * 1.02

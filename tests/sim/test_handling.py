@@ -35,10 +35,16 @@ def test_grasps_a_can_of_a_kilogram_and_lifts_it() -> None:
     robot = SimulatedRobot.open(INC1, "demo")
     put(robot, 2.0, 0.0, math.pi / 2)
     arm, gripper, can = robot.groups["arm"], robot.groups["gripper"], robot._data.body("can")
+
+    def on_the_hand() -> float:
+        """What pulls the wrist down, N; the tool is level."""
+        return -robot.force_torque["wrist"].wrench.force[2]
+
     gripper.command([Target(ControlMode.POSITION, 0.05)])
     for forward, height, seconds in ((0.6, 0.7, 5.0), (0.72, 0.5, 2.5), (0.78, 0.42, 2.0), (0.9, 0.41, 2.0)):
         arm.command(reach(forward, height))
         robot.advance(seconds)
+    empty = on_the_hand()
     gripper.command([Target(ControlMode.POSITION, 0.0)])
     robot.advance(1.0)
     assert gripper.state().positions[0] == pytest.approx(0.025, abs=0.002)
@@ -48,6 +54,7 @@ def test_grasps_a_can_of_a_kilogram_and_lifts_it() -> None:
     assert lifted > 0.51
     robot.advance(5.0)
     assert can.xpos[2] == pytest.approx(lifted, abs=0.005)
+    assert on_the_hand() - empty == pytest.approx(9.81, rel=0.05)
 
 
 def test_climbs_a_step_of_10_cm_with_its_flippers() -> None:

@@ -22,16 +22,18 @@ from jauspy.modules.description import robot_model
 from jauspy.modules.robots import load
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.kinematic import KinematicRobot
+from jauspy.platform.stills import StillFormat, StillSettings
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.video import camera_process
 from jauspy.video.camera_process import MAX_STILLS, CameraProcess
 from jauspy.video.decoder import H264Decoder
-from jauspy.video.orders import Format
 from jauspy.video.receiver import RtpReceiver
 from jauspy.video.sender import MAX_RECEIVERS
 from jauspy.video.stamp import read
+from jauspy.video.worker import POLITENESS
 
 SMALL = VideoSettings(320, 240, 20)
+TINY = StillSettings(128, 96, StillFormat.PNG)
 
 
 @pytest.fixture
@@ -81,13 +83,23 @@ async def test_it_starts_when_it_is_first_wanted(camera):
     assert camera.counters["started"] == 1
 
 
+async def test_its_process_leaves_the_processor_to_the_robots(camera):
+    camera.watch(("127.0.0.1", 2000), playing=False)
+    await until(lambda: camera.description)
+    nice = os.getpriority(os.PRIO_PROCESS, camera.pid) - os.getpriority(os.PRIO_PROCESS, 0)
+    assert nice == min(POLITENESS, 19 - os.getpriority(os.PRIO_PROCESS, 0))
+    assert os.getsid(camera.pid) == os.getsid(0), "sessions get shares of their own"
+    assert os.getpgid(camera.pid) != os.getpgid(0), "Ctrl-C is the robot's"
+
+
 async def test_two_receivers_see_the_same_pictures(camera, receiver):
+    decoder = H264Decoder()
     with RtpReceiver() as other:
         camera.watch(at(receiver))
-        first = await images(receiver, 3)
+        first = await images(receiver, 3, decoder)
         camera.watch(at(other))
         second = await images(other, 3)
-        numbers = [read(image)[0] for image in [*first, *await images(receiver, len(second))]]
+        numbers = [read(image)[0] for image in [*first, *await images(receiver, len(second), decoder)]]
     assert numbers == list(range(numbers[0], numbers[0] + len(numbers)))
     assert read(second[0])[0] > numbers[2]
     assert camera.counters["started"] == 1
@@ -123,21 +135,24 @@ async def test_pause_play_and_leave(camera, receiver):
         assert camera.receivers == {}
 
 
-@pytest.mark.parametrize("format", Format)
+@pytest.mark.parametrize("format", StillFormat)
 @pytest.mark.parametrize("size", [(128, 96), (1280, 720)], ids=str)
 async def test_still_images_of_any_size(camera, format, size):
     taken = asyncio.get_running_loop().create_future()
-    assert camera.take(*size, format, taken.set_result)
-    content = await asyncio.wait_for(taken, 20.0)
-    assert content.startswith({Format.JPEG: b"\xff\xd8\xff", Format.PNG: b"\x89PNG"}[format])
-    image = cv2.imdecode(np.frombuffer(content, np.uint8), cv2.IMREAD_COLOR)
+    camera.take(StillSettings(*size, format), taken.set_result)
+    still = await asyncio.wait_for(taken, 20.0)
+    assert still.content.startswith({StillFormat.JPEG: b"\xff\xd8\xff", StillFormat.PNG: b"\x89PNG"}[format])
+    assert 0.0 < still.age < 20.0
+    image = cv2.imdecode(np.frombuffer(still.content, np.uint8), cv2.IMREAD_COLOR)
     assert image.shape == (size[1], size[0], 3)
     assert image.std() > 10.0
 
 
 async def test_too_many_stills_and_receivers_are_refused(camera):
-    waiting = [camera.take(128, 96, Format.PNG, lambda _: None) for _ in range(MAX_STILLS + 1)]
-    assert waiting == [True] * MAX_STILLS + [False]
+    for _ in range(MAX_STILLS):
+        camera.take(TINY, lambda _: None)
+    with pytest.raises(ConfigError, match="8 still images of this camera are under way"):
+        camera.take(TINY, lambda _: None)
     for port in range(2000, 2000 + 2 * MAX_RECEIVERS, 2):
         camera.watch(("127.0.0.1", port), playing=False)
     with pytest.raises(ConfigError, match="8 receivers watch this camera already"):
@@ -152,7 +167,7 @@ async def test_a_process_that_dies_is_started_again_and_goes_on(camera, receiver
     killed = camera.pid
     assert killed is not None
     os.kill(killed, signal.SIGSTOP)
-    assert camera.take(128, 96, Format.PNG, lost.set_result)
+    camera.take(TINY, lost.set_result)
     os.kill(killed, signal.SIGKILL)
     assert await asyncio.wait_for(lost, 20.0) is None
     await until(lambda: receiver.take() == [] and camera.pid not in {killed, None})

@@ -7,13 +7,11 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from jauspy.cli.options import Connect, Json
+from jauspy.cli.options import Json
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from jauspy.conformance.profile import Profile
-    from jauspy.conformance.results import Report
+    from jauspy.conformance.results import Report, Result
     from jauspy.conformance.runner import Settings
 
 ProfileName = Annotated[
@@ -24,6 +22,15 @@ Target = Annotated[
     typer.Option("--target", metavar="ID", help="What to test, as in 101.1.102, or 101.1.255 for its components."),
 ]
 Listing = Annotated[bool, typer.Option("--list", help="Show the profiles, or the steps of PROFILE, and test nothing.")]
+Where = Annotated[
+    str | None,
+    typer.Option(
+        "--connect",
+        metavar="WHERE",
+        help="How to reach the target: udp://HOST:PORT, or by a node manager, tcp://HOST:PORT or local:DIR. "
+        "Default: multicast, also when a node manager runs on this machine.",
+    ),
+]
 Deadline = Annotated[
     float,
     typer.Option("--timeout", min=0.01, metavar="SECONDS", help="How long an answer may take; scales all waiting."),
@@ -42,7 +49,7 @@ def conformance(
     profile: ProfileName = None,
     target: Target = None,
     list_: Listing = False,
-    connect: Connect = None,
+    connect: Where = None,
     timeout: Deadline = 1.5,
     motion: Motion = True,
     only: Only = None,
@@ -54,7 +61,8 @@ def conformance(
     """Test a robot or component of any vendor, step by step.
 
     Each step passes, fails, is silent, late, malformed, or skipped with a reason. Status 0: all passed; 1: some did
-    not; 2: the test could not run. Give the robot room: some profiles make it drive, and shut it down at the end.
+    not; 2: the test could not run; 130: Ctrl-C. Give the robot room: some profiles make it drive, and shut it down at
+    the end. However it ends, the robot is left in Standby and free.
 
     Without --connect the test speaks UDP multicast itself, from port 3794 if it is free.
 
@@ -64,27 +72,33 @@ def conformance(
       jauspy conformance --list
     """
     from jauspy.cli import console
+    from jauspy.cli.conformance_files import Files
     from jauspy.cli.conformance_view import show_list, show_steps
     from jauspy.conformance.profile import find
-    from jauspy.conformance.runner import Settings
+    from jauspy.conformance.runner import Interrupted, Settings
     from jauspy.errors import ConfigError, JausError
 
-    if list_:
-        show_steps(find(profile)) if profile else show_list()
-        return
     try:
+        if list_:
+            show_steps(find(profile)) if profile else show_list()
+            return
         if profile is None or target is None:
             raise ConfigError("say which test, and of what: `jauspy conformance igvc-2015 --target 101.1.255`")
-        report = _run(find(profile), target, connect, Settings(timeout, motion, tuple(only or ())))
-        _write(report, junit, html, pcapng)
+        files = Files(junit=junit, html=html, pcapng=pcapng)
+        try:
+            report = _run(find(profile), target, connect, Settings(timeout, motion, tuple(only or ())), json=json)
+            status = report.status
+        except Interrupted as stop:
+            report, status = stop.report, 130
         _show(report, json=json)
+        files.write(report)
     except JausError as error:
         console.error(str(error))
         raise typer.Exit(2) from None
-    raise typer.Exit(report.status)
+    raise typer.Exit(status)
 
 
-def _run(profile: Profile, target: str, connect: str | None, settings: Settings) -> Report:
+def _run(profile: Profile, target: str, connect: str | None, settings: Settings, *, json: bool) -> Report:
     import asyncio
     import time
     from contextlib import closing
@@ -92,33 +106,34 @@ def _run(profile: Profile, target: str, connect: str | None, settings: Settings)
 
     from jauspy.cli.conformance_view import watching
     from jauspy.conformance.links import open_wire
-    from jauspy.conformance.runner import run
+    from jauspy.conformance.runner import Interrupted, run
+    from jauspy.errors import ConfigError
     from jauspy.ids import JausID
 
     id = JausID.parse(target)
-    with closing(asyncio.run(open_wire(connect))) as wire, watching() as watch:
-        report = run(profile, wire, id, began=time.time(), settings=settings, watch=watch)
-    return replace(report, notes=(*getattr(wire, "notes", ()), *report.notes))
+    if 0 in (id.subsystem, id.node, id.component):
+        raise ConfigError(f"{id} is nobody: ids of components are above 0; 255 stands for any node or component")
+    with closing(asyncio.run(open_wire(connect))) as wire, watching() as progress:
+        notes = getattr(wire, "notes", [])
+        try:
+            report = run(profile, wire, id, began=time.time(), settings=settings, watch=_lines if json else progress)
+        except Interrupted as stop:
+            stop.report = replace(stop.report, notes=(*notes, *stop.report.notes))
+            raise
+    return replace(report, notes=(*notes, *report.notes))
 
 
-def _write(report: Report, junit: Path | None, html: Path | None, pcapng: Path | None) -> None:
-    from jauspy.conformance import html as pages, junit as suites, pcap
-    from jauspy.errors import ConfigError
+def _lines(result: Result) -> None:
+    """A step in JSON, as soon as it has ended."""
+    from json import dumps
 
-    contents: list[tuple[Path | None, Callable[[], bytes]]] = [
-        (junit, lambda: suites.junit(report)),
-        (html, lambda: pages.page(report).encode()),
-        (pcapng, lambda: pcap.capture(report)),
-    ]
-    for path, content in contents:
-        if path is not None:
-            try:
-                path.write_bytes(content())
-            except OSError as error:
-                raise ConfigError(f"{path}: cannot be written: {error.strerror}") from error
+    from jauspy.conformance.as_json import result_json
+
+    print(dumps(result_json(result), ensure_ascii=False), flush=True)
 
 
 def _show(report: Report, *, json: bool) -> None:
+    """All of it; with `json` the steps are there already, and only the sum is missing."""
     from jauspy.cli import conformance_view
 
     if not json:
@@ -126,8 +141,6 @@ def _show(report: Report, *, json: bool) -> None:
         return
     from json import dumps
 
-    from jauspy.conformance.as_json import result_json, summary_json
+    from jauspy.conformance.as_json import summary_json
 
-    for result in report.results:
-        print(dumps(result_json(result), ensure_ascii=False))
     print(dumps(summary_json(report), ensure_ascii=False))

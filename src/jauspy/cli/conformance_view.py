@@ -45,14 +45,17 @@ def _table(report: Report) -> Table:
     from rich.table import Table
     from rich.text import Text
 
-    table = Table("step", "verdict", "ms", "points", "what", box=None, pad_edge=False, header_style="dim")
+    counted = report.points[1] > 0
+    table = Table(box=None, pad_edge=False, header_style="dim")
+    for header in ("step", "verdict", "ms", *(["points"] if counted else []), "what"):
+        table.add_column(header, overflow="fold", justify="right" if header == "ms" else "left")
     for each in report.results:
         reason = f"  {each.reason}" if each.verdict is Verdict.SKIPPED else ""
         table.add_row(
             each.id,
             Text(str(each.verdict), style=_STYLES.get(each.verdict, "red")),
             f"{each.elapsed * 1000:.0f}",
-            f"{each.earned:g}/{each.points:g}" if each.points else "",
+            *([f"{each.earned:g}/{each.points:g}" if each.points else ""] if counted else []),
             Text.assemble(each.title, (reason, "dim")),
         )
     return table

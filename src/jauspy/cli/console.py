@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import sys
 from functools import cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 if TYPE_CHECKING:
     from rich.console import Console
+
+
+_PIPE: Final = 1000
+"""Columns of what is no terminal: tables are laid out as wide as they need."""
 
 
 @cache
@@ -20,7 +24,10 @@ def _console(*, stderr: bool) -> Console:
         def on_broken_pipe(self) -> None:
             raise  # noqa: PLE0704 - rich calls this while it handles the error
 
-    return Piped(stderr=stderr, highlight=False, emoji=False, soft_wrap=True)
+    made = Piped(stderr=stderr, highlight=False, emoji=False, soft_wrap=True)
+    if not made.is_terminal:
+        made.width = _PIPE
+    return made
 
 
 def stdout() -> Console:
@@ -51,3 +58,8 @@ def note(message: str) -> None:
 def is_terminal() -> bool:
     """True when results go to a person's terminal and not into a pipe or file."""
     return sys.stdout.isatty()
+
+
+def is_interactive() -> bool:
+    """True when a person sees results and notes on one terminal, so that there may be something live."""
+    return sys.stdout.isatty() and sys.stderr.isatty()

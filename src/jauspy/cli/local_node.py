@@ -50,6 +50,11 @@ class Keeper:
         self._socket = root / junior.SOCKET_NAME
         self._child: Child | None = None
 
+    @property
+    def is_own(self) -> bool:
+        """True when one was started here, and is ended here."""
+        return self._child is not None
+
     def print_counters(self) -> None:
         """Have one that was started here print its counters; another's has a terminal of its own."""
         if self._child is not None:

@@ -26,6 +26,7 @@ from jauspy.cli import (
     query,
     schema,
     send,
+    still,
     tf,
     up,
     video,
@@ -107,6 +108,7 @@ VERBS: Final[dict[str, Callable[..., None]]] = {
     "tf": tf.tf,
     "map": map_robot.map_robot,
     "video": video.video,
+    "still": still.still,
     "decode": decode.decode,
     "conformance": conformance.conformance,
 }

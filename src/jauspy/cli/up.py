@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from contextlib import AbstractAsyncContextManager, AbstractContextManager, AsyncExitStack
+from contextlib import AbstractAsyncContextManager, AsyncExitStack
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Final
@@ -27,14 +27,16 @@ from jauspy.cli.options import (
 )
 
 if TYPE_CHECKING:
-    from asyncio import Task
-
     from jauspy.cli.local_node import Keeper
-    from jauspy.cloud.socket import CloudPublisher
+    from jauspy.modules.cloud import Clouds
+    from jauspy.modules.config import RobotConfig
     from jauspy.modules.robot import RobotRunner
 
 
 _DRIVE: Final = "jauspy send {} SetWrenchEffort propulsive_linear_effort_x=40 --control 200 --hold 2"
+
+LONG: Final = 30
+"""Seconds after which a robot whose client has died should stand still; one that may go on longer says so."""
 
 
 class BackendName(StrEnum):
@@ -78,9 +80,17 @@ def up(
         ),
     ] = None,
     cloud: Annotated[
-        str | None,
-        typer.Option("--cloud", metavar="ADDRESS", help="Publish point clouds there, as in tcp://127.0.0.1:5565."),
+        list[str] | None,
+        typer.Option(
+            "--cloud",
+            metavar="[CAMERA=]ADDRESS",
+            help="Publish the lidars' point clouds there, as in tcp://127.0.0.1:5565, or those of a depth camera; "
+            "may be repeated.",
+        ),
     ] = None,
+    plain: Annotated[
+        bool, typer.Option("--plain", help="Only lines of text, no live table, as in a pipe and with --verbose.")
+    ] = False,
     verbose: Verbose = False,
     with_parent: WithParent = False,
     own_root: OwnRoot = False,
@@ -89,18 +99,20 @@ def up(
 
     The robot stands in Standby until a client takes control and resumes it. The options on addresses and sockets are
     those of the node manager that is started; with --gateway its configuration file has them, no other node manager
-    may run, and it connects and filters its networks (see `jauspy node-manager --print-config`). SIGUSR1 prints all
-    counters, Ctrl-C ends everything in order.
+    may run, and it connects and filters its networks (see `jauspy node-manager --print-config`). On a terminal a live
+    table shows modules, cameras and node manager. SIGUSR1 prints all counters, Ctrl-C ends everything in order.
 
     Example:
       jauspy up inc1 --backend kinematic
     """
+    from jauspy.cli import console
     from jauspy.cli.local_node import gateway_port, node_manager
     from jauspy.cli.node_manager import mode_of
     from jauspy.cli.node_serve import log_everything
     from jauspy.cli.run import end_with_parent, remove_if_empty, run
     from jauspy.errors import ConfigError
     from jauspy.modules import robots
+    from jauspy.modules.cloud import Clouds
     from jauspy.modules.robot import RobotRunner
     from jauspy.transport import LocalTransport
 
@@ -110,6 +122,7 @@ def up(
     if with_parent:
         end_with_parent()
     config = robots.load(robot)
+    clouds = Clouds(config, cloud or ())
     runner = RobotRunner(
         config,
         lambda component: LocalTransport(component, local_root),
@@ -128,54 +141,69 @@ def up(
             options += ["--interface", each]
     options += ["--verbose"] * verbose
     node = None if no_node_manager else node_manager(local_root, port, options)
-    run(_up(runner, node, local_root, cloud))
+    live = not (plain or verbose) and console.is_interactive()
+    run(_up(runner, node, local_root, clouds, live=live))
     if own_root:
         remove_if_empty(local_root)
 
 
 async def _up(
-    runner: RobotRunner, node: AbstractAsyncContextManager[Keeper] | None, root: Path, cloud: str | None
+    runner: RobotRunner,
+    node: AbstractAsyncContextManager[Keeper] | None,
+    root: Path,
+    clouds: Clouds,
+    *,
+    live: bool,
 ) -> None:
     """Run the robot until cancelled."""
     import asyncio
     import signal
 
+    from jauspy.cli import console
     from jauspy.cli.node_serve import print_counters
-    from jauspy.modules.cloud import stream
 
     async with AsyncExitStack() as stack:
-        publisher = stack.enter_context(_publisher(cloud))
+
+        def at_the_end(text: str) -> None:
+            if live:
+                stack.callback(console.note, text)
+
+        at_the_end("all of it has stopped")
         keeper = await stack.enter_async_context(node) if node else None
+        if keeper is not None and keeper.is_own:
+            at_the_end("stopping the node manager")
 
         def tell_counters() -> None:
-            print_counters(runner.counters, f"counters of {runner.config.name}:")
+            print_counters({**runner.counters, **clouds.counters}, f"counters of {runner.config.name}:")
             if keeper is not None:
                 keeper.print_counters()
 
-        async with runner:
-            asyncio.get_running_loop().add_signal_handler(signal.SIGUSR1, tell_counters)
-            _tell(runner, keeper.where if keeper else f"none started, local sockets in {root}", root)
-            if publisher is not None:
-                stack.push_async_callback(_end, asyncio.create_task(stream(runner.lidars, publisher)))
-            await runner.run()
+        await stack.enter_async_context(runner)
+        at_the_end("stopping the modules, the cameras and the robot")
+        asyncio.get_running_loop().add_signal_handler(signal.SIGUSR1, tell_counters)
+        _tell(runner, keeper.where if keeper else f"none started, local sockets in {root}", root)
+        await stack.enter_async_context(clouds.published(runner))
+        if live:
+            from jauspy.cli.up_live import live_table
+
+            await stack.enter_async_context(live_table(runner, root))
+        await runner.wait()
 
 
-async def _end(task: Task[None]) -> None:
-    """Raises what ended the task before."""
-    from asyncio import CancelledError
-    from contextlib import suppress
+def _cautions(config: RobotConfig) -> list[str]:
+    """What one should know of modules that wait unusually long before they take a dead client's control back."""
+    from jauspy.modules.config import MOTIONLESS
 
-    task.cancel()
-    with suppress(CancelledError):
-        await task
-
-
-def _publisher(address: str | None) -> AbstractContextManager[CloudPublisher | None]:
-    from contextlib import nullcontext
-
-    from jauspy.cloud.socket import CloudPublisher
-
-    return nullcontext() if address is None else CloudPublisher(address)
+    found = []
+    for module in config.modules:
+        timeout = module.access_control.timeout
+        if module.type not in MOTIONLESS and not 0 < timeout <= LONG:
+            how_long = f"{timeout} s after" if timeout else "for ever when"
+            found.append(
+                f"careful:   {config.id_of(module)} goes on {how_long} its client fell silent: access_control.timeout "
+                f"= {timeout}"
+            )
+    return found
 
 
 def _tell(runner: RobotRunner, where: str, root: Path) -> None:
@@ -194,6 +222,7 @@ def _tell(runner: RobotRunner, where: str, root: Path) -> None:
         *[f"see it:    jauspy ls{connect}"] * found,
         f"ask it:    jauspy query {first} QueryStatus{connect}",
         *(f"drive it:  {_DRIVE.format(id)}{connect}" for id in driven),
+        *_cautions(config),
         "stop it:   Ctrl-C",
     ]
     print(*lines, sep="\n", flush=True)

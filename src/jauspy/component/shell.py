@@ -57,6 +57,7 @@ class Shell:
     ) -> None:
         self.host = host
         self.transport = transport
+        host.prompt = self._prompted
         self._clock = clock
         self._intercept = intercept
         start = random.randrange(0x10000) if first_sequence is None else first_sequence  # noqa: S311 - not a secret
@@ -280,6 +281,10 @@ class Shell:
             self._timer = None
         if at is not None:
             self._timer, self._timer_at = loop.call_later(max(0.0, at - self._clock()), self._timeout), at
+
+    def _prompted(self) -> None:
+        if self._loop is not None:
+            self._schedule(self._loop)
 
     def _timeout(self) -> None:
         self._timer = None

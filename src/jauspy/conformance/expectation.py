@@ -31,12 +31,14 @@ class Expectation(Generic[M]):
         self._kind = kind
         self._checks = checks
         self._where = where
+        self._seconds = 0.0
         self._outcome: Outcome | None = None
         self._looked: list[Looked] = []
         self._found: tuple[Heard, M] | None = None
 
     def wait(self, seconds: float) -> M:
         """The message; raises how it ended otherwise. One that comes in twice the time is late."""
+        self._seconds = seconds
         tester, deadline = self._tester, self._tester.now + seconds
         tester.expected.append(" and ".join((named(self._kind), *(each.name for each in self._checks))))
         tester.pump(deadline, self._look)
@@ -107,4 +109,4 @@ class Expectation(Generic[M]):
         others = self._client.unasked(() if self._kind is ConfirmControl else (RejectControl.CODE,))
         if others:
             return Failed(f"no {named(self._kind)} came, but {', '.join(others[:4])}")
-        return Silent(f"no {named(self._kind)} came in {2 * self._tester.timeout:g} s")
+        return Silent(f"no {named(self._kind)} came in {2 * self._seconds:g} s")

@@ -2,24 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from datetime import UTC, datetime
 from html import escape
+from importlib.resources import files
 from typing import Final
 
-from jauspy.conformance.results import Report, Result, Verdict
+from jauspy.conformance.results import Looked, Report, Result, Verdict
+from jauspy.conformance.trace import Direction, Entry
 
-_STYLE: Final = """
-:root { color-scheme: light dark; font: 15px/1.5 system-ui, sans-serif; }
-body { max-width: 72rem; margin: 2rem auto; padding: 0 1rem; }
-h1 { font-size: 1.4rem; } .sum { font-size: 1.1rem; }
-details { border-bottom: 1px solid #8884; } summary { padding: .25rem 0; cursor: pointer; }
-.v { display: inline-block; width: 5.5rem; font-weight: 600; } .t { color: #888; float: right; }
-.pass { color: #1a8f3c; } .skipped { color: #888; } .fail, .silent, .late, .malformed { color: #d0342c; }
-.id { display: inline-block; min-width: 3rem; color: #888; } .in { margin: .25rem 0 1rem 3rem; }
-pre { font: 12px/1.45 ui-monospace, monospace; overflow-x: auto; margin: .5rem 0; } .h { color: #888; }
-li.no { color: #d0342c; }
-"""
+_QUIET: Final = (Verdict.PASS, Verdict.SKIPPED)
+"""Steps that nobody needs to open."""
 
 
 def page(report: Report) -> str:
@@ -28,49 +21,84 @@ def page(report: Report) -> str:
 
 
 def _lines(report: Report) -> Iterator[str]:
-    title = escape(f"{report.profile}: {report.target}")
-    yield f'<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><title>{title}</title>'
-    yield f"<style>{_STYLE}</style></head><body>"
-    yield f"<h1>{escape(report.title)}</h1>"
-    when = datetime.fromtimestamp(report.began, UTC).strftime("%Y-%m-%d %H:%M:%S UTC")
-    yield f"<p>Target {escape(report.target)}, {when}, {report.seconds:.1f} s.</p>"
-    yield f'<p class="sum">{escape(summary(report))}</p>'
-    if report.problem:
-        yield f'<p class="fail">{escape(report.problem)}</p>'
-    yield from (f"<p>{escape(note)}.</p>" for note in report.notes)
-    for result in report.results:
-        yield from _step(result)
+    style = files(__package__).joinpath("report.css").read_text()
+    yield '<!doctype html>\n<html lang="en"><head><meta charset="utf-8">'
+    yield '<meta name="viewport" content="width=device-width, initial-scale=1">'
+    yield f"<title>{escape(report.profile)}: {escape(report.target)}</title>"
+    yield f"<style>\n{style}</style></head><body>"
+    yield from _head(report)
+    yield from _failures(report.failures)
+    if report.results:
+        yield '<input type="checkbox" id="less"><label for="less">Only what did not pass</label>'
+        yield "<main>"
+        for result in report.results:
+            yield from _step(result)
+        yield "</main>"
     yield "</body></html>"
 
 
+def _head(report: Report) -> Iterator[str]:
+    when = datetime.fromtimestamp(report.began, UTC).strftime("%Y-%m-%d %H:%M:%S UTC")
+    yield f"<header><h1>{escape(report.title)}</h1>"
+    run = f"profile {escape(report.profile)}, {when}, {report.seconds:.1f} s"
+    yield f"<p>Target <strong>{escape(report.target)}</strong>, {run}</p>"
+    yield f'<p class="sum s{report.status}">{escape(summary(report))}</p>'
+    if report.results:
+        yield f'<div class="bar" aria-hidden="true">{"".join(_bar(report))}</div>'
+    if report.problem:
+        yield f'<p class="problem">{escape(report.problem)}</p>'
+    yield from (f"<p>{escape(note)}</p>" for note in report.notes)
+    yield "</header>"
+
+
+def _bar(report: Report) -> Iterator[str]:
+    for verdict in Verdict:
+        if count := report.counts[verdict]:
+            yield f'<span class="{verdict}" style="flex-grow:{count}" title="{count} {verdict}"></span>'
+
+
+def _failures(failures: Iterable[Result]) -> Iterator[str]:
+    """Where to look first."""
+    items = [
+        f'<li><a href="#{escape(each.id)}">{escape(each.id)}</a> {escape(each.title)}: {escape(each.reason)}</li>'
+        for each in failures
+    ]
+    if items:
+        yield f"<nav><h2>What did not pass</h2><ul>{''.join(items)}</ul></nav>"
+
+
 def _step(result: Result) -> Iterator[str]:
-    opened = "" if result.verdict in (Verdict.PASS, Verdict.SKIPPED) else " open"
+    opened = "" if result.verdict in _QUIET else " open"
     points = f"{result.earned:g}/{result.points:g} points, " if result.points else ""
     yield (
-        f'<details{opened}><summary><span class="v {result.verdict}">{result.verdict}</span>'
-        f'<span class="id">{escape(result.id)}</span> {escape(result.title)}'
-        f'<span class="t">{points}{result.elapsed * 1000:.0f} ms</span></summary><div class="in">'
+        f'<details class="{result.verdict}" id="{escape(result.id)}"{opened}><summary>'
+        f'<span class="v">{result.verdict}</span> <span class="id">{escape(result.id)}</span>'
+        f' <span class="what">{escape(result.title)}</span>'
+        f' <span class="t">{points}{result.elapsed * 1000:.0f} ms</span></summary><div class="in">'
     )
     if result.reason:
-        yield f'<p class="{result.verdict}">{escape(result.reason)}</p>'
+        yield f'<p class="reason">{escape(result.reason)}</p>'
+    if result.expected:
+        yield f"<p>Expected: {escape('; '.join(result.expected))}</p>"
     if result.why:
-        yield f"<p>From {escape(result.why)}.</p>"
+        yield f'<p class="from">From {escape(result.why)}</p>'
     if result.looked:
-        yield "<ul>"
-        for each in result.looked:
-            yield f'<li class="{"no" if each.problem else "yes"}">{escape(each.name)}</li>'
-        yield "</ul>"
+        yield f'<ul class="checks">{"".join(map(_check, result.looked))}</ul>'
     if result.entries:
-        yield f"<pre>{''.join(_traffic(result))}</pre>"
+        yield f'<div class="traffic">{"".join(map(_datagram, result.entries))}</div>'
     yield "</div></details>"
 
 
-def _traffic(result: Result) -> Iterator[str]:
-    for entry in result.entries:
-        arrow = escape(str(entry.direction))
-        yield f'<span class="h">{entry.at:9.4f} {arrow} {entry.data.hex()}</span>\n'
-        for line in entry.lines:
-            yield f"          {arrow} {escape(line)}\n"
+def _check(looked: Looked) -> str:
+    problem = f": {escape(looked.problem)}" if looked.problem else ""
+    return f'<li class="{"no" if looked.problem else "yes"}">{escape(looked.name)}{problem}</li>'
+
+
+def _datagram(entry: Entry) -> str:
+    way = "sent" if entry.direction is Direction.SENT else "received"
+    decoded = "<br>".join(map(escape, entry.lines))
+    head = f"<time>{entry.at:.4f}</time> <strong>{way}</strong> <span>{decoded}</span>"
+    return f'<div class="{way}">{head}<code>{entry.data.hex(" ", 4)}</code></div>\n'
 
 
 def summary(report: Report) -> str:

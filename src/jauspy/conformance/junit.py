@@ -15,7 +15,9 @@ _FORBIDDEN: Final = re.compile(r"[^\t\n\r\x20-\uD7FF\uE000-\uFFFD]")
 
 def junit(report: Report) -> bytes:
     """The file: a suite with a case for each step; what could not run is an error."""
-    suite = ET.Element(
+    suites = ET.Element("testsuites", name="jauspy conformance")
+    suite = ET.SubElement(
+        suites,
         "testsuite",
         name=report.profile,
         tests=str(len(report.results) + bool(report.problem)),
@@ -23,7 +25,7 @@ def junit(report: Report) -> bytes:
         errors=str(int(bool(report.problem))),
         skipped=str(report.counts[Verdict.SKIPPED]),
         time=f"{report.seconds:.3f}",
-        timestamp=datetime.fromtimestamp(report.began, UTC).isoformat(timespec="seconds"),
+        timestamp=datetime.fromtimestamp(report.began, UTC).strftime("%Y-%m-%dT%H:%M:%S"),
         hostname=report.target,
     )
     for result in report.results:
@@ -31,8 +33,8 @@ def junit(report: Report) -> bytes:
     if report.problem:
         case = ET.SubElement(suite, "testcase", classname=f"jauspy.{report.profile}", name="the run", time="0")
         ET.SubElement(case, "error", type="could not run", message=_clean(report.problem))
-    ET.indent(suite)
-    written: bytes = ET.tostring(suite, encoding="utf-8", xml_declaration=True)
+    ET.indent(suites)
+    written: bytes = ET.tostring(suites, encoding="utf-8", xml_declaration=True)
     return written
 
 

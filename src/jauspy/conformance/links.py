@@ -55,7 +55,11 @@ class LinkWire:
 
     def receive(self, until: float) -> Arrival | None:
         """What comes next to any of the clients."""
-        return self._loop.run_until_complete(self._next(until - time.monotonic()))
+        waiting = self._loop.create_task(self._next(until - time.monotonic()))
+        try:
+            return self._loop.run_until_complete(waiting)
+        finally:
+            waiting.cancel()  # after Ctrl-C it would take what comes next
 
     def close(self) -> None:
         """Detach all components."""

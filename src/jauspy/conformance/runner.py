@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import Final
 
 from jauspy.codec.registry import Registry
 from jauspy.conformance.offers import Offers, discover
 from jauspy.conformance.outcome import Outcome
+from jauspy.conformance.parting import part
 from jauspy.conformance.profile import Profile, Step
+from jauspy.conformance.pulse import Pulse
 from jauspy.conformance.results import Report, Result, Verdict
 from jauspy.conformance.tester import TIMEOUT, Tester
 from jauspy.conformance.wire import Wire
-from jauspy.errors import ConfigError, RequestError
+from jauspy.errors import ConfigError, RequestError, TransportError
 from jauspy.ids import JausID
 from jauspy.messages import registry as known_messages
 
@@ -24,6 +26,14 @@ DEAF: Final = (
     "{target} answers nothing; check that it runs, that its id is right, that it takes messages for a wildcard id "
     "if that is one, and that both are on one network (`jauspy ls` shows who answers)"
 )
+
+
+class Interrupted(KeyboardInterrupt):
+    """Ctrl-C in the midst of a run, after the target was left in order."""
+
+    def __init__(self, report: Report) -> None:
+        super().__init__(report.problem)
+        self.report = report
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,23 +58,27 @@ def run(
     registry: Registry = known_messages,
     watch: Watch = lambda _: None,
 ) -> Report:
-    """The report of a whole run. `began`: the wall clock, seconds since 1970. Never raises for what the target does."""
+    """The report of a whole run. `began`: the wall clock, seconds since 1970. Never raises for what the target does.
+
+    Ctrl-C raises `Interrupted`, which has the report of what was done so far.
+    """
     settings = settings or Settings()
     tester = Tester(wire, target, registry=registry, timeout=settings.timeout)
     results: list[Result] = []
-    problem = ""
+    problem, interrupted = "", False
     try:
-        for step in _chosen(profile.plan(_offers(profile, tester)), settings.only):
-            results.append(run_step(step, tester, settings))
-            watch(results[-1])
-            if results[-1].verdict is Verdict.SILENT and tester.entries and not tester.answered:
-                problem = DEAF.format(target=target)
-                break
-    except ConfigError as error:
+        for result in _results(profile, tester, settings):
+            results.append(result)
+            watch(result)
+        problem = "" if tester.answered or not tester.entries else DEAF.format(target=target)
+    except (ConfigError, TransportError) as error:
         problem = str(error)
     except RequestError as error:
         problem = str(error) if tester.answered else DEAF.format(target=target)
-    return Report(
+    except KeyboardInterrupt:
+        problem, interrupted = f"interrupted after {len(results)} steps", True
+    problem = part(tester) or problem
+    report = Report(
         profile=profile.name,
         title=profile.title,
         target=str(target),
@@ -75,6 +89,25 @@ def run(
         problem=problem,
         notes=(f"{tester.left_out} datagrams were too many to keep",) if tester.left_out else (),
     )
+    if interrupted:
+        raise Interrupted(report)
+    return report
+
+
+def _results(profile: Profile, tester: Tester, settings: Settings) -> Iterator[Result]:
+    """Step by step; a target that has never answered is not tried any further, nor is one that has died."""
+    pulse = Pulse(tester)
+    for step in _chosen(profile.plan(_offers(profile, tester)), settings.only):
+        if pulse.stopped:
+            reason = f"the target is silent since step {pulse.lost}"
+            now = tester.now
+            yield Result(step.id, step.title, Verdict.SKIPPED, reason, began=now, ended=now, points=step.points)
+            continue
+        result = run_step(step, tester, settings)
+        if result.verdict is Verdict.SILENT and tester.entries and not tester.answered:
+            yield result
+            return
+        yield pulse.judged(result)
 
 
 def _offers(profile: Profile, tester: Tester) -> Offers:

@@ -14,6 +14,7 @@ from jauspy.conformance.outcome import Failed, Skipped
 from jauspy.conformance.results import Looked
 from jauspy.conformance.trace import Direction, Entry, Heard, named
 from jauspy.conformance.wire import Arrival, Wire
+from jauspy.errors import ConfigError
 from jauspy.ids import EVERYONE, JausID
 from jauspy.messages.core import CommandEvent, Event
 from jauspy.protocol import judp
@@ -68,9 +69,16 @@ class Tester:
         found: JausID = self.recall("component", "no component of the target has answered")
         return found
 
+    @property
+    def clients(self) -> tuple[Client, ...]:
+        """Those that have had something to do."""
+        return tuple(self._clients.values())
+
     def client(self, id: str | JausID) -> Client:
         """The client of this id; it is reachable from now on."""
         wanted = JausID.parse(id) if isinstance(id, str) else id
+        if wanted == self.target:
+            raise ConfigError(f"{wanted} is an id that the test itself speaks as; give the target another one")
         if wanted not in self._clients:
             self.wire.join(wanted)
             self._clients[wanted] = Client(self, wanted)
@@ -146,11 +154,14 @@ class Client:
         self.pending: deque[Heard] = deque(maxlen=MAX_PENDING)
         self.strange_port = False
         """Speak from another UDP port from now on."""
+        self.sent: set[int] = set()
+        """The ids of all messages that it has sent."""
         self._endpoint = Endpoint(id, first_sequence=int(id) % 251)
 
     def send(self, message: Message | bytes, *, to: JausID | None = None, ack: Ack = Ack.NONE) -> None:
         """Send a message, to the target unless told otherwise."""
         payload = message if isinstance(message, bytes) else message.encode()
+        self.sent.add(int.from_bytes(payload[:2], "little"))
         if isinstance(message, Message):
             self.tester.why.append(f"{message.SERVICE} {message.VERSION}: {named(type(message))}")
         self._endpoint.send(to or self.tester.target, payload, now=self.tester.now, ack=ack)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import select
+import selectors
 import socket
 import time
 from collections import OrderedDict
@@ -26,7 +26,8 @@ MAX_KNOWN: Final = 1024
 class UdpWire:
     """Clients of one host. Everything goes to `peer`, or without one to where an id was heard, and else to `group`.
 
-    `port` is the port to speak from; when it is taken, any other is used, which `port` then says.
+    `group` is listened to as well; by default it is JAUS's, on the port of the peer. `port` is the port to speak from;
+    when it is taken, any other is used, which `port` then says.
     """
 
     features: Collection[str] = (RAW, PORTS)
@@ -35,17 +36,18 @@ class UdpWire:
         self,
         *,
         peer: Address | None = None,
-        group: Address = (judp.MULTICAST_GROUP, judp.PORT),
+        group: Address | None = None,
         port: int = judp.PORT,
         interface: str = multicast.ANY,
     ) -> None:
         self._peer = peer
-        self._group = group
+        self._group = group or (judp.MULTICAST_GROUP, peer[1] if peer else judp.PORT)
         self._ids: set[int] = set()
         self._known: OrderedDict[int, Address] = OrderedDict()
-        self._usual = _sender(port, interface)
-        self._strange = _sender(0, interface)
-        self._sockets = [self._usual, self._strange]
+        self._sockets: list[socket.socket] = []
+        self._selector = selectors.DefaultSelector()
+        self._usual = self._heard(_sender(port, interface))
+        self._strange = self._heard(_sender(0, interface))
         self.notes: list[str] = []
         """What did not work as it should, for the report."""
         if self.port != port:
@@ -79,25 +81,34 @@ class UdpWire:
         """The next datagram that is not one of the tester's own."""
         while True:
             left = max(0.0, until - time.monotonic())
-            ready, _, _ = select.select(self._sockets, [], [], left)
-            for sock in ready:
-                if (datagram := self._read(sock)) is not None:
-                    return Arrival(datagram, sock is self._strange)
+            ready = self._selector.select(left)
+            for key, _ in ready:
+                if (datagram := self._read(key.data)) is not None:
+                    return Arrival(datagram, key.data is self._strange)
             if not ready or time.monotonic() >= until:
                 return None
 
     def close(self) -> None:
         """Close the sockets."""
+        self._selector.close()
         while self._sockets:
             self._sockets.pop().close()
+
+    def _heard(self, sock: socket.socket) -> socket.socket:
+        self._sockets.append(sock)
+        self._selector.register(sock, selectors.EVENT_READ, sock)
+        return sock
 
     def _listen(self, interface: str) -> None:
         try:
             sock = multicast.receiver(self._group)
         except OSError as error:
-            self.notes.append(f"no multicasts are heard: {error.strerror}")
+            self.notes.append(
+                f"no multicasts are heard: port {self._group[1]} is held by another user or program "
+                f"({error.strerror}); a robot that looks for the tester is not noticed"
+            )
             return
-        self._sockets.append(sock)
+        self._heard(sock)
         if not Memberships(sock, self._group[0], (interface,)).joined:
             self.notes.append(f"the multicast group {self._group[0]} cannot be joined; is there a network?")
 
@@ -126,10 +137,12 @@ def _sender(port: int, interface: str) -> socket.socket:
     try:
         sock.setblocking(False)
         multicast.prepare_sender(sock, interface, judp.MULTICAST_TTL)
+        multicast.hear_only_joined(sock)
         try:
             sock.bind((multicast.ANY, port))
         except OSError:
             sock.bind((multicast.ANY, 0))
+        multicast.share_group(sock)
     except OSError as error:
         sock.close()
         raise TransportError(f"cannot use UDP on {interface}: {error.strerror}") from error

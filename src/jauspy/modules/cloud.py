@@ -1,4 +1,4 @@
-"""Streams what a robot's lidars see as point clouds."""
+"""Streams what a robot's lidars and depth cameras see as point clouds."""
 
 from __future__ import annotations
 
@@ -6,14 +6,89 @@ import asyncio
 import math
 import struct
 import time
-from collections.abc import Mapping
-from typing import Final
+from collections import Counter
+from collections.abc import AsyncIterator, Iterable, Mapping
+from contextlib import AsyncExitStack, asynccontextmanager, suppress
+from typing import Final, Protocol
 
+from jauspy.cloud.depth import DepthStream
+from jauspy.cloud.depth_process import DepthProcess
 from jauspy.cloud.socket import CloudPublisher
+from jauspy.errors import ConfigError
+from jauspy.modules.config import RobotConfig
+from jauspy.platform.camera import Camera
 from jauspy.platform.ranging import RangeFinder, RangeScan
 
 POLL: Final = 0.02
 """Seconds between two looks for a new scan."""
+
+
+class Seeing(Protocol):
+    """A robot that runs."""
+
+    @property
+    def config(self) -> RobotConfig:
+        """Its description."""
+        ...
+
+    @property
+    def lidars(self) -> Mapping[str, RangeFinder]:
+        """Its lidars."""
+        ...
+
+    @property
+    def cameras(self) -> Mapping[str, Camera]:
+        """Its cameras."""
+        ...
+
+
+class Clouds:
+    """Where a robot's clouds are published.
+
+    `wanted`: an address, as in `tcp://127.0.0.1:5565`, for the scans of all lidars, and `CAMERA=ADDRESS` for the clouds
+    of each depth camera. `ConfigError` for a camera that is none, or for an address that is there twice.
+    """
+
+    def __init__(self, config: RobotConfig, wanted: Iterable[str]) -> None:
+        pairs = [_parsed(each) for each in wanted]
+        for name, address in pairs:
+            if [other for _, other in pairs].count(address) > 1:
+                raise ConfigError(f"--cloud: {address} is there twice; each stream needs an address of its own")
+            if [other for other, _ in pairs].count(name) > 1:
+                raise ConfigError(f"--cloud: {name or 'the lidars'} would be published twice; one address is enough")
+        self._places = dict(pairs)
+        self._settings = {each.name: each.depth.settings() for each in config.cameras if each.depth is not None}
+        for name in self._places:
+            if name and name not in self._settings:
+                known = ", ".join(self._settings) or "none"
+                raise ConfigError(
+                    f"--cloud: {name!r} is no camera with `depth` in the robot's file; those are: {known}"
+                )
+        self._processes: dict[str, DepthProcess] = {}
+
+    @property
+    def counters(self) -> Mapping[str, int]:
+        """What the depth cameras counted, by their names."""
+        counted = ((f"cloud.{name}", process.counters) for name, process in self._processes.items())
+        return Counter({f"{name}.{what}": count for name, found in counted for what, count in found.items()})
+
+    @asynccontextmanager
+    async def published(self, robot: Seeing) -> AsyncIterator[None]:
+        """Publish meanwhile; `TransportError` when an address cannot be used."""
+        async with AsyncExitStack() as stack:
+            for name, address in self._places.items():
+                if name:
+                    depth = DepthStream(robot.cameras[name], self._settings[name], address)
+                    self._processes[name] = await stack.enter_async_context(DepthProcess(depth))
+                else:
+                    publisher = stack.enter_context(CloudPublisher(address))
+                    stack.push_async_callback(_end, asyncio.create_task(stream(robot.lidars, publisher)))
+            yield
+
+
+def _parsed(wanted: str) -> tuple[str, str]:
+    name, equals, address = wanted.partition("=")
+    return (name, address) if equals and "/" not in name else ("", wanted)
 
 
 async def stream(lidars: Mapping[str, RangeFinder], publisher: CloudPublisher) -> None:
@@ -33,3 +108,10 @@ def points(scan: RangeScan) -> bytes:
     rays = zip(scan.angles, scan.ranges, strict=True)
     ends = [(far * math.cos(angle), far * math.sin(angle), 0.0) for angle, far in rays if math.isfinite(far)]
     return struct.pack(f"<{3 * len(ends)}f", *(value for end in ends for value in end))
+
+
+async def _end(task: asyncio.Task[None]) -> None:
+    """Raises what ended the task before."""
+    task.cancel()
+    with suppress(asyncio.CancelledError):
+        await task

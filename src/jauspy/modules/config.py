@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Annotated, Final, Literal, Self, TypeAlias
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, model_validator
@@ -12,7 +12,7 @@ from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.modules.config_cameras import CameraConfig
 from jauspy.modules.config_joints import Groups, JointName, TracksConfig
-from jauspy.modules.config_sensors import LidarConfig
+from jauspy.modules.config_sensors import ForceTorqueConfig, LidarConfig
 
 
 def _on_the_wire(name: str) -> str:
@@ -80,8 +80,8 @@ SERVICES: Final[Mapping[str, tuple[str, ...]]] = {
         "ManipulatorToolOffsetService",
     ),
     "CM-EEF": (*_EVERYWHERE, "PrimitiveEndEffector"),
-    "CM-SEN": (*_EVERYWHERE, "RangeSensor"),
-    "CM-VIS": (*_EVERYWHERE, "VisualSensor", "DigitalVideo", "DigitalResourceDiscovery"),
+    "CM-SEN": (*_EVERYWHERE, "RangeSensor", "ForceTorqueSensor"),
+    "CM-VIS": (*_EVERYWHERE, "VisualSensor", "DigitalVideo", "StillImage", "DigitalResourceDiscovery"),
 }
 """What each type of module may offer beside Transport, Events, AccessControl and Management."""
 
@@ -173,6 +173,7 @@ class RobotConfig(_Strict):
     groups: Groups = {}
     """Its other joints."""
     lidars: Annotated[tuple[LidarConfig, ...], Field(max_length=16)] = ()
+    force_torque: Annotated[tuple[ForceTorqueConfig, ...], Field(max_length=16)] = ()
     cameras: Annotated[tuple[CameraConfig, ...], Field(max_length=16)] = ()
 
     @model_validator(mode="after")
@@ -183,7 +184,8 @@ class RobotConfig(_Strict):
             if count > 1:
                 raise ValueError(f"modules: {count} have the component id {component}; give each its own, 1..254")
         self._check_that_nothing_is_moved_twice()
-        self._check_lidars()
+        self._check_sensors("lidars", self.lidars, "RangeSensor")
+        self._check_sensors("force_torque", self.force_torque, "ForceTorqueSensor")
         self._check_cameras()
         if not any(module.offers("Discovery") for module in self.modules):
             raise ValueError("modules: none has the service Discovery; nobody could find the robot; add it to services")
@@ -214,13 +216,13 @@ class RobotConfig(_Strict):
                     f"modules: {module.component} moves the {what}, which is not there; there are: {known}"
                 )
 
-    def _check_lidars(self) -> None:
-        names = [lidar.name for lidar in self.lidars]
+    def _check_sensors(self, key: str, sensors: Sequence[LidarConfig | ForceTorqueConfig], service: Service) -> None:
+        names = [sensor.name for sensor in sensors]
         if len(set(names)) < len(names):
-            raise ValueError(f"lidars: {', '.join(sorted({n for n in names if names.count(n) > 1}))} is there twice")
+            raise ValueError(f"{key}: {', '.join(sorted({n for n in names if names.count(n) > 1}))} is there twice")
         for module in self.modules:
-            if not self.lidars and "RangeSensor" in (module.services or ()):
-                raise ValueError(f"lidars: there is none, and {module.component} offers RangeSensor; add [[lidars]]")
+            if not sensors and service in (module.services or ()):
+                raise ValueError(f"{key}: there is none, and {module.component} offers {service}; add [[{key}]]")
 
     def _check_cameras(self) -> None:
         names = [camera.name for camera in self.cameras]

@@ -7,10 +7,37 @@ from typing import Annotated, Self
 
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
+from jauspy.cloud.depth import DepthSettings
+from jauspy.cloud.message import MOST_POINTS
 from jauspy.errors import ConfigError
 from jauspy.modules.config_joints import JointName
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.video_settings import VideoSettings
+
+
+class DepthConfig(BaseModel):
+    """What a camera that also measures distances makes clouds of."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    size: tuple[Annotated[int, Field(ge=16, le=1920)], Annotated[int, Field(ge=16, le=1080)]] = (400, 250)
+    """Points across and down, at most."""
+    rate: Annotated[float, Field(gt=0.0, le=60.0)] = 10.0
+    """Clouds per second."""
+    range: tuple[Annotated[float, Field(ge=0.0)], Annotated[float, Field(gt=0.0, le=1000.0)]] = (0.2, 10.0)
+    """The least and the largest distance along the camera's axis that it measures, in metres."""
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if self.range[0] >= self.range[1]:
+            raise ValueError(f"range: {list(self.range)} is empty; give the least distance and then the largest")
+        if self.size[0] * self.size[1] > MOST_POINTS:
+            raise ValueError(f"size: {list(self.size)} are too many points for one message; it has {MOST_POINTS}")
+        return self
+
+    def settings(self) -> DepthSettings:
+        """For the process that makes them."""
+        return DepthSettings(*self.size, self.rate, *self.range)
 
 
 class CameraConfig(BaseModel):
@@ -28,6 +55,8 @@ class CameraConfig(BaseModel):
     """Pictures per second, at first."""
     bit_rate: int = 2000
     """Kilobits per second, at first."""
+    depth: DepthConfig | None = None
+    """Of a camera that also measures distances."""
     stamped: bool = False
     """Whether the upper edge of each picture shows its number and the time it was taken, as black and white squares."""
 

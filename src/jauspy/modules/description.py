@@ -22,10 +22,13 @@ def robot_model(config: RobotConfig) -> RobotModel:
     lidars = tuple(lidar.setup() for lidar in config.lidars)
     for number, lidar in enumerate(lidars):
         _check_link(f"lidars[{number}].link", lidar.link, description)
+    force_torque = tuple(sensor.setup() for sensor in config.force_torque)
+    for number, sensor in enumerate(force_torque):
+        _check_carried(f"force_torque[{number}].link", sensor.link, description)
     cameras = tuple(camera.setup() for camera in config.cameras)
     for number, camera in enumerate(cameras):
         _check_link(f"cameras[{number}].link", camera.link, description)
-    return RobotModel(description, config.tracks.setup(), groups, lidars, cameras)
+    return RobotModel(description, config.tracks.setup(), groups, lidars, cameras, force_torque)
 
 
 def _expanded(path: str) -> str:
@@ -51,6 +54,12 @@ def _check_tracks(config: RobotConfig, description: Description) -> None:
 def _check_link(key: str, link: str, description: Description) -> None:
     if link not in description.links():
         raise ConfigError(f"{key}: the URDF has no link {link!r}; it has: {', '.join(sorted(description.links()))}")
+
+
+def _check_carried(key: str, link: str, description: Description) -> None:
+    _check_link(key, link, description)
+    if link == description.root():
+        raise ConfigError(f"{key}: nothing carries {link!r}; a sensor is between a link and the link that carries it")
 
 
 def _check_group(key: str, names: list[str], base: str, tip: str, description: Description) -> None:

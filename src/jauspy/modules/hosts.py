@@ -11,10 +11,11 @@ from jauspy.modules.config import ModuleConfig, RobotConfig
 from jauspy.modules.end_effector import cm_eef
 from jauspy.modules.manipulator import cm_man
 from jauspy.modules.mobility import cm_mob, vehicle_of
-from jauspy.modules.sensors import cm_sen, mounted
+from jauspy.modules.sensors import Sensors, cm_sen
 from jauspy.modules.vision import cm_vis, mounted_camera
 from jauspy.platform.contract import DriveBase
 from jauspy.platform.description import RobotModel
+from jauspy.platform.force_torque import ForceTorqueSensor
 from jauspy.platform.joints import JointGroup
 from jauspy.platform.ranging import RangeFinder
 from jauspy.services.core import Identity
@@ -43,6 +44,11 @@ class Body(Protocol):
         """The lidars."""
         ...
 
+    @property
+    def force_torque(self) -> Mapping[str, ForceTorqueSensor]:
+        """The sensors of force and torque."""
+        ...
+
 
 def host_of(
     config: RobotConfig,
@@ -58,8 +64,8 @@ def host_of(
     """The host of a module. `videos`: the cameras by name. `now`: seconds of the clock that runs it."""
     id = config.id_of(module)
     if module.type == "CM-SEN":
-        lidars = mounted(model.description, body.lidars, body.groups)
-        return cm_sen(id, lidars, module, identities=identities, utc_now=utc_now, now=now)
+        sensors = Sensors.of(model.description, body)
+        return cm_sen(id, sensors, module, identities=identities, utc_now=utc_now, now=now)
     if module.camera is not None:
         camera = mounted_camera(model.description, videos[module.camera], body.groups)
         return cm_vis(id, camera, module, identities=identities, utc_now=utc_now, now=now)

@@ -20,9 +20,12 @@ from jauspy.modules.hosts import host_of
 from jauspy.modules.realtime import RealTime
 from jauspy.modules.snapshot import Snapshot
 from jauspy.platform import backends
+from jauspy.platform.camera import Camera
 from jauspy.platform.contract import Robot
 from jauspy.platform.description import RobotModel
 from jauspy.platform.ranging import RangeFinder
+from jauspy.platform.stills import MAX_REPORT
+from jauspy.protocol.delivery import Delivery
 from jauspy.services.core import Identity
 from jauspy.services.host import Host
 from jauspy.transport import Transport
@@ -76,6 +79,16 @@ class RobotRunner:
         return self._realtime.lidars if self._components and self._realtime else {}
 
     @property
+    def videos(self) -> Mapping[str, CameraProcess]:
+        """Its cameras that a module streams, by name; empty when not open."""
+        return self._videos if self._components else {}
+
+    @property
+    def cameras(self) -> Mapping[str, Camera]:
+        """Its cameras, for other processes; empty when not open."""
+        return self._realtime.cameras if self._components and self._realtime else {}
+
+    @property
     def snapshot(self) -> Snapshot | None:
         """The robot's state after its last step; None before it was opened."""
         return self._realtime.snapshot if self._realtime else None
@@ -102,7 +115,8 @@ class RobotRunner:
             components = []
             for module in self.config.modules:
                 host = _host(self.config, module, model, realtime, videos)
-                component = Shell(host, self._transports(host.id), intercept=announced(host, module))
+                delivery = Delivery(max_message=MAX_REPORT) if module.camera else None
+                component = Shell(host, self._transports(host.id), intercept=announced(host, module), delivery=delivery)
                 components.append(await stack.enter_async_context(component))
             self._realtime, self._components, self._videos = realtime, tuple(components), videos
             self._stack = stack.pop_all()
@@ -115,8 +129,12 @@ class RobotRunner:
     async def run(self) -> None:
         """Open, run until cancelled, close; raises what the robot raised, if it breaks down."""
         async with self:
-            if self._realtime is not None:
-                await asyncio.wrap_future(self._realtime.ended)
+            await self.wait()
+
+    async def wait(self) -> None:
+        """Until cancelled; raises what the robot raised, if it breaks down."""
+        if self._realtime is not None:
+            await asyncio.wrap_future(self._realtime.ended)
 
     async def __aenter__(self) -> Self:
         await self.open()

@@ -1,31 +1,63 @@
-"""CM-SEN, the sensor module: tells what the lidars measure."""
+"""CM-SEN, the sensor module: tells what the lidars and the sensors of force and torque measure."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from datetime import datetime
+from typing import Protocol, Self
 
 from jauspy.ids import JausID
 from jauspy.modules.capability import capability
 from jauspy.modules.config import ModuleConfig
 from jauspy.platform.description import Description
+from jauspy.platform.force_torque import ForceTorqueSensor as Gauge
 from jauspy.platform.joints import JointGroup
 from jauspy.platform.ranging import RangeFinder
 from jauspy.platform.transforms import FrameTree, joint_positions
 from jauspy.platform.vectors import Transform
 from jauspy.services.core import Identity
-from jauspy.services.environment_sensing import Mounted, RangeSensor
+from jauspy.services.environment_sensing import ForceTorqueSensor, Mounted, MountedGauge, RangeSensor
 from jauspy.services.host import Host
 from jauspy.services.service import Service
 
 
-def mounted(
-    description: Description, lidars: Mapping[str, RangeFinder], groups: Mapping[str, JointGroup]
-) -> list[Mounted]:
-    """The lidars, and where each is on the robot, whatever its joints do."""
-    tree = FrameTree(description)
-    links = [(lidar, lidar.setup.link) for lidar in lidars.values()]
-    return [Mounted(lidar, frame_of(tree, link, groups), tree.is_fixed(link)) for lidar, link in links]
+class Carrier(Protocol):
+    """What carries sensors."""
+
+    @property
+    def groups(self) -> Mapping[str, JointGroup]:
+        """The joints that move them."""
+        ...
+
+    @property
+    def lidars(self) -> Mapping[str, RangeFinder]:
+        """The lidars."""
+        ...
+
+    @property
+    def force_torque(self) -> Mapping[str, Gauge]:
+        """The sensors of force and torque."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class Sensors:
+    """A robot's sensors, and where each is on the robot, whatever its joints do."""
+
+    lidars: tuple[Mounted, ...]
+    gauges: tuple[MountedGauge, ...]
+
+    @classmethod
+    def of(cls, description: Description, body: Carrier) -> Self:
+        """All of them, in the order of its description."""
+        tree, groups = FrameTree(description), body.groups
+        lidars = ((lidar, lidar.setup.link) for lidar in body.lidars.values())
+        gauges = ((gauge, gauge.setup.link) for gauge in body.force_torque.values())
+        return cls(
+            tuple(Mounted(lidar, frame_of(tree, link, groups), tree.is_fixed(link)) for lidar, link in lidars),
+            tuple(MountedGauge(gauge, frame_of(tree, link, groups)) for gauge, link in gauges),
+        )
 
 
 def frame_of(tree: FrameTree, link: str, groups: Mapping[str, JointGroup]) -> Callable[[], Transform]:
@@ -38,7 +70,7 @@ def frame_of(tree: FrameTree, link: str, groups: Mapping[str, JointGroup]) -> Ca
 
 def cm_sen(
     id: JausID,
-    lidars: Sequence[Mounted],
+    sensors: Sensors,
     config: ModuleConfig,
     *,
     identities: Mapping[int, Identity],
@@ -46,5 +78,9 @@ def cm_sen(
     now: float,
 ) -> Host:
     """The component's host; it moves nothing."""
-    services: list[Service] = [RangeSensor(lidars)] if lidars and config.offers("RangeSensor") else []
+    services: list[Service] = []
+    if sensors.lidars and config.offers("RangeSensor"):
+        services.append(RangeSensor(sensors.lidars))
+    if sensors.gauges and config.offers("ForceTorqueSensor"):
+        services.append(ForceTorqueSensor(sensors.gauges))
     return capability(id, config, services, identities=identities, utc_now=utc_now, now=now)

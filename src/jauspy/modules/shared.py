@@ -9,6 +9,7 @@ from typing import TypeAlias
 from jauspy.modules.snapshot import Snapshot
 from jauspy.platform.contract import Acceleration, Pose, Robot, Twist
 from jauspy.platform.description import Joint
+from jauspy.platform.force_torque import ForceTorqueSensor, ForceTorqueSetup, Wrench
 from jauspy.platform.joints import JointGroup, JointState, Target
 from jauspy.platform.ranging import LidarSetup, RangeFinder, RangeScan, ScanSettings
 
@@ -132,3 +133,21 @@ class SharedLidar:
         seen = self._sight()
         scan = seen.scans[self._setup.name]
         return seen.time - scan.time if scan else 0.0
+
+
+class SharedForceTorque:
+    """A `ForceTorqueSensor`."""
+
+    def __init__(self, sensor: ForceTorqueSensor, sight: Sight) -> None:
+        self._setup = sensor.setup
+        self._sight = sight
+
+    @property
+    def setup(self) -> ForceTorqueSetup:
+        """What it can do."""
+        return self._setup
+
+    @property
+    def wrench(self) -> Wrench:
+        """The last measurement."""
+        return self._sight().wrenches[self._setup.name]

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from jauspy.platform.contract import Acceleration, Pose, Robot, Twist
+from jauspy.platform.force_torque import Wrench
 from jauspy.platform.joints import JointState
 from jauspy.platform.ranging import RangeScan
 
@@ -22,6 +23,8 @@ class Snapshot:
     """The state of its other joints, by group."""
     scans: Mapping[str, RangeScan | None]
     """The last scans of its lidars."""
+    wrenches: Mapping[str, Wrench]
+    """The last measurements of its sensors of force and torque."""
 
 
 def look(robot: Robot) -> Snapshot:
@@ -29,4 +32,5 @@ def look(robot: Robot) -> Snapshot:
     drive = robot.drive
     joints = {name: group.state() for name, group in robot.groups.items()}
     scans = {name: lidar.scan for name, lidar in robot.lidars.items()}
-    return Snapshot(robot.time, drive.pose(), drive.twist(), drive.acceleration(), joints, scans)
+    wrenches = {name: sensor.wrench for name, sensor in robot.force_torque.items()}
+    return Snapshot(robot.time, drive.pose(), drive.twist(), drive.acceleration(), joints, scans, wrenches)

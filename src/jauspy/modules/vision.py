@@ -1,4 +1,4 @@
-"""CM-VIS, the vision module: streams what a camera sees."""
+"""CM-VIS, the vision module: streams what a camera sees, and takes still images."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ from jauspy.services.core import Identity
 from jauspy.services.environment_sensing import (
     DigitalResourceDiscovery,
     DigitalVideo,
+    StillImage,
     VideoCamera,
     VideoSource,
     Viewers,
@@ -28,6 +29,7 @@ from jauspy.services.service import Service
 CHOICE: Final[Mapping[str, Callable[[Viewers], Service]]] = {
     "VisualSensor": lambda viewers: VisualSensor(viewers.cameras),
     "DigitalVideo": DigitalVideo,
+    "StillImage": lambda viewers: StillImage(viewers.cameras),
     "DigitalResourceDiscovery": DigitalResourceDiscovery,
 }
 

@@ -38,8 +38,9 @@ class Buffered(NamedTuple):
 class Network:
     """Binds and joins when it is made; raises `TransportError` that names who has the port.
 
-    On a wildcard address one exclusive socket does all. On a specific address, multicasts need a second socket,
-    bound to the group and shared, so that node managers on several addresses of one host all get them.
+    On a wildcard address one socket does all, and shares nothing but the group. On a specific address, multicasts
+    need a second socket, bound to the group and shared, so that node managers on several addresses of one host all
+    get them.
     `lost` is told of ports where nobody listens any more.
     """
 
@@ -187,6 +188,7 @@ class Network:
     def _join(self) -> Memberships | None:
         config = self.config
         if config.address == multicast.ANY:
+            multicast.share_group(self._unicast)
             multicast.hear_only_joined(self._unicast)
             return Memberships(self._unicast, config.multicast_group, config.interfaces)
         try:

@@ -19,6 +19,7 @@ from jauspy.ocu.link import Link, Patience
 from jauspy.ocu.robot import Robot
 from jauspy.ocu.stats import Stats
 from jauspy.ocu.watch import News, watch
+from jauspy.protocol.delivery import Delivery
 from jauspy.services.core import Discovery, Identity, Liveness
 from jauspy.services.core.discovery import COMPONENT, NODE, SUBSYSTEM, SYSTEM
 from jauspy.services.host import Host
@@ -37,7 +38,8 @@ class OCU:
 
     `connect`: None (the node manager of this machine, else multicast), `"udp://HOST[:PORT]"`, `"tcp://HOST[:PORT]"` or
     `"local:DIRECTORY"`.
-    `timeout` (seconds) and `retries` are what queries use unless told otherwise; `registry` has the known messages.
+    `timeout` (seconds) and `retries` are what queries use unless told otherwise; `registry` has the known messages;
+    `delivery` the settings of reliable delivery and of large messages.
     Others see the OCU as a subsystem with one component that answers discovery and heartbeat.
     """
 
@@ -51,6 +53,7 @@ class OCU:
         retries: int = 2,
         registry: Registry | None = None,
         transport: Transport | None = None,
+        delivery: Delivery | None = None,
     ) -> None:
         self.id: JausID = JausID.parse(id) if isinstance(id, str) else id
         if self.id.is_wildcard or 0 in (self.id.subsystem, self.id.node, self.id.component):
@@ -58,6 +61,7 @@ class OCU:
         self._connect = connect
         self._transport = transport
         self._name = name
+        self._delivery = delivery
         self._link = Link(registry or _builtin(), Patience(timeout, retries))
         self._component: Shell | None = None
 
@@ -82,7 +86,7 @@ class OCU:
             return
         transport = self._transport or await transport_for(self.id, self._connect)
         host = Host(self.id, _services(self._name), utc_now=lambda: datetime.now(UTC))
-        component = Shell(host, transport, intercept=self._link.receive)
+        component = Shell(host, transport, intercept=self._link.receive, delivery=self._delivery)
         await component.open()
         self._component = component
         self._link.attach(component)

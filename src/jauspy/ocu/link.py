@@ -233,6 +233,10 @@ class Link:
             raise ControlRejected(f"this OCU already controls {id}; one `async with` block serves all of its services")
         self._controls[id] = control
 
+    def has_control(self, id: JausID) -> bool:
+        """True when something here controls the component."""
+        return id in self._controls
+
     def drop_control(self, id: JausID, control: Held) -> None:
         """Forget it; fine when another one is there."""
         if self._controls.get(id) is control:

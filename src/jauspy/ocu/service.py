@@ -17,6 +17,7 @@ from jauspy.ocu.control import Control
 from jauspy.ocu.elements import Elements
 from jauspy.ocu.link import Link, Patience
 from jauspy.ocu.model import ServiceInfo
+from jauspy.ocu.stills import Photo, configuration, photograph
 from jauspy.ocu.subscription import Request, Subscription
 
 R = TypeVar("R", bound=Message)
@@ -161,6 +162,21 @@ class ServiceClient:
             silence = max(2.0, 10.0 / rate)
         request = Request(self.id, query, rate, silence, buffer)
         return Subscription(self._link, request, expects or self._link.report_of(query), self._link.patience)
+
+    async def still(
+        self,
+        *,
+        size: tuple[int, int] | None = None,
+        format: str | None = None,
+        sensor: int = 1,
+        timeout: float = 10.0,
+    ) -> Photo:
+        """A picture by a camera with the service StillImage; a cold camera needs some seconds to start.
+
+        `size` (width, height) and `format` ("jpeg", "png") are set for this one picture, which needs control for a
+        moment; without them it is as the camera is set. Raises `RequestError` when the camera refuses or has none.
+        """
+        return await photograph(self._link, self, configuration(sensor, size, format), timeout)
 
     async def status(self) -> ReportStatus.Status | int:
         """What Management reports."""

@@ -11,6 +11,8 @@ if TYPE_CHECKING:
 
     Image: TypeAlias = NDArray[np.uint8]
     """Rows of pixels from top to bottom: red, green, blue; shape (height, width, 3)."""
+    Distances: TypeAlias = NDArray[np.float32]
+    """Of each pixel, along the camera's x axis: metres, inf where nothing is; shape (height, width)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,6 +33,16 @@ class Frame:
     taken: float
 
 
+@dataclass(frozen=True, slots=True)
+class DepthFrame:
+    """A picture, and how far away each of its pixels is. A pixel stands for the ray through its middle."""
+
+    image: Image
+    distances: Distances
+    taken: float
+    """When the robot was as it shows: seconds of the machine's monotonic clock."""
+
+
 class Eye(Protocol):
     """An open camera. It belongs to one thread."""
 
@@ -41,6 +53,10 @@ class Eye(Protocol):
 
     def look(self, width: int, height: int) -> Frame:
         """The robot's newest state as a picture of that size."""
+        ...
+
+    def measure(self, width: int, height: int) -> DepthFrame:
+        """The same with distances; in fewer pixels, of the same field of view, where so many would take too long."""
         ...
 
     def close(self) -> None:

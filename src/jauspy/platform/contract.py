@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Protocol
 if TYPE_CHECKING:
     from jauspy.platform.camera import Camera
     from jauspy.platform.description import RobotModel
+    from jauspy.platform.force_torque import ForceTorqueSensor
     from jauspy.platform.joints import JointGroup
     from jauspy.platform.ranging import RangeFinder
 
@@ -98,6 +99,11 @@ class Robot(Protocol):
     @property
     def lidars(self) -> Mapping[str, RangeFinder]:
         """Its lidars, by name, in the order of its description."""
+        ...
+
+    @property
+    def force_torque(self) -> Mapping[str, ForceTorqueSensor]:
+        """Its sensors of force and torque, by name, in the order of its description."""
         ...
 
     @property

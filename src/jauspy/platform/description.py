@@ -13,6 +13,7 @@ from typing import Final
 from jauspy.errors import ConfigError
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.contract import Pose
+from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.pid import Gains
 from jauspy.platform.ranging import LidarSetup
 
@@ -133,3 +134,4 @@ class RobotModel:
     groups: Mapping[str, GroupSetup] = field(default_factory=dict)
     lidars: tuple[LidarSetup, ...] = ()
     cameras: tuple[CameraSetup, ...] = ()
+    force_torque: tuple[ForceTorqueSetup, ...] = ()

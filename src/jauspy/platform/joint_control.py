@@ -2,10 +2,21 @@
 
 from __future__ import annotations
 
+from typing import Final
+
 from jauspy.platform.description import Joint, JointGains
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.platform.motion import Motion
 from jauspy.platform.pid import Pid
+
+BRAKING: Final = 0.1
+"""Seconds that a joint that is to hold brakes first: long enough for those beside it to come to rest, too."""
+
+LIVELIEST: Final = 50.0
+"""Acceleration of a joint that moves nothing but its own rotor with full effort, rad/s^2 or m/s^2.
+
+So effort / (LIVELIEST * dt) stops within a step at the soonest, and does not shake.
+"""
 
 
 class JointController:
@@ -16,6 +27,8 @@ class JointController:
         self._motion = Motion(joint, position)
         self._position_pid = Pid(gains.position, joint.effort)
         self._velocity_pid = Pid(gains.velocity, joint.effort)
+        self._holding = True
+        self._braking = 0.0
 
     @property
     def mode(self) -> ControlMode:
@@ -28,23 +41,38 @@ class JointController:
             self._reset()
             self._motion.start(position, velocity)
         self._motion.target = target
+        self._holding, self._braking = False, 0.0
 
     def hold(self, position: float) -> None:
-        """Stay where the joint is."""
+        """Brake, and stay where the joint comes to rest. Again changes nothing: it would follow a joint that sags."""
+        if self._holding:
+            return
         self._reset()
         self._motion.hold(position)
+        self._holding, self._braking = True, BRAKING
 
     def effort(self, position: float, velocity: float, dt: float, feed_forward: float = 0.0) -> float:
         """The effort for the next `dt` seconds; `feed_forward` is what the joint needs anyhow, against gravity."""
         joint, motion = self._joint, self._motion
+        if self._braking > 0.0:
+            return self._brake(position, velocity, dt, feed_forward)
         if self.mode is ControlMode.EFFORT:
-            return min(joint.effort, max(-joint.effort, motion.target.value))
+            return self._limited(motion.target.value)
         motion.advance(dt)
         help_along = feed_forward + joint.damping * motion.velocity
         if self.mode is ControlMode.POSITION:
             return self._position_pid.update(motion.position - position, motion.velocity - velocity, dt, help_along)
         motion.position = position  # the limits stop where the joint is, not where it would be
         return self._velocity_pid.update(motion.velocity - velocity, 0.0, dt, help_along)
+
+    def _brake(self, position: float, velocity: float, dt: float, feed_forward: float) -> float:
+        """Against the motion, with all there is; the position PID alone would let the joint run on and pull it back."""
+        self._braking -= dt
+        self._motion.hold(position)
+        return self._limited(feed_forward - self._joint.effort * velocity / (LIVELIEST * dt))
+
+    def _limited(self, effort: float) -> float:
+        return min(self._joint.effort, max(-self._joint.effort, effort))
 
     def _reset(self) -> None:
         self._position_pid.reset()

@@ -12,10 +12,13 @@ from jauspy.platform.acceleration import mean_acceleration
 from jauspy.platform.camera import Camera
 from jauspy.platform.contract import Acceleration, Pose, Twist
 from jauspy.platform.description import RobotModel
+from jauspy.platform.force_torque import SampledForceTorque
 from jauspy.platform.kinematic_cameras import KinematicCameras
 from jauspy.platform.kinematic_joints import KinematicJoints
 from jauspy.platform.scanner import Scanner
 from jauspy.platform.skid_steer import mix
+from jauspy.platform.static_weight import static_weight
+from jauspy.platform.transforms import joint_positions
 
 MAX_STEP: Final = 0.005
 """Longest integration step, seconds."""
@@ -111,13 +114,17 @@ class SkidSteer:
 
 
 class KinematicRobot:
-    """A chassis on a floor, joints without weight, and lidars that see nothing."""
+    """A chassis on a floor, joints that do not feel weight, lidars that see nothing, and scales for its own parts."""
 
     def __init__(self, robot: RobotModel) -> None:
         self._drive = SkidSteer(parameters_of(robot))
         self._groups = {name: KinematicJoints(robot.description, setup) for name, setup in robot.groups.items()}
         self._cameras = KinematicCameras(robot, self._drive, self._groups)
         self._lidars = {setup.name: Scanner(setup) for setup in robot.lidars}
+        self._force_torque = {
+            setup.name: SampledForceTorque(setup, static_weight(robot.description, setup.link, self._positions))
+            for setup in robot.force_torque
+        }
         self._time = 0.0
         self._look()
 
@@ -140,6 +147,11 @@ class KinematicRobot:
     def lidars(self) -> Mapping[str, Scanner]:
         """Its lidars, by name."""
         return self._lidars
+
+    @property
+    def force_torque(self) -> Mapping[str, SampledForceTorque]:
+        """Its sensors of force and torque, by name: they tell what the links beyond them weigh, without noise."""
+        return self._force_torque
 
     @property
     def time(self) -> float:
@@ -165,6 +177,11 @@ class KinematicRobot:
     def _look(self) -> None:
         for lidar in self._lidars.values():
             lidar.step(self._time)
+        for sensor in self._force_torque.values():
+            sensor.step(self._time)
+
+    def _positions(self) -> Mapping[str, float]:
+        return joint_positions(self._groups.values())
 
     def close(self) -> None:
         """Stop, and release what cameras share."""

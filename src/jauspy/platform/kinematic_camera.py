@@ -10,14 +10,14 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Final
 
 from jauspy.errors import ConfigError
-from jauspy.platform.camera import CameraSetup, Frame
+from jauspy.platform.camera import CameraSetup, DepthFrame, Frame
 from jauspy.platform.shared_state import StateReader
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from jauspy.platform.camera import Image
+    from jauspy.platform.camera import Distances, Image
 
 NUMBERS: Final = 12
 """Of the camera's frame in the world: the rows of its rotation, then its origin."""
@@ -69,26 +69,37 @@ class FloorEye:
 
     def look(self, width: int, height: int) -> Frame:
         """The floor in squares, darker where it is far."""
-        taken, data = self._state.read()
-        numbers = struct.unpack(f"={NUMBERS}d", data)
-        return Frame(self._picture(numbers[:9], numbers[9:], width, height), taken)
+        taken, image, _ = self._see(width, height)
+        return Frame(image, taken)
+
+    def measure(self, width: int, height: int) -> DepthFrame:
+        """The same, and how far the floor is."""
+        taken, image, distances = self._see(width, height)
+        return DepthFrame(image, distances, taken)
 
     def close(self) -> None:
         """Give the state's memory back."""
         self._state.close()
 
-    def _picture(self, rotation: Sequence[float], origin: Sequence[float], width: int, height: int) -> Image:
+    def _see(self, width: int, height: int) -> tuple[float, Image, Distances]:
+        taken, data = self._state.read()
+        numbers = struct.unpack(f"={NUMBERS}d", data)
+        return taken, *self._picture(numbers[:9], numbers[9:], width, height)
+
+    def _picture(
+        self, rotation: Sequence[float], origin: Sequence[float], width: int, height: int
+    ) -> tuple[Image, Distances]:
         np = self._np
-        left = np.linspace(self._spread, -self._spread, width, dtype=np.float32)[None, :]
-        edge = self._spread * height / width
-        up = np.linspace(edge, -edge, height, dtype=np.float32)[:, None]
+        pixel = np.float32(2.0 * self._spread / width)
+        left = -pixel * (np.arange(width, dtype=np.float32) - np.float32((width - 1) / 2.0))[None, :]
+        up = -pixel * (np.arange(height, dtype=np.float32) - np.float32((height - 1) / 2.0))[:, None]
         rows = np.array(rotation, np.float32).reshape(3, 3)
         x, y, z = (row[0] + row[1] * left + row[2] * up for row in rows)
         far = np.float32(-origin[2]) / np.minimum(z, np.float32(-1e-3))
         squares = (_whole(np, origin[0] + far * x) + _whole(np, origin[1] + far * y)) & 1
         shades = np.minimum(far, np.float32(FAR)) * np.float32((SHADES - 1) / FAR)
         image: Image = self._palette[np.where(z < 0.0, squares * SHADES + shades.astype(np.int32), SKY)]
-        return image
+        return image, np.where(z < 0.0, far, np.float32(math.inf))
 
 
 def _whole(numpy: ModuleType, values: NDArray[np.float32]) -> NDArray[np.int32]:

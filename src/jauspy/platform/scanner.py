@@ -8,12 +8,10 @@ from dataclasses import replace
 from typing import Final, TypeAlias
 
 from jauspy.platform.ranging import LidarSetup, RangeScan, ScanSettings
+from jauspy.platform.sampling import Sampling
 
 Measure: TypeAlias = Callable[[Sequence[float]], Sequence[float]]
 """Distances along rays, given as angles in the plane of the lidar's link: metres, inf where nothing is."""
-
-EARLY: Final = 1e-6
-"""Seconds by which a scan may be early: sums of steps are not exact."""
 
 SLACK: Final = 1e-6
 """Radians by which a ray may be outside of the angles that are set: they come rounded."""
@@ -33,7 +31,7 @@ class Scanner:
         self._settings = setup.settings()
         self._angles = setup.angles()
         self._now = 0.0
-        self._due = 0.0
+        self._sampling = Sampling(setup.rate)
         self._scan: RangeScan | None = None
 
     @property
@@ -68,17 +66,16 @@ class Scanner:
         self._settings = settings
         first, last = settings.start - SLACK, settings.stop + SLACK
         self._angles = tuple(angle for angle in setup.angles() if first <= angle <= last)
-        self._due = self._now
+        self._sampling.rate = settings.rate
+        self._sampling.restart(self._now)
         if not settings.active:
             self._scan = None
 
     def step(self, now: float) -> None:
         """The robot's time is `now`; never earlier than in the call before."""
         self._now = now
-        if not self._settings.active or now < self._due - EARLY:
+        if not self._settings.active or not self._sampling.is_due(now):
             return
-        period = 1.0 / self._settings.rate
-        self._due = self._due + period if self._due + period > now else now + period
         ranges = tuple(self._limited(distance) for distance in self._measure(self._angles))
         self._scan = RangeScan(now, self._setup.link, self._angles, ranges)
 

@@ -11,6 +11,7 @@ from jauspy.codec.base import Message
 from jauspy.codec.names import snake
 from jauspy.errors import ConfigError
 from jauspy.schema import guards, model
+from jauspy.services.later import Later
 from jauspy.services.machine import BoundState, Rule, Step
 from jauspy.services.service import Service
 from jauspy.services.signatures import need
@@ -117,12 +118,12 @@ class Binder:
         return Step(name, self._answering(call), sends=bool(need(owner, action.name).reports))
 
     def _answering(self, call: Callable[[Trigger], object]) -> Callable[[Trigger], object]:
-        """A message that an action returns is its answer."""
+        """A message that an action returns is its answer, now or later."""
         reply = self._reply
 
         def answering(trigger: Trigger) -> object:
             result = call(trigger)
-            if isinstance(result, Message):
+            if isinstance(result, Message | Later):
                 reply(result, trigger, True)
             return result
 
@@ -138,7 +139,7 @@ class Binder:
         make = self._by_name(method, literals, f"{where}: Send of {message}", quoted=False)
         reply = self._reply
 
-        def report(trigger: Trigger) -> Message | None:
+        def report(trigger: Trigger) -> Message | Later | None:
             made = make(trigger)
             return None if made is None else _checked(made, message, method)
 
@@ -203,12 +204,12 @@ def _literals(arguments: tuple[str, ...] | list[str]) -> list[str]:
     return [argument[1:-1] for argument in arguments if argument[:1] in ("'", '"')]
 
 
-def _checked(report: object, name: str, method: Callable[..., object]) -> Message:
+def _checked(report: object, name: str, method: Callable[..., object]) -> Message | Later:
     """The report, if it is the message that the definition sends."""
-    if isinstance(report, Message) and name == report.NAME:
+    if isinstance(report, Later) or (isinstance(report, Message) and name == report.NAME):
         return report
     what = report.NAME if isinstance(report, Message) else repr(report)
-    raise TypeError(f"{method.__qualname__} is to return a {name} or None, and returned {what}")
+    raise TypeError(f"{method.__qualname__} is to return a {name}, a Later or None, and returned {what}")
 
 
 def _described(transition: model.Transition) -> str:

@@ -23,9 +23,10 @@ from jauspy.services.definitions import registry_for
 from jauspy.services.drops import Drops
 from jauspy.services.inputs import Inputs
 from jauspy.services.isolation import Bugs
+from jauspy.services.later import Later, Laters
 from jauspy.services.machine import Outcome
 from jauspy.services.outbox import Outbox, Outgoing
-from jauspy.services.sending import Sending, as_asked
+from jauspy.services.sending import Sending, Told, as_asked
 from jauspy.services.service import Service
 from jauspy.services.timers import Timers
 from jauspy.services.trigger import Trigger
@@ -66,6 +67,9 @@ class Host:
         self._outbox = Outbox(max_output, self.counters)
         self._drops = Drops(self.counters, lambda: self.id)
         self._timers = Timers()
+        self.prompt: Callable[[], None] = lambda: None
+        """Called when something happened outside of a call: `next_timeout` says now. For the shell to set."""
+        self._laters = Laters(self)
         self._agenda = Agenda(self._dispatch, lambda trigger: self.count("event_dropped", f"{trigger.key}"))
         self._bugs = Bugs(self.counters, self._fail if on_action_error == "failure" else lambda: None)
         self._sending = Sending(self._dispatch, self._bugs, self.counters)
@@ -204,9 +208,16 @@ class Host:
         """Queue an encoded message; only the Transport service calls this."""
         self._outbox.put(outgoing)
 
-    def ask(self, query: Message, source: JausID) -> tuple[Outcome, bytes | None]:
-        """What the component would answer `source` now; nothing is sent, and the state cannot change."""
-        return self._sending.answer(self._built.machines["ReceiveFSM"], Trigger(query.CODE, query, source))
+    def ask(self, query: Message, source: JausID, tell: Told) -> None:
+        """Tell what the component would answer `source` now; nothing is sent, and the state cannot change.
+
+        An answer that comes later is told later.
+        """
+        self._sending.answer(self._built.machines["ReceiveFSM"], Trigger(query.CODE, query, source), tell)
+
+    def later(self, otherwise: Callable[[], Message | None]) -> Later:
+        """For an action that cannot report yet: it returns this, to fulfil it; if it does not, `otherwise` reports."""
+        return self._laters.begin(otherwise)
 
     def fire(self, event: str, msg: Any = None, source: JausID | None = None) -> None:
         """Raise an internal event of the JSIDL; handled as soon as what happens now is done.
@@ -278,6 +289,10 @@ class Host:
 
     def _reply(self, result: object, trigger: Trigger, to_source: bool) -> None:
         """Send what a report method made: to the sender, to whom an internal event is about, or to the controller."""
+        if isinstance(result, Later):
+            if not self._sending.keeps(result, to_source=to_source):
+                self._laters.answer(result, trigger, lambda report: self._reply(report, trigger, to_source))
+            return
         if not isinstance(result, Message):
             return
         about = to_source or not trigger.is_message

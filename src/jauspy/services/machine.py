@@ -10,6 +10,7 @@ from typing import Final, Literal
 
 from jauspy.codec.base import Message
 from jauspy.services.isolation import Bugs
+from jauspy.services.later import Later
 from jauspy.services.tree import StateNode
 from jauspy.services.trigger import ANY_MESSAGE, ANY_TRIGGER, STAY, Key, Trigger
 
@@ -25,7 +26,7 @@ class Step:
     call: Callable[[Trigger], object]
     sends: bool = False
     """True for `Send`: a message goes out."""
-    report: Callable[[Trigger], Message | None] | None = None
+    report: Callable[[Trigger], Message | Later | None] | None = None
     """For a `Send` to who asked: what makes the message."""
 
 

@@ -4,17 +4,21 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable
-from typing import Final
+from typing import Final, TypeAlias
 
 from jauspy.codec.base import Message
 from jauspy.errors import EncodeError
 from jauspy.ids import JausID
 from jauspy.protocol.header import Broadcast, Priority
 from jauspy.services.isolation import Bugs
+from jauspy.services.later import Later
 from jauspy.services.machine import Machine, Outcome, Step
 from jauspy.services.outbox import Outgoing
 from jauspy.services.presence import mask
 from jauspy.services.trigger import Trigger
+
+Told: TypeAlias = Callable[[Outcome, bytes | None], None]
+"""Hears what became of a query, and the answer."""
 
 _EVENTS: Final = ("Send", "BroadcastLocal", "BroadcastGlobal")
 """The internal events of Transport, by `Broadcast`."""
@@ -27,7 +31,7 @@ class Sending:
         self._dispatch = dispatch
         self._bugs = bugs
         self._counters = counters
-        self._kept: list[Outgoing] | None = None
+        self._kept: list[Outgoing | Later] | None = None
 
     def send(self, destination: JausID, message: Message, priority: Priority, broadcast: Broadcast) -> None:
         """Send a message; one that cannot be encoded is a bug: it is logged, counted and not sent."""
@@ -40,8 +44,21 @@ class Sending:
         else:
             self._dispatch(Trigger(_EVENTS[broadcast], outgoing))
 
-    def answer(self, machine: Machine, trigger: Trigger) -> tuple[Outcome, bytes | None]:
-        """What becomes of a query, and the first message that its source would be sent for it; nothing is sent."""
+    def answer(self, machine: Machine, trigger: Trigger, tell: Told) -> None:
+        """Tell what becomes of a query, and the first message that its source would be sent for it; nothing is sent."""
+        outcome, answer = self._answered(machine, trigger)
+        if isinstance(answer, Later):
+            answer.then(lambda report: tell(outcome, self._masked(report, trigger)))
+        else:
+            tell(outcome, answer)
+
+    def keeps(self, later: Later, *, to_source: bool) -> bool:
+        """True when it is only asked for: then it is sent to nobody."""
+        if self._kept is not None and to_source:
+            self._kept.append(later)
+        return self._kept is not None
+
+    def _answered(self, machine: Machine, trigger: Trigger) -> tuple[Outcome, bytes | Later | None]:
         outer, self._kept = self._kept, []
         try:
             step = machine.only_step(trigger.key)
@@ -50,6 +67,8 @@ class Sending:
             else:
                 outcome, report = self._made(step, step.report, trigger)
             for each in self._kept:
+                if isinstance(each, Later):
+                    return outcome, each
                 if each.destination == trigger.source:
                     return outcome, each.payload
             return outcome, report
@@ -57,16 +76,18 @@ class Sending:
             self._kept = outer
 
     def _made(
-        self, step: Step, make: Callable[[Trigger], Message | None], trigger: Trigger
-    ) -> tuple[Outcome, bytes | None]:
+        self, step: Step, make: Callable[[Trigger], Message | Later | None], trigger: Trigger
+    ) -> tuple[Outcome, bytes | Later | None]:
         """The short cut of most queries: the report itself, not what a machine does to send it."""
         try:
             report = make(trigger)
-            answer = None if report is None else self._encoded(as_asked(report, trigger))
+            return Outcome.TAKEN, report if isinstance(report, Later) else self._masked(report, trigger)
         except Exception as error:  # noqa: BLE001 - any bug of a service
             self._bugs.met(step.name, trigger, error)
             return Outcome.FAILED, None
-        return Outcome.TAKEN, answer
+
+    def _masked(self, report: Message | None, trigger: Trigger) -> bytes | None:
+        return None if report is None else self._encoded(as_asked(report, trigger))
 
     def _encoded(self, message: Message) -> bytes | None:
         try:

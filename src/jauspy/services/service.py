@@ -20,7 +20,8 @@ class Service:
     `is_controlling_client`); `Send('ReportX', ...)` calls `report_x` and sends what it returns (None: nothing).
     Methods take what they need by name: `msg` or `query` (the message that triggered), `source` (its sender),
     `code` (the literal that the JSIDL gives, as in `'CONTROL_RELEASED'`). An action that returns a message answers
-    with it. `definitions`, from `jauspy.load`, has the definition of a service that is not built in.
+    with it; one that returns `self.host.later(...)` answers when that is fulfilled. `definitions`, from `jauspy.load`,
+    has the definition of a service that is not built in.
     """
 
     urn: ClassVar[str] = ""

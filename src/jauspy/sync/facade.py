@@ -11,8 +11,10 @@ from jauspy.ocu.elements import Element
 from jauspy.ocu.model import Component, Node, ServiceInfo, Subsystem
 from jauspy.ocu.service import DEFAULT_AUTHORITY
 from jauspy.ocu.stats import Stats
+from jauspy.ocu.stills import Photo
 from jauspy.ocu.subscription import R, Request
 from jauspy.ocu.watch import News
+from jauspy.protocol.delivery import Delivery
 from jauspy.sync.base import Facade, OpensPortal
 from jauspy.sync.portal import Portal
 from jauspy.transport import Transport
@@ -348,6 +350,21 @@ class ServiceClient(Facade[_ServiceClient]):
         """
         return Subscription(self._portal, self._async.subscribe(query, rate=rate, expects=expects, buffer=buffer, silence=silence))
 
+    def still(
+        self,
+        *,
+        size: tuple[int, int] | None = None,
+        format: str | None = None,
+        sensor: int = 1,
+        timeout: float = 10.0,
+    ) -> Photo:
+        """A picture by a camera with the service StillImage; a cold camera needs some seconds to start.
+
+        `size` (width, height) and `format` ("jpeg", "png") are set for this one picture, which needs control for a
+        moment; without them it is as the camera is set. Raises `RequestError` when the camera refuses or has none.
+        """
+        return self._portal.run(self._async.still(size=size, format=format, sensor=sensor, timeout=timeout))
+
     def status(self) -> ReportStatus.Status | int:
         """What Management reports."""
         return self._portal.run(self._async.status())
@@ -422,7 +439,8 @@ class OCU(OpensPortal):
 
     `connect`: None (the node manager of this machine, else multicast), `"udp://HOST[:PORT]"`, `"tcp://HOST[:PORT]"` or
     `"local:DIRECTORY"`.
-    `timeout` (seconds) and `retries` are what queries use unless told otherwise; `registry` has the known messages.
+    `timeout` (seconds) and `retries` are what queries use unless told otherwise; `registry` has the known messages;
+    `delivery` the settings of reliable delivery and of large messages.
     Others see the OCU as a subsystem with one component that answers discovery and heartbeat.
     """
 
@@ -436,8 +454,9 @@ class OCU(OpensPortal):
         retries: int = 2,
         registry: Registry | None = None,
         transport: Transport | None = None,
+        delivery: Delivery | None = None,
     ) -> None:
-        super().__init__(Portal(), _OCU(id, connect, name=name, timeout=timeout, retries=retries, registry=registry, transport=transport))
+        super().__init__(Portal(), _OCU(id, connect, name=name, timeout=timeout, retries=retries, registry=registry, transport=transport, delivery=delivery))
 
     @property
     def id(self) -> JausID:

@@ -34,10 +34,18 @@ def hear_only_joined(sock: socket.socket) -> None:
     sock.setsockopt(socket.IPPROTO_IP, _IP_MULTICAST_ALL, 0)
 
 
+def share_group(sock: socket.socket) -> None:
+    """From now on `receiver`s of the same user may be bound beside it; its port on this machine stays its own.
+
+    To be called after `bind`: a socket that has the option already would also share what is sent to it alone.
+    """
+    sock.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEPORT, 1)
+
+
 def receiver(group: tuple[str, int]) -> socket.socket:
     """A socket that can receive nothing but the group, as soon as it joins it, beside other such sockets.
 
-    Raises `OSError`, as when a node manager on all addresses of this machine has the port for itself.
+    Raises `OSError`, as when a program that does not `share_group` has the port on all addresses of this machine.
     """
     family = socket.AF_INET6 if ":" in group[0] else socket.AF_INET
     sock = socket.socket(family, socket.SOCK_DGRAM)
@@ -45,6 +53,7 @@ def receiver(group: tuple[str, int]) -> socket.socket:
         sock.setblocking(False)
         sock.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, RECEIVE_BUFFER)
         sock.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        sock.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEPORT, 1)
         sock.bind(group)
         if family == socket.AF_INET:
             hear_only_joined(sock)

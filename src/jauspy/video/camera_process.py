@@ -6,6 +6,7 @@ import asyncio
 import logging
 import os
 import sys
+import time
 from collections import Counter
 from collections.abc import Callable, Mapping
 from contextlib import suppress
@@ -14,6 +15,7 @@ from typing import Final, Self
 
 from jauspy.errors import ConfigError
 from jauspy.platform.camera import Camera, CameraSetup
+from jauspy.platform.stills import Still, StillSettings
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.video.extra import need_video
 from jauspy.video.orders import (
@@ -22,12 +24,11 @@ from jauspy.video.orders import (
     Begin,
     Change,
     Counted,
-    Format,
     Leave,
     Opened,
     Order,
-    Still,
     Take,
+    Taken,
     Watch,
     length,
     packed,
@@ -62,7 +63,7 @@ class CameraProcess:
     def __init__(self, camera: Camera, settings: VideoSettings, *, stamped: bool = False) -> None:
         self._camera, self._settings, self._stamped = camera, settings, stamped
         self._receivers: dict[Address, bool] = {}
-        self._stills: dict[int, tuple[Take, Callable[[bytes | None], None]]] = {}
+        self._stills: dict[int, tuple[Take, Callable[[Still | None], None]]] = {}
         self._number = 0
         self._own: Counter[str] = Counter()
         self._sent: Counter[str] = Counter()
@@ -120,16 +121,18 @@ class CameraProcess:
         if self._receivers.pop(address, None) is not None:
             self._order(Leave(address))
 
-    def take(self, width: int, height: int, format: Format, then: Callable[[bytes | None], None]) -> bool:
-        """Take a still image; `then` gets its file, or None if its process dies. False when too many wait."""
+    def take(self, settings: StillSettings, then: Callable[[Still | None], None]) -> None:
+        """Take a still image; `then` gets it, or None if its process dies.
+
+        Raises `ConfigError` without the extra, or when too many wait.
+        """
         if len(self._stills) >= MAX_STILLS:
-            return False
+            raise ConfigError(f"{MAX_STILLS} still images of this camera are under way; ask again when one has come")
         self._wake()
         self._number += 1
-        order = Take(self._number, width, height, format)
+        order = Take(self._number, settings)
         self._stills[self._number] = (order, then)
         self._order(order)
-        return True
 
     async def open(self) -> None:
         """Be ready to start; twice is fine."""
@@ -177,7 +180,7 @@ class CameraProcess:
             stdin=asyncio.subprocess.PIPE,
             stdout=asyncio.subprocess.PIPE,
             pass_fds=self._camera.descriptors,
-            start_new_session=True,
+            process_group=0,  # no Ctrl-C; a session of its own would have a share of its own, however nice it is
             env={**os.environ, "PYTHONUNBUFFERED": "1"},
         )
         self._own["started"] += 1
@@ -221,9 +224,9 @@ class CameraProcess:
                 if description != self._description:
                     _LOG.info("camera %s: %s", self._camera.setup.name, description)
                 self._description = description
-            case Still(number, image):
+            case Taken(number, content, at):
                 self._own["stills"] += 1
-                self._stills.pop(number)[1](image)
+                self._stills.pop(number)[1](Still(content, time.monotonic() - at))
             case Counted(counters):
                 self._sent = Counter(counters)
 

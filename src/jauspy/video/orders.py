@@ -5,10 +5,10 @@ from __future__ import annotations
 import pickle
 from collections.abc import Mapping
 from dataclasses import dataclass
-from enum import Enum
 from typing import Final, TypeAlias
 
 from jauspy.platform.camera import Camera
+from jauspy.platform.stills import StillSettings
 from jauspy.platform.video_settings import VideoSettings
 
 Address: TypeAlias = tuple[str, int]
@@ -16,13 +16,6 @@ Address: TypeAlias = tuple[str, int]
 
 LENGTH: Final = 4
 """Bytes that say how long a message is."""
-
-
-class Format(Enum):
-    """Of a still image: the ending of its file's name."""
-
-    JPEG = ".jpg"
-    PNG = ".png"
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,9 +54,7 @@ class Take:
     """Take a still image."""
 
     number: int
-    width: int
-    height: int
-    format: Format
+    settings: StillSettings
 
 
 Order: TypeAlias = Begin | Change | Watch | Leave | Take
@@ -77,11 +68,12 @@ class Opened:
 
 
 @dataclass(frozen=True, slots=True)
-class Still:
-    """The image that was to be taken, as a file's content."""
+class Taken:
+    """The image that was to be taken, as a file's content; `at`: seconds of the machine's monotonic clock."""
 
     number: int
-    image: bytes
+    content: bytes
+    at: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,7 +83,7 @@ class Counted:
     counters: Mapping[str, int]
 
 
-Word: TypeAlias = Opened | Still | Counted
+Word: TypeAlias = Opened | Taken | Counted
 
 
 def packed(message: Order | Word) -> bytes:

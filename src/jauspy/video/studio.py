@@ -11,7 +11,7 @@ import cv2
 from jauspy.errors import JausError
 from jauspy.video import stamp
 from jauspy.video.encoder import H264Encoder
-from jauspy.video.orders import Begin, Change, Counted, Leave, Opened, Still, Take, Watch, Word
+from jauspy.video.orders import Begin, Change, Counted, Leave, Opened, Take, Taken, Watch, Word
 from jauspy.video.sender import RtpSender
 
 if TYPE_CHECKING:
@@ -94,12 +94,14 @@ class Studio:
         self._sender.send(nals, now, time.time())
 
     def _take(self, order: Take) -> None:
-        image = self._eye.look(order.width, order.height).image
-        self._say(Still(order.number, _file(image, order.format.value)))
+        wanted = order.settings
+        frame = self._eye.look(wanted.width, wanted.height)
+        self._say(Taken(order.number, _file(frame.image, wanted.format.value), frame.taken))
 
 
 def _file(image: Image, ending: str) -> bytes:
-    done, content = cv2.imencode(ending, cv2.cvtColor(image, cv2.COLOR_RGB2BGR), [cv2.IMWRITE_JPEG_QUALITY, QUALITY])
+    options = [cv2.IMWRITE_JPEG_QUALITY, QUALITY] if ending == ".jpg" else []
+    done, content = cv2.imencode(ending, cv2.cvtColor(image, cv2.COLOR_RGB2BGR), options)
     if not done:
         raise ValueError(f"OpenCV cannot write {ending}")
     return content.tobytes()

@@ -172,6 +172,7 @@ def follow(tester: Tester) -> None:
     client.send(Standby())
 
 
+CONSOLE: Final = has(subsystem_id=42, node_id=1, component_id=1, authority_code=AUTHORITY)
 LISTED: Final = that(
     "lists elements 1 to 4", lambda report: sorted(each.element_uid for each in report.element_list) == [1, 2, 3, 4]
 )
@@ -193,7 +194,7 @@ _STEPS: Final = (
     Step("3.2", "control", in_control, points=2),
     Step("3.3", "standby", becomes(Standby(), Status.STANDBY), points=2),
     Step("3.4", "resume", becomes(Resume(), Status.READY), points=2),
-    Step("3.5", "the console is in control", ask(COP, QueryControl(), ReportControl, has(subsystem_id=42)), points=1),
+    Step("3.5", "the console is in control", ask(COP, QueryControl(), ReportControl, CONSOLE), points=1),
     Step(
         "4.1",
         "velocity state, as judges asked",

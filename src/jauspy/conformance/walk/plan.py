@@ -260,7 +260,7 @@ def _step(trial: Trial) -> Step:
     variant = f", {stimulus.variant}" if stimulus.variant else ""
     parts = [state, stimulus.message, trial.role, stimulus.variant]
     id = "/".join(part.replace(" ", "-") for part in parts if part)
-    return Step(id, f"{state}: {stimulus.message} from the {trial.role}{variant}", trial, moves=_moves(trial))
+    return Step(id, f"{stimulus.message} from the {trial.role}{variant}", trial, moves=_moves(trial))
 
 
 def _moves(trial: Trial) -> bool:

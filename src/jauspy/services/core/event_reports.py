@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import partial
 
+from jauspy.codec.base import Message
 from jauspy.messages.core import Event, RejectEventRequest
 from jauspy.services.core.rates import Rates
 from jauspy.services.core.subscriptions import (
@@ -27,7 +28,17 @@ class EventReports(Service):
 
     def send_event(self, msg: Subscription) -> None:
         """Report to the subscriber what the component would answer it now; on change, only what is new to it."""
-        outcome, answer = self.host.ask(msg.query, msg.client)
+        if msg.asked is msg.query:
+            self.host.count("event_skipped", f"{msg.query.NAME}: the answer before this one has not come yet")
+            return
+        msg.asked = msg.query
+        self.host.ask(msg.query, msg.client, partial(self._answered, msg, msg.query))
+
+    def _answered(self, msg: Subscription, query: Message, outcome: Outcome, answer: bytes | None) -> None:
+        if msg.asked is query:
+            msg.asked = None
+        if msg.query is not query or not self.subscriptions.holds(msg):
+            return  # it ended, or asks for something else, since the answer took its time
         if outcome is Outcome.FAILED:
             self.host.fire("EventError", msg, msg.client)
         if answer is None or not _is_due(msg, answer):

@@ -38,6 +38,8 @@ class Subscription(Entry):
     confirmed: float = 1.0
     sequence: int = 0
     last: bytes | None = None
+    asked: Message | None = None
+    """Its query while the answer to that has not come yet."""
 
 
 @dataclass(slots=True, eq=False)

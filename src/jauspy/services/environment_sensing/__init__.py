@@ -2,8 +2,10 @@
 
 from jauspy.services.environment_sensing.digital_resource_discovery import DigitalResourceDiscovery
 from jauspy.services.environment_sensing.digital_video import DigitalVideo
+from jauspy.services.environment_sensing.force_torque_sensor import ForceTorqueSensor, MountedGauge
 from jauspy.services.environment_sensing.mounting import Mounted
 from jauspy.services.environment_sensing.range_sensor import RangeSensor
+from jauspy.services.environment_sensing.still_image import StillImage
 from jauspy.services.environment_sensing.video_camera import VideoCamera, VideoSource
 from jauspy.services.environment_sensing.viewers import Viewers
 from jauspy.services.environment_sensing.visual_sensor import VisualSensor
@@ -11,8 +13,11 @@ from jauspy.services.environment_sensing.visual_sensor import VisualSensor
 __all__ = [
     "DigitalResourceDiscovery",
     "DigitalVideo",
+    "ForceTorqueSensor",
     "Mounted",
+    "MountedGauge",
     "RangeSensor",
+    "StillImage",
     "VideoCamera",
     "VideoSource",
     "Viewers",

@@ -10,6 +10,7 @@ from urllib.parse import urlsplit
 
 from jauspy.errors import ConfigError
 from jauspy.platform.camera import CameraSetup
+from jauspy.platform.stills import Still, StillSettings
 from jauspy.platform.vectors import Transform
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.services.axes import jaus_frame
@@ -18,7 +19,7 @@ Address: TypeAlias = tuple[str, int]
 
 
 class VideoSource(Protocol):
-    """Encodes what a camera sees and sends it to all who watch, without ever making a caller wait."""
+    """Encodes what a camera sees and sends it to all who watch, and takes still images; no caller ever waits."""
 
     @property
     def setup(self) -> CameraSetup:
@@ -39,6 +40,10 @@ class VideoSource(Protocol):
 
     def leave(self, address: Address) -> None:
         """Send there no longer."""
+        ...
+
+    def take(self, settings: StillSettings, then: Callable[[Still | None], None]) -> None:
+        """Take a still image; `then` gets it, some time later, or None if none comes of it; `ConfigError` says why."""
         ...
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from jauspy.platform.description import Joint
 from jauspy.platform.joints import ControlMode, JointGroup, JointState, Target
@@ -14,6 +14,9 @@ from jauspy.services.manipulator.kinematics import Stance, stance
 
 if TYPE_CHECKING:
     from jauspy.services.manipulator.driver import ArmDriver
+
+NEAR: Final = 0.01
+"""Radians or metres from a position at which it counts as reached."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,6 +85,11 @@ class Arm:
     def limited(self, positions: Sequence[float]) -> list[float]:
         """The positions nearest to these that the joints can have."""
         return [min(high, max(low, p)) for p, (low, high) in zip(positions, self.limits, strict=True)]
+
+    def is_at(self, positions: Sequence[float]) -> bool:
+        """True when all joints are there, or as near as their limits let them."""
+        rows = zip(self.limited(positions), self.state().positions, strict=True)
+        return all(abs(goal - position) <= NEAR for goal, position in rows)
 
     def stop(self) -> None:
         """Hold the present positions, whoever moves the joints. Twice is fine."""

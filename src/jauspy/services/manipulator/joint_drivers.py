@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Final
 
 from jauspy.codec.base import Message
 from jauspy.messages.manipulator import (
@@ -14,6 +15,7 @@ from jauspy.messages.manipulator import (
     SetJointVelocity,
 )
 from jauspy.platform.joints import ControlMode, Target
+from jauspy.services.completion import Completion
 from jauspy.services.manipulator.arm import Arm
 from jauspy.services.manipulator.driver import ArmDriver
 from jauspy.services.manipulator.values import (
@@ -26,6 +28,10 @@ from jauspy.services.manipulator.values import (
     values,
     velocities,
 )
+
+PERIOD: Final = 0.05
+"""Seconds between two looks at whether the joints have come where they were sent."""
+_TIMER: Final = "joint positions"
 
 
 class JointDriver(ArmDriver):
@@ -48,11 +54,19 @@ class JointDriver(ArmDriver):
         found = values(choices, self.arm.geometry.links)
         if found is None:
             self.host.count("wrong_joints", f"{msg}")
+            self.host.begin_command()(False)
         return found
 
 
 class JointPositionDriver(JointDriver, urn="urn:jaus:jss:manipulator:ManipulatorJointPositionDriver"):
-    """Radians or metres, as the specification counts them; positions beyond a joint's limits are limited."""
+    """Radians or metres, as the specification counts them; positions beyond a joint's limits are limited.
+
+    A command has been carried out when all joints are there.
+    """
+
+    def __init__(self, arm: Arm) -> None:
+        super().__init__(arm)
+        self._command = Completion()
 
     def set_joint_efforts(self, msg: SetJointPositions) -> None:
         """Go there within the motion profile. The standard's definition gives the action this name."""
@@ -60,6 +74,21 @@ class JointPositionDriver(JointDriver, urn="urn:jaus:jss:manipulator:Manipulator
         if found is not None:
             self.arm.to_positions(self, found)
             self._commanded = found
+            self._command(False)
+            self._command = self.host.begin_command()
+            self.host.set_timer(_TIMER, self.host.now + PERIOD, self._look)
+
+    def taken_over(self) -> None:
+        """The positions were not reached, or are left again."""
+        super().taken_over()
+        self.host.cancel_timer(_TIMER)
+        self._command(False)
+
+    def _look(self) -> None:
+        if self._commanded is not None and self.arm.is_at(self._commanded):
+            self._command(True)
+        else:
+            self.host.set_timer(_TIMER, self.host.now + PERIOD, self._look)
 
     def report_commanded_joint_positions(self) -> ReportCommandedJointPositions:
         """What was commanded, while it holds; else where the joints are."""

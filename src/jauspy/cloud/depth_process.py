@@ -1,0 +1,130 @@
+"""A depth camera's clouds from a process of their own, as the robot's process has it: starts it, and starts it anew."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import logging
+import pickle
+import sys
+from collections import Counter
+from collections.abc import Mapping
+from contextlib import suppress
+from types import TracebackType
+from typing import Final, Self
+
+from jauspy.cloud.depth import DepthStream
+from jauspy.cloud.socket import CloudPublisher
+
+PAUSES: Final = (0.5, 10.0)
+"""Seconds before a process that died is started again: at first, and at most; doubled from time to time."""
+
+STEADY: Final = 30.0
+"""Seconds that a process must have lived for the pause to be short again."""
+
+STOP_TIMEOUT: Final = 5.0
+
+_LOG: Final = logging.getLogger("jauspy.cloud")
+
+
+class DepthProcess:
+    """Publishes between `open` and `close`.
+
+    Counters: clouds `published`, their `points`, clouds `skipped` because it was too slow, and processes `started`.
+    """
+
+    def __init__(self, stream: DepthStream) -> None:
+        self._stream = stream
+        self._own: Counter[str] = Counter()
+        self._before: Counter[str] = Counter()
+        self._now: Counter[str] = Counter()
+        self._keeper: asyncio.Task[None] | None = None
+        self.description = ""
+        """How the camera comes to its pictures; empty before it is open."""
+        self.pid: int | None = None
+        """Of the process that runs; None between two."""
+
+    @property
+    def counters(self) -> Mapping[str, int]:
+        """What was counted so far, by all its processes."""
+        return self._own + self._before + self._now
+
+    async def open(self) -> None:
+        """Start; `ConfigError` without pynng, `TransportError` when the address cannot be used. Twice is fine."""
+        if self._keeper is None:
+            CloudPublisher(self._stream.address).close()
+            self._keeper = asyncio.create_task(self._keep(), name=f"clouds of {self._stream.camera.setup.name}")
+
+    async def close(self) -> None:
+        """End the process; twice is fine."""
+        if self._keeper is not None:
+            self._keeper.cancel()
+            with suppress(asyncio.CancelledError):
+                await self._keeper
+            self._keeper = None
+
+    async def __aenter__(self) -> Self:
+        await self.open()
+        return self
+
+    async def __aexit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        await self.close()
+
+    async def _keep(self) -> None:
+        pause, longest = PAUSES
+        loop = asyncio.get_running_loop()
+        while True:
+            born = loop.time()
+            status = await self._live()
+            pause = PAUSES[0] if loop.time() - born > STEADY else pause
+            name = self._stream.camera.setup.name
+            _LOG.warning("clouds of %s: their process ended (%s); it starts again in %.1f s", name, status, pause)
+            await asyncio.sleep(pause)
+            pause = min(longest, 2.0 * pause)
+
+    async def _live(self) -> int:
+        """One process, from start to end."""
+        process = await asyncio.create_subprocess_exec(
+            sys.executable,
+            "-m",
+            "jauspy.cloud.depth_worker",
+            stdin=asyncio.subprocess.PIPE,
+            stdout=asyncio.subprocess.PIPE,
+            pass_fds=self._stream.camera.descriptors,
+            process_group=0,  # as for `camera_process`: niceness counts within a session alone
+        )
+        self._own["started"] += 1
+        self.pid = process.pid
+        assert process.stdin is not None
+        assert process.stdout is not None
+        try:
+            process.stdin.write(pickle.dumps(self._stream))
+            async for line in process.stdout:
+                self._hear(json.loads(line))
+            return await process.wait()
+        finally:
+            await _end(process)
+            self.pid = None
+            self._before += self._now
+            self._now = Counter()
+
+    def _hear(self, words: Mapping[str, object]) -> None:
+        match words:
+            case {"description": str(description)}:
+                _LOG.info("clouds of %s: %s", self._stream.camera.setup.name, description)
+                self.description = description
+            case {"counters": dict(counters)}:
+                self._now = Counter(counters)
+
+
+async def _end(process: asyncio.subprocess.Process) -> None:
+    assert process.stdin is not None
+    process.stdin.close()
+    try:
+        async with asyncio.timeout(STOP_TIMEOUT):
+            await process.communicate()
+    except TimeoutError:
+        process.kill()
+        await process.communicate()

@@ -1,0 +1,88 @@
+"""The process of a depth camera's clouds, started by `depth_process`: looks, measures, publishes.
+
+Standard input brings what to publish, and ends when the robot's process does; on standard output it says, as lines of
+JSON, how it comes to its pictures and what it has counted.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import pickle
+import select
+import sys
+import time
+from collections import Counter
+from collections.abc import Callable
+from typing import Final, TypeAlias
+
+from jauspy.cloud.depth import DepthStream
+from jauspy.cloud.depth_points import coloured_points
+from jauspy.cloud.message import XYZ_RGB
+from jauspy.cloud.socket import CloudPublisher
+from jauspy.platform.camera import Eye
+
+POLITENESS: Final = 5
+"""By how much it is nicer than the robot's process: clouds never delay control."""
+
+COUNTED: Final = 1.0
+"""Seconds between two reports of the counters."""
+
+Say: TypeAlias = Callable[[dict[str, object]], None]
+"""Tells the robot's process something."""
+
+
+def main() -> None:
+    """Publish until standard input ends."""
+    say = _speaker()
+    os.nice(POLITENESS)
+    source = sys.stdin.buffer
+    stream = pickle.load(source)  # noqa: S301 - the robot's process wrote it
+    if not isinstance(stream, DepthStream):
+        raise TypeError(f"{type(stream)} is not a DepthStream")
+    with CloudPublisher(stream.address) as publisher:
+        eye = stream.camera.open()
+        try:
+            say({"description": eye.description})
+            _publish(stream, eye, publisher, source.fileno(), say)
+        finally:
+            eye.close()
+
+
+def _publish(stream: DepthStream, eye: Eye, publisher: CloudPublisher, source: int, say: Say) -> None:
+    counters: Counter[str] = Counter()
+    period = 1.0 / stream.settings.rate
+    due = told = time.monotonic()
+    while not select.select([source], [], [], max(0.0, due - time.monotonic()))[0]:
+        late = max(0, int((time.monotonic() - due) / period))
+        due += period * (1 + late)
+        counters["skipped"] += late
+        counters["points"] += _look(stream, eye, publisher)
+        counters["published"] += 1
+        if time.monotonic() - told >= COUNTED:
+            told = time.monotonic()
+            say({"counters": counters})
+
+
+def _look(stream: DepthStream, eye: Eye, publisher: CloudPublisher) -> int:
+    """Publish one cloud; how many points it has."""
+    setup, settings = stream.camera.setup, stream.settings
+    frame = eye.measure(settings.width, settings.height)
+    points = coloured_points(frame, setup.fov, settings)
+    age = time.monotonic() - frame.taken
+    publisher.publish(points, setup.link, time.time() - age, XYZ_RGB)
+    return len(points) // (4 * XYZ_RGB)
+
+
+def _speaker() -> Say:
+    """Standard output for these lines alone; what libraries print goes to standard error."""
+    out = os.fdopen(os.dup(sys.stdout.fileno()), "w", buffering=1)
+    os.dup2(sys.stderr.fileno(), sys.stdout.fileno())
+    return lambda words: print(json.dumps(words), file=out)
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except BrokenPipeError:  # nobody is there to hear
+        sys.exit()

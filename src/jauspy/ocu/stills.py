@@ -1,0 +1,105 @@
+"""Still images of a component's cameras (AS6060 StillImage)."""
+
+# ruff: noqa: ASYNC109 - a timeout ends in an error that says what was asked, and of whom
+
+from __future__ import annotations
+
+from contextlib import AbstractAsyncContextManager, nullcontext
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Final
+
+from jauspy.errors import ConfigError, RequestError
+from jauspy.messages.core import TimeStamp
+from jauspy.messages.environment_sensing.v1_0.types import StillImageSensorErrorRec
+from jauspy.messages.environment_sensing.v2_0.still_image import (
+    QueryStillImageDataExt,
+    QueryStillImageSensorConfiguration,
+    ReportStillImageSensorConfiguration,
+    SetStillImageSensorConfiguration,
+)
+from jauspy.messages.environment_sensing.v2_0.visual_sensor import ConfirmSensorConfiguration
+from jauspy.ocu.link import Link
+from jauspy.platform.stills import MAX_REPORT
+from jauspy.protocol.delivery import Delivery
+from jauspy.services.environment_sensing.frame_sizes import SIZES, number_of
+
+if TYPE_CHECKING:
+    from jauspy.ocu.service import ServiceClient
+
+Configuration = ReportStillImageSensorConfiguration.StillImageSensorConfigurationRec
+
+DELIVERY: Final = Delivery(max_message=MAX_REPORT)
+"""For an OCU that wants large pictures: by default messages have up to 1 MiB."""
+
+FORMATS: Final = ReportStillImageSensorConfiguration.StillImageFormat
+ALL: Final = 0xFF
+ATTEMPTS: Final = 4
+
+
+@dataclass(frozen=True, slots=True)
+class Photo:
+    """A picture as a file's content; `format` as JAUS calls it (JPEG, PNG); `taken`: time of day, UTC."""
+
+    content: bytes
+    format: str
+    sensor: int
+    taken: TimeStamp | None
+
+
+async def photograph(link: Link, service: ServiceClient, wanted: Configuration, timeout: float) -> Photo:
+    """As `ServiceClient.still`."""
+    sensor = wanted.sensor_id
+    before = await _configuration(service, sensor)
+    if all(getattr(wanted, name) in (None, getattr(before, name)) for name in ("frame_size", "still_image_format")):
+        return await _taken(service, sensor, timeout)
+    control: AbstractAsyncContextManager[Any] = nullcontext() if link.has_control(service.id) else service.control()
+    async with control:
+        await _set(service, wanted)
+        try:
+            return await _taken(service, sensor, timeout)
+        finally:
+            await _set(service, before)
+
+
+def configuration(sensor: int, size: tuple[int, int] | None, format: str | None) -> Configuration:
+    """Settings as JAUS has them; `ConfigError` lists what there is. None stays as it is."""
+    number = number_of(*size) if size else None
+    if size and number is None:
+        known = ", ".join(f"{width}x{height}" for width, height in sorted(set(SIZES.values())))
+        raise ConfigError(f"JAUS has no images of {size[0]}x{size[1]}; the sizes are {known}")
+    if format is not None and format.upper() not in FORMATS.__members__:
+        raise ConfigError(f"JAUS has no image format {format!r}; there are {', '.join(FORMATS.__members__)}")
+    return Configuration(sensor, number, FORMATS[format.upper()] if format else None)
+
+
+async def _configuration(service: ServiceClient, sensor: int) -> Configuration:
+    record = QueryStillImageSensorConfiguration.QueryStillImageSensorConfigurationRec(sensor, ALL)
+    report = await service.query(QueryStillImageSensorConfiguration([record]))
+    if not report.still_image_sensor_configuration_list:
+        raise RequestError(f"{service.id} has no sensor {sensor}")
+    return report.still_image_sensor_configuration_list[0]
+
+
+async def _set(service: ServiceClient, wanted: Configuration) -> None:
+    kind = SetStillImageSensorConfiguration
+    record = kind.StillImageSensorConfigurationRec(wanted.sensor_id, wanted.frame_size, wanted.still_image_format)
+    answer = await service.query(kind(kind.RequestIdRec(1), [record]), expects=ConfirmSensorConfiguration)
+    for each in answer.confirm_sensor_list:
+        if isinstance(each, StillImageSensorErrorRec):
+            raise RequestError(f"{service.id} refuses that for sensor {each.sensor_id}: {each.error_message}")
+
+
+async def _taken(service: ServiceClient, sensor: int, timeout: float) -> Photo:
+    record = QueryStillImageDataExt.QueryStillImageDataRec(
+        sensor, QueryStillImageDataExt.ReportCoordinateSystem.NATIVE, ALL
+    )
+    # Pieces get lost. Asked again while the picture is under way, the camera takes no second one.
+    report = await service.query(QueryStillImageDataExt([record]), timeout=timeout / ATTEMPTS, retries=ATTEMPTS - 1)
+    for each in report.still_image_data_list:
+        if each.image_frame is not None:
+            number = each.image_frame.format
+            return Photo(each.image_frame.data, getattr(number, "name", str(number)), each.sensor_id, each.time_stamp)
+    raise RequestError(
+        f"{service.id} has no picture of sensor {sensor}: there is no such sensor, too much is asked of it, or its "
+        "robot has no extra 'video'; the robot's log tells"
+    )

@@ -1,0 +1,81 @@
+"""The contract with what measures forces and torques: a sensor between two links."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Final, Protocol
+
+from jauspy.platform.sampling import Sampling
+from jauspy.platform.vectors import Vector
+
+NOTHING: Final[Vector] = (0.0, 0.0, 0.0)
+
+
+@dataclass(frozen=True, slots=True)
+class ForceTorqueSetup:
+    """A sensor between a link and the link that carries it."""
+
+    name: str
+    link: str
+    rate: float = 100.0
+    """Measurements per second."""
+    force: float = 300.0
+    """The largest force along each axis, N."""
+    torque: float = 30.0
+    """The largest torque about each axis, N m."""
+    force_noise: float = 0.0
+    torque_noise: float = 0.0
+    """Standard deviations, N and N m."""
+    seed: int = 0
+    """Of the noise: the same seed gives the same noise."""
+
+
+@dataclass(frozen=True, slots=True)
+class Wrench:
+    """What the link, with all that it carries and touches, does to the sensor: in the link's frame, about its origin.
+
+    The weight of the tool is in it, and pulls down. Nothing is tared.
+    """
+
+    time: float
+    """The robot's own, in seconds."""
+    force: Vector = NOTHING
+    """N."""
+    torque: Vector = NOTHING
+    """N m."""
+
+
+class ForceTorqueSensor(Protocol):
+    """A sensor of a robot."""
+
+    @property
+    def setup(self) -> ForceTorqueSetup:
+        """What it can do."""
+        ...
+
+    @property
+    def wrench(self) -> Wrench:
+        """The last measurement."""
+        ...
+
+
+class SampledForceTorque:
+    """A `ForceTorqueSensor` out of something that tells force and torque at any time; `step` lets it live."""
+
+    def __init__(self, setup: ForceTorqueSetup, measure: Callable[[], tuple[Vector, Vector]]) -> None:
+        self.setup = setup
+        self._measure = measure
+        self._sampling = Sampling(setup.rate)
+        self.wrench = Wrench(0.0)
+
+    def step(self, now: float) -> None:
+        """The robot's time is `now`; never earlier than in the call before."""
+        if self._sampling.is_due(now):
+            force, torque = self._measure()
+            self.wrench = Wrench(now, _limited(force, self.setup.force), _limited(torque, self.setup.torque))
+
+
+def _limited(values: Vector, most: float) -> Vector:
+    x, y, z = (min(most, max(-most, value)) for value in values)
+    return x, y, z

@@ -1,0 +1,157 @@
+"""StillImage: pictures on query and as events, and their size and format (AS6060)."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from datetime import timedelta
+from functools import partial
+from typing import Final
+
+from jauspy.messages.environment_sensing.v1_0.types import (
+    SensorIdRec,
+    StillImageSensorErrorRec,
+    SupportedImageFormats,
+)
+from jauspy.messages.environment_sensing.v2_0.still_image import (
+    QueryStillImageDataExt,
+    QueryStillImageSensorCapabilities,
+    QueryStillImageSensorConfiguration,
+    ReportStillImageDataExt,
+    ReportStillImageSensorCapabilities,
+    ReportStillImageSensorConfiguration,
+    SetStillImageSensorConfiguration,
+)
+from jauspy.messages.environment_sensing.v2_0.visual_sensor import ConfirmSensorConfiguration
+from jauspy.platform.stills import Still, StillFormat, StillSettings
+from jauspy.services.environment_sensing.album import NATIVE, Album, Record
+from jauspy.services.environment_sensing.exposures import Exposures
+from jauspy.services.environment_sensing.frame_sizes import OFFERED, number_of, offered
+from jauspy.services.environment_sensing.video_camera import Cameras
+from jauspy.services.environment_sensing.wanted import chosen
+from jauspy.services.later import Later
+from jauspy.services.presence import masked
+from jauspy.services.service import Service
+from jauspy.services.stamps import time_stamp
+
+_Capabilities = ReportStillImageSensorCapabilities.StillImageSensorCapabilitiesRec
+_Configuration = ReportStillImageSensorConfiguration.StillImageSensorConfigurationRec
+_Wanted = SetStillImageSensorConfiguration.StillImageSensorConfigurationRec
+_Code = StillImageSensorErrorRec.StillImageErrorCode
+_Number = ReportStillImageDataExt.ImageFrameFormat
+
+FORMATS: Final = {_Number.JPEG: StillFormat.JPEG, _Number.PNG: StillFormat.PNG}
+"""By JAUS's numbers."""
+NUMBERS: Final = {format: number for number, format in FORMATS.items()}
+
+
+class StillImage(Service, urn="urn:jaus:jss:environmentSensing:StillImage"):
+    """JPEG and PNG; at first JPEG of the size that the stream has at first. Each query has pictures taken.
+
+    A camera that has no picture to give is reported without one. Images have no coordinates to be transformed.
+    """
+
+    omits = frozenset({"send_report_still_image_data_ext_in_requested_coordinate_system"})
+
+    def __init__(self, cameras: Cameras) -> None:
+        self._cameras = cameras
+        streams = {sensor: camera.source.settings for sensor, camera in cameras.items()}
+        self._settings = {
+            sensor: StillSettings(stream.width, stream.height, StillFormat.JPEG) for sensor, stream in streams.items()
+        }
+        self._answer: Later | None = None
+
+    def attached(self) -> None:
+        """Pictures that come to nothing are counted by the component."""
+        self._exposures = Exposures(self._cameras, self.host.count)
+
+    def is_coordinate_transform_supported(self) -> bool:
+        """An image stays as the camera sees it."""
+        return False
+
+    # --- pictures
+
+    def capture_still_image(self, msg: QueryStillImageDataExt) -> None:
+        """Take a picture with each camera that is asked for."""
+        wanted = chosen(msg.query_still_image_data_list, self._cameras, known_only=True)
+        album = Album([sensor for sensor, _ in wanted], self.host.later)
+        for sensor, record in wanted:
+            settings = self._settings[sensor]
+            develop = partial(self._developed, sensor, settings.format, record.query_presence_vector)
+            self._exposures.take(sensor, settings, partial(album.add, sensor, develop))
+        self._answer = album.answer
+
+    def send_report_still_image_data_ext_in_native_coordinate_system(self) -> Later | None:
+        """The pictures that were just asked for, when all are there."""
+        answer, self._answer = self._answer, None
+        return answer
+
+    def _developed(self, sensor: int, format: StillFormat, asked: int, still: Still) -> Record:
+        at = time_stamp(self.host.utc_time - timedelta(seconds=still.age))
+        image = ReportStillImageDataExt.ImageFrame(NUMBERS[format], still.content)
+        return masked(Record(sensor, NATIVE, at, image), asked)
+
+    # --- what they are, and how they are set
+
+    def send_report_still_image_sensor_capabilities(
+        self, query: QueryStillImageSensorCapabilities
+    ) -> ReportStillImageSensorCapabilities:
+        """Sizes and formats of each camera."""
+        wanted = chosen(query.query_still_image_sensor_capabilities_list, self._cameras, known_only=True)
+        formats = SupportedImageFormats(*(int(number in FORMATS) for number in _Number))
+        return ReportStillImageSensorCapabilities(
+            [
+                masked(_Capabilities(sensor, offered(), formats), record.query_presence_vector)
+                for sensor, record in wanted
+            ]
+        )
+
+    def send_report_still_image_sensor_configuration(
+        self, query: QueryStillImageSensorConfiguration
+    ) -> ReportStillImageSensorConfiguration:
+        """How each camera is set."""
+        wanted = chosen(query.query_still_image_sensor_configuration_list, self._cameras, known_only=True)
+        return ReportStillImageSensorConfiguration(
+            [masked(self._configuration(sensor), record.query_presence_vector) for sensor, record in wanted]
+        )
+
+    def _configuration(self, sensor: int) -> _Configuration:
+        now = self._settings[sensor]
+        return _Configuration(sensor, number_of(now.width, now.height), NUMBERS[now.format])
+
+    # --- settings
+
+    def send_confirm_sensor_configuration(self, msg: SetStillImageSensorConfiguration) -> ConfirmSensorConfiguration:
+        """For each camera that it is set, or why not."""
+        request = ConfirmSensorConfiguration.RequestIdRec(msg.request_id_rec.request_id)
+        report = ConfirmSensorConfiguration(request, [])
+        for sensor, record in chosen(msg.still_image_sensor_list, self._cameras):
+            report.confirm_sensor_list.append(self._refusal(sensor, record) or SensorIdRec(sensor))
+        return report
+
+    def update_still_image_sensor_configuration(self, msg: SetStillImageSensorConfiguration) -> None:
+        """Set what can be set, for the next picture; a setting that is left out stays."""
+        for sensor, record in chosen(msg.still_image_sensor_list, self._cameras, known_only=True):
+            if self._refusal(sensor, record) is None:
+                self._settings[sensor] = _changed(self._settings[sensor], record)
+
+    def _refusal(self, sensor: int, wanted: _Wanted) -> StillImageSensorErrorRec | None:
+        if sensor not in self._cameras:
+            return StillImageSensorErrorRec(sensor, _Code.UNKNOWN_SENSOR_ID, f"there is no sensor {sensor}")
+        wrong = []
+        if wanted.frame_size is not None and wanted.frame_size not in OFFERED:
+            wrong.append((_Code.INVALID_FRAME_SIZE, "the camera does not have this size"))
+        if wanted.still_image_format is not None and wanted.still_image_format not in FORMATS:
+            wrong.append((_Code.INVALID_FORMAT, "the camera writes JPEG and PNG only"))
+        if not wrong:
+            return None
+        code = wrong[0][0] if len(wrong) == 1 else _Code.MULTIPLE_INVALID_PARAMETERS
+        return StillImageSensorErrorRec(sensor, code, "; ".join(text for _, text in wrong))
+
+
+def _changed(present: StillSettings, wanted: _Wanted) -> StillSettings:
+    if wanted.frame_size is not None:
+        width, height = OFFERED[wanted.frame_size]  # type: ignore[index]  # an IntEnum is as good as its number
+        present = replace(present, width=width, height=height)
+    if wanted.still_image_format is not None:
+        present = replace(present, format=FORMATS[wanted.still_image_format])  # type: ignore[index]
+    return present

@@ -1,0 +1,72 @@
+"""`jauspy still` beside a robot whose cameras see sky and floor."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+
+import pytest
+
+pytest.importorskip("av", reason="the extra 'video' is not installed")
+cv2 = pytest.importorskip("cv2", reason="the extra 'video' is not installed")
+
+JAUSPY = [sys.executable, "-m", "jauspy.cli.main"]
+
+
+def jauspy(*arguments):
+    return subprocess.run([*JAUSPY, *arguments], capture_output=True, text=True, timeout=90, check=False)
+
+
+@pytest.fixture
+def robot(free_port, local_root):
+    """Where a robot listens."""
+    command = [*JAUSPY, "up", "inc1", "--backend", "kinematic"]
+    where = ["--port", str(free_port), "--local-root", str(local_root)]
+    with subprocess.Popen([*command, *where], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        if not any("stop it" in line for line in process.stdout):
+            pytest.fail(process.stderr.read())
+        yield ["--connect", f"local:{local_root}"]
+        process.terminate()
+        process.communicate(timeout=20)
+
+
+def test_pictures_are_saved_as_their_names_say(robot, tmp_path):
+    jpeg, png = tmp_path / "arm.jpg", tmp_path / "front.PNG"
+    run = jauspy("still", "101.1.106", "--save", str(jpeg), "--timeout", "40", *robot)
+    assert run.returncode == 0, run.stderr
+    assert f"{jpeg}: JPEG by sensor 1 of 101.1.106, " in run.stdout
+    assert jpeg.read_bytes().startswith(b"\xff\xd8\xff")
+    assert cv2.imread(str(jpeg)).shape == (480, 640, 3)
+    run = jauspy("still", "101.1.107", "--save", str(png), "--size", "1280x720", "--timeout", "40", *robot)
+    assert run.returncode == 0, run.stderr
+    assert png.read_bytes().startswith(b"\x89PNG")
+    assert cv2.imread(str(png)).shape == (720, 1280, 3)
+    asked = "query_still_image_sensor_configuration_list=[{sensor_id: 1, query_presence_vector: 255}]"
+    run = jauspy("query", "101.1.107", "QueryStillImageSensorConfiguration", asked, *robot)
+    (found,) = json.loads(run.stdout)["fields"]["still_image_sensor_configuration_list"]
+    assert (found["frame_size"], found["still_image_format"]) == ("VGA_640_X480", "JPEG")
+
+
+def test_a_component_without_cameras_and_a_sensor_that_is_not_there(robot, tmp_path):
+    run = jauspy("still", "101.1.102", "--save", str(tmp_path / "x.jpg"), *robot)
+    assert run.returncode == 1
+    assert "101.1.102 does not offer StillImage; it offers" in " ".join(run.stderr.split())
+    run = jauspy("still", "101.1.106", "--save", str(tmp_path / "x.jpg"), "--sensor", "4", *robot)
+    assert run.returncode == 1
+    assert "101.1.106 has no sensor 4" in run.stderr
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["101.1.255", "--save", "x.jpg"], "may be several"),
+        (["101.1.106", "--save", "x.gif"], "cannot tell the format of x.gif; end its name in .jpg, .jpeg, .png"),
+        (["101.1.106", "--save", "/no/such/folder/x.jpg"], "there is no folder /no/such/folder"),
+        (["101.1.106", "--save", "x.jpg", "--size", "large"], "'large' is no size; write --size 640x480"),
+    ],
+)
+def test_wrong_use(arguments, said):
+    run = jauspy("still", *arguments)
+    assert run.returncode == 1
+    assert said in " ".join(run.stderr.split())

@@ -1,0 +1,120 @@
+"""Depth clouds from a process of their own, of a robot that looks at an endless floor."""
+
+from __future__ import annotations
+
+import asyncio
+import dataclasses
+import logging
+import math
+import os
+import signal
+from collections.abc import AsyncIterator, Callable, Iterator
+from pathlib import Path
+
+import pytest
+
+pytest.importorskip("pynng", reason="the extra 'cloud' is not installed")
+pytest.importorskip("numpy", reason="the extra 'cloud' is not installed")
+
+import numpy as np
+
+from jauspy.cloud.depth import DepthSettings, DepthStream
+from jauspy.cloud.depth_process import DepthProcess
+from jauspy.cloud.message import XYZ_RGB, Cloud
+from jauspy.cloud.socket import CloudPublisher, CloudSubscriber
+from jauspy.errors import TransportError
+from jauspy.modules.description import robot_model
+from jauspy.modules.robots import load
+from jauspy.platform.camera import CameraSetup
+from jauspy.platform.kinematic import KinematicRobot
+
+FRONT = CameraSetup("front", "chassis_camera_link", math.radians(80.0))
+SETTINGS = DepthSettings(80, 60, rate=20.0, least=0.1, most=5.0)
+
+
+@pytest.fixture
+def robot() -> Iterator[KinematicRobot]:
+    opened = KinematicRobot(dataclasses.replace(robot_model(load("inc1")), cameras=(FRONT,)))
+    yield opened
+    opened.close()
+
+
+@pytest.fixture
+def stream(robot: KinematicRobot, tmp_path: Path) -> DepthStream:
+    return DepthStream(robot.cameras["front"], SETTINGS, f"ipc://{tmp_path}/c")
+
+
+@pytest.fixture
+async def process(stream: DepthStream) -> AsyncIterator[DepthProcess]:
+    async with DepthProcess(stream) as opened:
+        yield opened
+
+
+@pytest.fixture
+def subscriber(stream: DepthStream) -> Iterator[CloudSubscriber]:
+    with CloudSubscriber(stream.address) as opened:
+        yield opened
+
+
+async def next_cloud(subscriber: CloudSubscriber) -> Cloud:
+    cloud = await asyncio.to_thread(subscriber.receive, 20.0)
+    assert cloud is not None
+    return cloud
+
+
+async def until(condition: Callable[[], object]) -> None:
+    async with asyncio.timeout(20.0):
+        while not condition():
+            await asyncio.sleep(0.01)
+
+
+async def test_the_floor_is_where_it_is(process: DepthProcess, subscriber: CloudSubscriber) -> None:
+    cloud = await next_cloud(subscriber)
+    assert (cloud.frame, cloud.values) == ("chassis_camera_link", XYZ_RGB)
+    points = np.frombuffer(cloud.points, "<f4").reshape(-1, 6)
+    assert len(points) > 500
+    assert points[:, 2] == pytest.approx(np.full(len(points), -0.24), abs=1e-4), "so high is the camera"
+    assert 0.2 < points[:, 0].min() < 0.5
+    assert points[:, 0].max() <= 5.0
+    assert points[:, 1].min() == pytest.approx(-points[:, 1].max(), rel=0.01)
+    assert ((points[:, 3:] >= 0.0) & (points[:, 3:] <= 1.0)).all()
+    assert points[:, 3].std() > 0.05, "the floor has light and dark squares"
+
+
+async def test_each_cloud_has_a_number_and_what_was_sent_is_counted(
+    process: DepthProcess, subscriber: CloudSubscriber
+) -> None:
+    first, second = await next_cloud(subscriber), await next_cloud(subscriber)
+    assert second.number == first.number + 1
+    assert second.time >= first.time
+    await until(lambda: process.counters.get("published", 0) >= 2)
+    assert process.counters["points"] == process.counters["published"] * len(first)
+    assert "floor" in process.description
+
+
+async def test_a_process_that_dies_is_started_again(
+    process: DepthProcess, subscriber: CloudSubscriber, caplog: pytest.LogCaptureFixture
+) -> None:
+    caplog.set_level(logging.WARNING)
+    first = await next_cloud(subscriber)
+    assert process.pid is not None
+    os.kill(process.pid, signal.SIGKILL)
+    async with asyncio.timeout(20.0):
+        while (await next_cloud(subscriber)).stream == first.stream:
+            pass
+    assert process.counters["started"] == 2
+    assert "clouds of front: their process ended (-9); it starts again in 0.5 s" in caplog.text
+
+
+async def test_it_ends_when_it_is_closed(stream: DepthStream, subscriber: CloudSubscriber) -> None:
+    async with DepthProcess(stream) as process:
+        await next_cloud(subscriber)
+        pid = process.pid
+    assert process.pid is None
+    with pytest.raises(ProcessLookupError):
+        os.kill(pid or 0, 0)
+
+
+async def test_an_address_that_is_taken_is_said_at_once(stream: DepthStream) -> None:
+    with CloudPublisher(stream.address), pytest.raises(TransportError, match="cannot publish there"):
+        await DepthProcess(stream).open()

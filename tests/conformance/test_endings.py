@@ -1,0 +1,114 @@
+"""How runs end: targets that die in the midst, Ctrl-C, and what is left behind."""
+
+from __future__ import annotations
+
+import pytest
+from tests.conformance.scripted import ScriptedWire
+from tests.conformance.simulated import examined, robot
+
+from jauspy.conformance import Profile, Step, Verdict, ask, run, tell
+from jauspy.conformance.runner import Interrupted
+from jauspy.errors import TransportError
+from jauspy.ids import JausID
+from jauspy.messages.core import (
+    QueryControl,
+    QueryStatus,
+    ReportControl,
+    ReportStatus,
+    RequestControl,
+    SetEmergency,
+    Standby,
+)
+
+READY = bytes.fromhex("02400100000000")
+COP = "42.1.1"
+COMPONENT = JausID(105, 1, 1)
+STATUS = ask(COP, QueryStatus(), ReportStatus)
+
+
+def dying(after: int):
+    """Answers so many times."""
+    said = []
+
+    def script(payload):
+        said.append(payload)
+        return [(0.01, READY)] if len(said) <= after else []
+
+    return script
+
+
+def steps(*actions):
+    return Profile("p", "title", tuple(Step(str(n), f"step {n}", each) for n, each in enumerate(actions, 1)))
+
+
+def verdicts(report):
+    return [each.verdict for each in report.results]
+
+
+def test_silence_of_the_dead_is_no_pass():
+    wire = ScriptedWire("101.1.1", dying(after=1))
+    report = run(steps(STATUS, STATUS, tell(COP, Standby())), wire, wire.id, began=0.0)
+    assert verdicts(report) == [Verdict.PASS, Verdict.SILENT, Verdict.SILENT]
+    assert report.results[2].reason == "the target is silent since step 2"
+
+
+def test_nobody_waits_for_the_dead():
+    wire = ScriptedWire("101.1.1", dying(after=1))
+    report = run(steps(*[STATUS] * 50), wire, wire.id, began=0.0)
+    assert verdicts(report) == [Verdict.PASS, *[Verdict.SILENT] * 3, *[Verdict.SKIPPED] * 46]
+    assert report.results[-1].reason == "the target is silent since step 2"
+    assert report.status == 1
+    assert report.seconds < 20
+
+
+def test_a_query_that_is_not_understood_is_no_death():
+    def script(payload):
+        return [(0.01, READY)] if payload[:2] == b"\x02\x20" else []
+
+    wire = ScriptedWire("101.1.1", script)
+    ignored = ask(COP, QueryControl(), ReportControl)
+    report = run(steps(STATUS, *[ignored] * 5, tell(COP, Standby()), STATUS), wire, wire.id, began=0.0)
+    assert verdicts(report) == [Verdict.PASS, *[Verdict.SILENT] * 5, Verdict.PASS, Verdict.PASS]
+
+
+@pytest.mark.parametrize("profile", ["mobility-1.1", "ugv-1.0", "manipulator-2.0"])
+def test_the_robot_is_left_in_order(profile):
+    name, target = ("inc1", JausID(101, 1, 105)) if profile == "manipulator-2.0" else ("igvc", COMPONENT)
+    bench = robot(name=name, tick=None)
+    examined(profile, bench, target)
+    seen = examined(steps(STATUS, ask(COP, QueryControl(), ReportControl)), bench, target)
+    last = [seen.results[n].entries[-1].lines[0] for n in (0, 1)]
+    assert "STANDBY" in last[0]
+    assert "subsystem_id=0" in last[1]
+
+
+def interrupt(tester):
+    raise KeyboardInterrupt
+
+
+def test_ctrl_c_leaves_the_robot_in_order_and_a_report():
+    bench = robot(tick=None)
+    emergency = tell("42.2.4", SetEmergency(SetEmergency.EmergencyCode.STOP))
+    profile = steps(STATUS, tell(COP, RequestControl(200)), emergency, interrupt, STATUS)
+    with pytest.raises(Interrupted) as stopped:
+        examined(profile, bench)
+    report = stopped.value.report
+    assert report.problem == "interrupted after 3 steps"
+    assert len(report.results) == 3
+    seen = examined(steps(STATUS, ask(COP, QueryControl(), ReportControl)), bench)
+    assert "STANDBY" in seen.results[0].entries[-1].lines[0]
+    assert "subsystem_id=0" in seen.results[1].entries[-1].lines[0]
+
+
+def test_a_network_that_goes_away_is_told():
+    class Unplugged(ScriptedWire):
+        def send(self, datagram, source, *, strange_port=False):
+            if self.sent:
+                raise TransportError("cannot send to UDP 10.0.0.1:3794: Network is unreachable")
+            super().send(datagram, source)
+
+    wire = Unplugged("101.1.1", dying(after=9))
+    report = run(steps(STATUS, tell(COP, RequestControl(200)), STATUS), wire, wire.id, began=0.0)
+    assert len(report.results) == 1
+    assert report.status == 2
+    assert "Network is unreachable" in report.problem

@@ -1,0 +1,108 @@
+"""The judge's way: UDP and multicast, also beside a node manager, and with many files open."""
+
+from __future__ import annotations
+
+import os
+import resource
+import socket
+import time
+from collections.abc import Iterator
+
+import pytest
+
+from jauspy.conformance.udp import UdpWire
+from jauspy.errors import TransportError
+from jauspy.ids import JausID
+from jauspy.node import binding
+from jauspy.protocol import judp
+from jauspy.protocol.header import Packet
+from jauspy.transport import multicast
+
+GROUP = "239.255.77.1"
+ROBOT, JUDGE = JausID(101, 1, 1), JausID(42, 1, 1)
+QUESTION = judp.pack(Packet(ROBOT, JUDGE, b"\x00\x2b\x02", 7))
+PATIENCE = 20.0
+
+
+def say(data: bytes, address: tuple[str, int]) -> None:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as robot:
+        multicast.prepare_sender(robot, multicast.ANY, 1)
+        robot.sendto(data, address)
+
+
+@pytest.fixture
+def node_manager(free_port: int) -> Iterator[socket.socket]:
+    """Its socket, as it is bound on all addresses."""
+    sock = binding.bind(multicast.ANY, free_port, 65536)
+    multicast.share_group(sock)
+    yield sock
+    sock.close()
+
+
+def test_multicasts_are_heard_beside_a_node_manager(node_manager, free_port):
+    wire = UdpWire(group=(GROUP, free_port), port=free_port)
+    try:
+        assert wire.port != free_port
+        (note,) = wire.notes
+        assert f"UDP port {free_port} is taken" in note
+        say(QUESTION, (GROUP, free_port))
+        arrival = wire.receive(time.monotonic() + PATIENCE)
+    finally:
+        wire.close()
+    assert arrival is not None
+    assert arrival.data == QUESTION
+
+
+def test_what_is_sent_to_the_node_manager_stays_its_own(node_manager, free_port):
+    wire = UdpWire(group=(GROUP, free_port), port=free_port)
+    try:
+        say(QUESTION, ("127.0.0.1", free_port))
+        node_manager.settimeout(PATIENCE)
+        assert node_manager.recv(100) == QUESTION
+        assert wire.receive(time.monotonic()) is None
+    finally:
+        wire.close()
+
+
+def test_the_port_of_a_node_manager_is_not_shared(node_manager, free_port):
+    with pytest.raises(TransportError, match=f"UDP port {free_port} is used by"):
+        binding.bind(multicast.ANY, free_port, 65536)
+
+
+def test_multicasts_are_heard_once_on_a_port_that_is_free(free_port):
+    wire = UdpWire(group=(GROUP, free_port), port=free_port)
+    try:
+        assert (wire.port, wire.notes) == (free_port, [])
+        say(QUESTION, (GROUP, free_port))
+        say(QUESTION[:-1] + b"\x01", ("127.0.0.1", free_port))
+        heard = [wire.receive(time.monotonic() + PATIENCE) for _ in range(2)]
+        assert wire.receive(time.monotonic()) is None
+    finally:
+        wire.close()
+    assert len({each.data for each in heard if each}) == 2
+
+
+def test_a_group_that_somebody_holds_is_noted(free_port):
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as stranger:
+        stranger.bind(("", free_port))
+        wire = UdpWire(peer=("127.0.0.1", free_port))
+        wire.close()
+    assert f"no multicasts are heard: port {free_port} is held by another" in wire.notes[-1]
+
+
+def test_more_files_than_select_can_count(free_port):
+    soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
+    if hard < 1200:
+        pytest.skip(f"this system allows {hard} open files")
+    resource.setrlimit(resource.RLIMIT_NOFILE, (max(soft, 1200), hard))
+    files = [os.open(os.devnull, os.O_RDONLY) for _ in range(1050)]
+    try:
+        wire = UdpWire(group=(GROUP, free_port), port=free_port)
+        say(QUESTION, ("127.0.0.1", free_port))
+        arrival = wire.receive(time.monotonic() + PATIENCE)
+        wire.close()
+    finally:
+        for each in files:
+            os.close(each)
+        resource.setrlimit(resource.RLIMIT_NOFILE, (soft, hard))
+    assert arrival is not None

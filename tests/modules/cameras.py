@@ -1,0 +1,93 @@
+"""A CM-VIS in memory, and a camera that does what tests say."""
+
+from __future__ import annotations
+
+from datetime import UTC, datetime, timedelta
+
+from jauspy.errors import ConfigError
+from jauspy.ids import JausID
+from jauspy.messages import environment_sensing as m, registry
+from jauspy.messages.core import RequestControl, Resume
+from jauspy.modules import robots
+from jauspy.modules.config import AccessControlConfig
+from jauspy.modules.description import robot_model
+from jauspy.modules.hosts import host_of
+from jauspy.platform.kinematic import KinematicRobot
+from jauspy.platform.video_settings import VideoSettings
+from jauspy.services.environment_sensing.digital_resource_discovery import RTP
+
+CLIENT, OTHER = JausID(42, 1, 1), JausID(42, 2, 1)
+START = datetime(2026, 1, 1, tzinfo=UTC)
+
+
+class FakeVideo:
+    """A camera that only remembers; its still images come when the test says so."""
+
+    def __init__(self, setup):
+        self.setup, self.settings, self.receivers = setup, VideoSettings(), {}
+        self.under_way, self.refuses = [], False
+
+    def watch(self, address, *, playing=True):
+        if address[1] == 666:
+            raise ConfigError("no more receivers")
+        self.receivers[address] = playing
+
+    def leave(self, address):
+        self.receivers.pop(address, None)
+
+    def take(self, settings, then):
+        if self.refuses:
+            raise ConfigError("too many are under way")
+        self.under_way.append((settings, then))
+
+    def develop(self, still):
+        """The pictures that are under way come now."""
+        under_way, self.under_way = self.under_way, []
+        for _, then in under_way:
+            then(still)
+
+
+class Module:
+    """The CM-VIS of the chassis camera of a kinematic inc1."""
+
+    def __init__(self, component=107, video=None):
+        config = robots.load("inc1")
+        model = robot_model(config)
+        self.robot = KinematicRobot(model)
+        self.now = 0.0
+        (module,) = (each for each in config.modules if each.component == component)
+        module = module.model_copy(update={"access_control": AccessControlConfig(timeout=0)})
+        (setup,) = (each for each in model.cameras if each.name == module.camera)
+        self.video = video(self.robot.cameras[module.camera]) if video else FakeVideo(setup)
+        clock = lambda: START + timedelta(seconds=self.now)  # noqa: E731
+        videos = {module.camera: self.video}
+        self.host = host_of(config, module, model, self.robot, {}, videos=videos, utc_now=clock, now=0.0)
+
+    def tell(self, *messages, client=CLIENT):
+        for message in messages:
+            self.host.receive(message.encode(), client, self.now)
+        return [registry.decode(each.payload) for each in self.host.poll_output(self.now)]
+
+    def ask(self, query, client=CLIENT):
+        (answer,) = self.tell(query, client=client)
+        return answer
+
+    def run(self, seconds=0.0):
+        """Let time pass; what is sent meanwhile."""
+        end, sent = self.now + seconds, []
+        while (due := self.host.next_timeout()) is not None and due <= end:
+            self.now = max(self.now, due)
+            self.host.handle_timeout(self.now)
+            sent += [(each.destination, registry.decode(each.payload)) for each in self.host.poll_output(self.now)]
+        self.now = end
+        return sent
+
+    def enter(self, url, client=CLIENT, server=RTP, sensor=1):
+        register = m.RegisterDigitalResourceEndpoint
+        record = register.DigitalResourceEndpointRec(server, url, None, sensor)
+        answer = self.ask(register(register.RequestIDRec(9), record), client)
+        assert answer.request_id == 9
+        return answer.id
+
+    def control(self, client=CLIENT):
+        self.tell(RequestControl(200), Resume(), client=client)

@@ -1,0 +1,270 @@
+"""CM-VIS: still images on query and as events, and what they are set to."""
+
+from __future__ import annotations
+
+import asyncio
+from datetime import UTC, datetime
+
+import pytest
+from tests.modules.cameras import CLIENT, OTHER, FakeVideo, Module
+
+from jauspy.messages import environment_sensing as m, registry
+from jauspy.messages.core import CreateEvent, TimeStamp
+from jauspy.messages.environment_sensing.v1_0.types import SensorIdRec, StillImageSensorErrorRec
+from jauspy.platform.camera import CameraSetup
+from jauspy.platform.stills import Still, StillFormat, StillSettings
+from jauspy.platform.vectors import Transform
+from jauspy.platform.video_settings import VideoSettings
+from jauspy.services.environment_sensing import StillImage, VideoCamera, VisualSensor
+from jauspy.services.host import Host
+from jauspy.services.later import PATIENCE
+
+Query, Wanted = m.QueryStillImageDataExt, m.SetStillImageSensorConfiguration
+Record = m.ReportStillImageDataExt.StillImageDataRec
+Size, Format = Wanted.FrameSize, Wanted.StillImageFormat
+Code = StillImageSensorErrorRec.StillImageErrorCode
+STAMP, IMAGE, EVERYTHING = 1, 2, 0xFF
+NATIVE = Query.ReportCoordinateSystem.NATIVE
+PICTURE = Still(b"\xff\xd8 a picture", 0.25)
+VGA = StillSettings(640, 480, StillFormat.JPEG)
+
+
+@pytest.fixture
+def module():
+    made = Module()
+    yield made
+    made.robot.close()
+
+
+def asking(*sensors, asked=EVERYTHING, system=NATIVE):
+    return Query([Query.QueryStillImageDataRec(sensor, system, asked) for sensor in sensors])
+
+
+def setting(sensor=1, **values):
+    return Wanted(Wanted.RequestIdRec(5), [Wanted.StillImageSensorConfigurationRec(sensor, **values)])
+
+
+def confirmed(answer):
+    assert answer.request_id_rec.request_id == 5
+    (record,) = answer.confirm_sensor_list
+    return record
+
+
+def records(sent):
+    """The pictures of the one report."""
+    ((_, report),) = sent
+    return report.still_image_data_list
+
+
+def test_a_picture_is_taken_for_a_query_and_answers_it_when_it_is_there(module):
+    module.now = 10.0
+    assert module.tell(asking(1)) == []
+    assert [settings for settings, _ in module.video.under_way] == [VGA]
+    module.now = 10.5
+    module.video.develop(PICTURE)
+    ((to, report),) = module.run()
+    assert to == CLIENT
+    (record,) = report.still_image_data_list
+    assert (record.sensor_id, record.report_coordinate_system) == (1, NATIVE)
+    assert record.time_stamp == TimeStamp(250, 10, 0, 0, 1)
+    assert (record.image_frame.format.name, record.image_frame.data) == ("JPEG", PICTURE.content)
+    assert record.still_image_uri is None
+
+
+@pytest.mark.parametrize(("asked", "fields"), [(STAMP, (True, False)), (IMAGE, (False, True)), (0, (False, False))])
+def test_it_has_what_was_asked_for(module, asked, fields):
+    module.tell(asking(1, asked=asked))
+    module.video.develop(PICTURE)
+    (record,) = records(module.run())
+    assert (record.time_stamp is not None, record.image_frame is not None) == fields
+
+
+def test_an_image_stays_in_the_cameras_own_frame(module):
+    module.tell(asking(1, system=Query.ReportCoordinateSystem.VEHICLE))
+    module.video.develop(PICTURE)
+    (record,) = records(module.run())
+    assert record.report_coordinate_system == NATIVE
+
+
+def test_sensors_that_are_not_there_have_no_picture(module):
+    module.tell(asking(7))
+    assert records(module.run()) == []
+    module.tell(asking(7, 0))
+    module.video.develop(PICTURE)
+    assert [record.sensor_id for record in records(module.run())] == [1]
+
+
+def test_who_wants_the_same_picture_gets_the_one_that_is_under_way(module):
+    module.tell(asking(1))
+    module.tell(asking(1, asked=IMAGE), client=OTHER)
+    module.tell(asking(1), client=CLIENT)
+    assert len(module.video.under_way) == 1
+    module.video.develop(PICTURE)
+    assert [to for to, _ in module.run()] == [CLIENT, OTHER]
+    module.tell(asking(1))
+    assert len(module.video.under_way) == 1
+
+
+@pytest.mark.parametrize("reason", ["refused", "lost", "silent"])
+def test_a_camera_without_a_picture_is_reported_without_one(module, reason):
+    module.video.refuses = reason == "refused"
+    module.tell(asking(1))
+    if reason == "lost":
+        module.video.develop(None)
+    ((_, report),) = module.run(PATIENCE)
+    assert report.still_image_data_list == [Record(1, NATIVE)]
+    counted = {"refused": "still_refused", "lost": "still_lost", "silent": "later_overdue"}[reason]
+    assert module.host.counters[counted] == 1
+
+
+# --- settings
+
+
+def test_size_and_format_are_set_for_the_next_picture(module):
+    module.control()
+    assert confirmed(module.ask(setting(frame_size=Size.HD720_1280_X720))) == SensorIdRec(1)
+    assert confirmed(module.ask(setting(still_image_format=Format.PNG))) == SensorIdRec(1)
+    module.tell(asking(1))
+    assert [settings for settings, _ in module.video.under_way] == [StillSettings(1280, 720, StillFormat.PNG)]
+    module.video.develop(Still(b"\x89PNG", 0.0))
+    (record,) = records(module.run())
+    assert record.image_frame.format.name == "PNG"
+    query = m.QueryStillImageSensorConfiguration
+    asked = [query.QueryStillImageSensorConfigurationRec(0, EVERYTHING)]
+    (found,) = module.ask(query(asked)).still_image_sensor_configuration_list
+    assert (found.frame_size, found.still_image_format) == (Size.HD720_1280_X720, Format.PNG)
+    (found,) = module.ask(
+        query([query.QueryStillImageSensorConfigurationRec(1, 1)])
+    ).still_image_sensor_configuration_list
+    assert (found.frame_size, found.still_image_format) == (Size.HD720_1280_X720, None)
+
+
+def test_a_picture_under_way_has_the_format_that_it_was_asked_in(module):
+    module.control()
+    module.tell(asking(1))
+    module.tell(setting(still_image_format=Format.PNG))
+    module.tell(asking(1), client=OTHER)
+    module.video.develop(PICTURE)
+    formats = {to: report.still_image_data_list[0].image_frame.format.name for to, report in module.run()}
+    assert formats == {CLIENT: "JPEG", OTHER: "PNG"}
+
+
+@pytest.mark.parametrize(
+    ("record", "code"),
+    [
+        ({"sensor": 2}, Code.UNKNOWN_SENSOR_ID),
+        ({"frame_size": Size.WHUXGA_7680_X4800}, Code.INVALID_FRAME_SIZE),
+        ({"still_image_format": Format.GIF}, Code.INVALID_FORMAT),
+        ({"frame_size": Size.QXGA_2048_X1536, "still_image_format": Format.DNG}, Code.MULTIPLE_INVALID_PARAMETERS),
+    ],
+)
+def test_what_cannot_be_set_is_refused_with_the_reason(module, record, code):
+    module.control()
+    refused = confirmed(module.ask(setting(**record)))
+    assert refused.still_image_error_code == code
+    assert refused.error_message
+    module.tell(asking(1))
+    assert module.video.under_way[0][0] == VGA
+
+
+def test_only_the_client_in_control_sets(module):
+    module.control()
+    assert module.tell(setting(still_image_format=Format.PNG), client=OTHER) == []
+    module.tell(asking(1))
+    assert module.video.under_way[0][0] == VGA
+
+
+def test_capabilities(module):
+    query = m.QueryStillImageSensorCapabilities
+    asked = [query.QueryStillImageSensorCapabilitiesRec(0, EVERYTHING)]
+    (found,) = module.ask(query(asked)).still_image_sensor_list
+    formats = found.supported_image_formats
+    assert (formats.jpeg, formats.png, formats.gif) == (1, 1, 0)
+    assert (found.supported_frame_sizes.vga_640_x480, found.supported_frame_sizes.whuxga_7680_x4800) == (1, 0)
+
+
+def test_every_offered_size_can_be_set(module):
+    module.control()
+    query = m.QueryStillImageSensorCapabilities
+    asked = [query.QueryStillImageSensorCapabilitiesRec(1, EVERYTHING)]
+    offered = module.ask(query(asked)).still_image_sensor_list[0].supported_frame_sizes
+    for size in Size:
+        name = size.name.lower()
+        assert isinstance(confirmed(module.ask(setting(frame_size=size))), SensorIdRec) == bool(getattr(offered, name))
+
+
+# --- events
+
+
+def test_events_bring_picture_after_picture(module):
+    module.tell(CreateEvent(1, CreateEvent.EventType.PERIODIC, 5.0, asking(1, asked=IMAGE)))
+    seen = []
+    for content in (b"one", b"two", b"three"):
+        module.run(0.25)
+        module.video.develop(Still(content, 0.0))
+        seen += [event.report_message.still_image_data_list[0].image_frame.data for _, event in module.run()]
+    assert seen == [b"one", b"two", b"three"]
+
+
+def test_events_on_change_tell_when_the_picture_has_changed(module):
+    module.tell(CreateEvent(1, CreateEvent.EventType.EVERY_CHANGE, 0.0, asking(1, asked=IMAGE)))
+    seen = []
+    for content in (b"one", b"one", b"two", b"two"):
+        module.run(0.25)
+        module.video.develop(Still(content, 0.0))
+        seen += [event.report_message.still_image_data_list[0].image_frame.data for _, event in module.run()]
+    assert seen == [b"one", b"two"]
+
+
+# --- several cameras
+
+
+def test_several_cameras_of_one_component():
+    videos = [FakeVideo(CameraSetup(name, "link", 1.0)) for name in ("left", "right")]
+    videos[1].settings = VideoSettings(320, 240)
+    cameras = {number: VideoCamera(video, Transform) for number, video in enumerate(videos, start=1)}
+    services = [VisualSensor(cameras), StillImage(cameras)]
+    host = Host(CLIENT, services, utc_now=lambda: datetime(2026, 1, 1, tzinfo=UTC))
+    host.receive(asking(0).encode(), OTHER, 0.0)
+    assert [video.under_way[0][0].width for video in videos] == [640, 320]
+    videos[1].develop(Still(b"right", 0.0))
+    assert host.next_timeout() == PATIENCE
+    videos[0].develop(Still(b"left", 0.0))
+    host.handle_timeout(0.0)
+    (sent,) = host.poll_output(0.0)
+    pictures = registry.decode(sent.payload).still_image_data_list
+    assert [(each.sensor_id, each.image_frame.data) for each in pictures] == [(1, b"left"), (2, b"right")]
+    host.receive(asking(1, 2).encode(), OTHER, 1.0)
+    videos[0].develop(Still(b"left", 0.0))
+    host.handle_timeout(1.0 + PATIENCE)
+    host.handle_timeout(1.0 + PATIENCE)
+    (sent,) = host.poll_output(2.0 + PATIENCE)
+    left, right = registry.decode(sent.payload).still_image_data_list
+    assert (left.image_frame.data, right.image_frame) == (b"left", None)
+
+
+# --- for real
+
+
+@pytest.mark.parametrize("format", StillFormat)
+async def test_a_picture_by_a_real_camera(format):
+    pytest.importorskip("av", reason="the extra 'video' is not installed")
+    cv2 = pytest.importorskip("cv2", reason="the extra 'video' is not installed")
+    import numpy as np
+
+    from jauspy.video.camera_process import CameraProcess
+
+    module = Module(video=lambda camera: CameraProcess(camera, VideoSettings(320, 240)))
+    ready = asyncio.Event()
+    module.host.prompt = ready.set
+    async with module.video:
+        module.control()
+        module.tell(setting(still_image_format=Format[format.name], frame_size=Size.CIF_352_X288))
+        module.tell(asking(1))
+        await asyncio.wait_for(ready.wait(), 20.0)
+        (record,) = records(module.run())
+    module.robot.close()
+    assert record.image_frame.format.name == format.name
+    image = cv2.imdecode(np.frombuffer(record.image_frame.data, np.uint8), cv2.IMREAD_COLOR)
+    assert image.shape == (288, 352, 3)
+    assert image.std() > 10.0

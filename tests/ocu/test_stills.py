@@ -1,0 +1,115 @@
+"""Pictures for an OCU: large ones, through a node manager."""
+
+from __future__ import annotations
+
+import os
+import zlib
+from datetime import UTC, datetime
+
+import pytest
+from tests.modules.cameras import FakeVideo
+
+from jauspy.component import Shell
+from jauspy.errors import ConfigError, ControlRejected, RequestError
+from jauspy.ids import JausID
+from jauspy.messages import environment_sensing as m
+from jauspy.ocu import OCU
+from jauspy.ocu.stills import DELIVERY
+from jauspy.platform.camera import CameraSetup
+from jauspy.platform.stills import Still, StillFormat, StillSettings
+from jauspy.platform.vectors import Transform
+from jauspy.services.core import Discovery
+from jauspy.services.environment_sensing import StillImage, VideoCamera, VisualSensor
+from jauspy.services.host import Host
+
+CAMERA = JausID(101, 1, 106)
+
+
+class LargeVideo(FakeVideo):
+    """Develops at once: pictures as large as they could be at worst."""
+
+    def take(self, settings, then):
+        super().take(settings, then)
+        self.last = settings
+        self.develop(Still(self.picture, 0.0))
+
+
+@pytest.fixture
+def video():
+    made = LargeVideo(CameraSetup("arm", "link", 1.0))
+    made.picture, made.last = os.urandom(500_000), None
+    return made
+
+
+@pytest.fixture
+async def service(node_manager, video):
+    """StillImage of that camera, as an OCU that comes in by UDP sees it."""
+    cameras = {1: VideoCamera(video, Transform)}
+    services = [Discovery(), VisualSensor(cameras), StillImage(cameras)]
+    host = Host(CAMERA, services, utc_now=lambda: datetime.now(UTC), now=node_manager.now())
+    async with (
+        Shell(host, node_manager.transport(CAMERA), delivery=DELIVERY),
+        OCU("42.1.1", node_manager.udp, delivery=DELIVERY) as ocu,
+    ):
+        robot = await ocu.discover(CAMERA.subsystem)
+        yield robot.component(str(CAMERA)).service("StillImage")
+
+
+async def test_a_large_picture_arrives_whole(service, video):
+    photo = await service.still(timeout=20.0)
+    assert zlib.crc32(photo.content) == zlib.crc32(video.picture)
+    assert (photo.format, photo.sensor) == ("JPEG", 1)
+    assert photo.taken is not None
+    video.picture = os.urandom(1_500_000)
+    photo = await service.still(timeout=40.0)
+    assert zlib.crc32(photo.content) == zlib.crc32(video.picture)
+
+
+async def test_size_and_format_are_for_this_one_picture(service, video):
+    photo = await service.still(size=(1280, 720), format="png", timeout=20.0)
+    assert photo.format == "PNG"
+    assert video.last == StillSettings(1280, 720, StillFormat.PNG)
+    await service.still(format="JPEG", timeout=20.0)
+    assert video.last == StillSettings(640, 480, StillFormat.JPEG)
+
+
+async def test_it_can_be_in_control_already(service, video):
+    async with service.control():
+        await service.still(size=(320, 240), timeout=20.0)
+    assert video.last.width == 320
+
+
+async def test_what_is_as_it_is_set_needs_no_control(service, node_manager):
+    async with OCU("42.2.1", node_manager.udp) as other:
+        robot = await other.discover(CAMERA.subsystem)
+        async with robot.component(str(CAMERA)).service("StillImage").control(200):
+            await service.still(size=(640, 480), format="jpeg", timeout=20.0)
+            with pytest.raises(ControlRejected, match=r"42\.2\.1"):
+                await service.still(size=(320, 240), timeout=20.0)
+
+
+async def test_what_cannot_be(service, video):
+    with pytest.raises(ConfigError, match="no images of 641x480; the sizes are 128x96, "):
+        await service.still(size=(641, 480))
+    with pytest.raises(ConfigError, match="no image format 'webp'; there are JPEG, GIF, PNG"):
+        await service.still(format="webp")
+    with pytest.raises(RequestError, match="refuses that for sensor 1: the camera writes JPEG and PNG only"):
+        await service.still(format="tiff")
+    with pytest.raises(RequestError, match=r"101\.1\.106 has no sensor 3"):
+        await service.still(sensor=3)
+    video.refuses = True
+    with pytest.raises(RequestError, match="has no picture of sensor 1"):
+        await service.still()
+
+
+async def test_pictures_as_events(service, video):
+    query = m.QueryStillImageDataExt
+    record = query.QueryStillImageDataRec(1, query.ReportCoordinateSystem.NATIVE, 2)
+    video.picture = os.urandom(100_000)
+    seen = []
+    async with service.subscribe(query([record]), rate=10.0) as reports:
+        async for report in reports:
+            seen.append(report.still_image_data_list[0].image_frame.data)
+            if len(seen) == 3:
+                break
+    assert seen == [video.picture] * 3

@@ -1,0 +1,174 @@
+"""Answers that come later: to queries and in events, on time, too late and too many."""
+
+from __future__ import annotations
+
+import pytest
+
+from jauspy.messages.core import CancelEvent, CreateEvent, Event, QueryTime, ReportTime, TimeStamp, UpdateEvent
+from jauspy.services.core import Time
+from jauspy.services.later import MOST, PATIENCE
+
+A, B = "42.1.1", "42.2.1"
+NOON, ONE = TimeStamp(0, 0, 0, 12, 1), TimeStamp(0, 0, 0, 13, 1)
+STAYED_OUT = ReportTime()
+PERIODIC, EVERY_CHANGE = CreateEvent.EventType.PERIODIC, CreateEvent.EventType.EVERY_CHANGE
+
+
+class SlowTime(Time):
+    """Tells the time some time later."""
+
+    def __init__(self):
+        super().__init__()
+        self.open = []
+
+    def report_time(self):
+        self.open.append(self.host.later(lambda: STAYED_OUT))
+        return self.open[-1]
+
+    def strike(self, stamp=NOON):
+        """All answers that are under way come now."""
+        open, self.open = self.open, []
+        for each in open:
+            each.fulfil(ReportTime(time_stamp=stamp))
+
+
+@pytest.fixture
+def clock():
+    return SlowTime()
+
+
+@pytest.fixture
+def rig(make, clock):
+    return make(clock)
+
+
+def only(sent):
+    ((to, message),) = sent
+    return to, message
+
+
+def contents(sent):
+    """What the events carry."""
+    return [m.report_message if isinstance(m, Event) else m for *_, m in sent]
+
+
+def test_the_answer_is_sent_when_it_is_there(rig, clock):
+    prompted = []
+    rig.host.prompt = lambda: prompted.append(rig.host.next_timeout())
+    assert rig.tell(A, QueryTime(3)) == []
+    rig.now = 2.0
+    clock.strike()
+    assert prompted == [0.0]
+    assert rig.sent() == []
+    assert rig.run(0.0) == [(2.0, A, ReportTime(time_stamp=NOON))]
+    assert rig.host.next_timeout() is None
+
+
+def test_it_is_masked_as_the_query_says(rig, clock):
+    rig.tell(A, QueryTime(2))
+    clock.strike()
+    assert contents(rig.run(0.0)) == [ReportTime()]
+
+
+def test_an_answer_that_is_there_at_once(rig, clock):
+    rig.tell(A, QueryTime(1))
+    (later,) = clock.open
+    clock.strike()
+    rig.run(0.0)
+    told = []
+    later.then(told.append)
+    assert told == [ReportTime(time_stamp=NOON)]
+
+
+def test_who_asks_again_meanwhile_is_answered_once(rig, clock):
+    for client in (A, A, B, A):
+        rig.tell(client, QueryTime(1))
+    rig.tell(A, QueryTime(0))
+    clock.strike()
+    assert [(to, message) for _, to, message in rig.run(0.0)] == [
+        (A, ReportTime(time_stamp=NOON)),
+        (B, ReportTime(time_stamp=NOON)),
+        (A, ReportTime()),
+    ]
+    assert rig.host.counters["asked_again"] == 2
+    rig.tell(A, QueryTime(1))
+    clock.strike(ONE)
+    assert contents(rig.run(0.0)) == [ReportTime(time_stamp=ONE)]
+
+
+def test_what_stays_out_is_answered_otherwise_and_what_comes_then_is_ignored(rig, clock):
+    rig.tell(A, QueryTime(1))
+    assert rig.run(PATIENCE - 0.1) == []
+    assert [(to, message) for _, to, message in rig.run(0.2)] == [(A, STAYED_OUT)]
+    assert rig.host.counters["later_overdue"] == 1
+    clock.strike()
+    assert rig.run(1.0) == []
+
+
+def test_one_that_has_nothing_to_say(rig, clock):
+    rig.tell(A, QueryTime(1))
+    clock.open[0].fulfil(None)
+    assert rig.run(1.0) == []
+
+
+def test_there_is_a_limit(rig, clock):
+    for number in range(MOST):
+        assert rig.tell(f"42.3.{number + 1}", QueryTime(1)) == []
+    assert rig.run(0.0) == []
+    rig.tell(A, QueryTime(1))
+    assert rig.run(0.0) == [(0.0, A, STAYED_OUT)]
+    assert rig.host.counters["later_refused"] == 1
+    clock.strike()
+    assert len(rig.run(0.0)) == MOST
+
+
+def test_a_bug_in_what_is_told_is_contained(rig, clock):
+    rig.tell(A, QueryTime(1))
+    clock.open[0].fulfil(ReportTime(time_stamp="noon"))
+    assert rig.run(0.0) == []
+    assert rig.host.counters["unencodable"] == 1
+
+
+# --- events
+
+
+def test_periodic_events_carry_it_and_wait_for_it(rig, clock):
+    rig.tell(A, CreateEvent(1, PERIODIC, 10.0, QueryTime(1)))
+    assert rig.run(0.55) == []
+    assert len(clock.open) == 1
+    assert rig.host.counters["event_skipped"] == 5
+    clock.strike()
+    assert contents(rig.run(0.01)) == [ReportTime(time_stamp=NOON)]
+    rig.run(0.1)
+    clock.strike(ONE)
+    ((_, to, event),) = rig.run(0.01)
+    assert (to, event.sequence_number) == (A, 1)
+    assert contents([(event,)]) == [ReportTime(time_stamp=ONE)]
+
+
+def test_events_on_change_tell_only_of_changes(rig, clock):
+    rig.tell(A, CreateEvent(1, EVERY_CHANGE, 0.0, QueryTime(1)))
+    told = []
+    for stamp in (NOON, NOON, ONE, ONE, NOON):
+        rig.run(0.1)
+        clock.strike(stamp)
+        told += rig.run(0.001)
+    assert contents(told) == [ReportTime(time_stamp=stamp) for stamp in (NOON, ONE, NOON)]
+
+
+def test_an_event_that_stays_out_tells_what_there_is_otherwise(rig):
+    rig.tell(A, CreateEvent(1, PERIODIC, 1.0, QueryTime(1)))
+    assert contents(rig.run(PATIENCE + 0.5)) == [STAYED_OUT]
+
+
+def test_an_event_that_was_cancelled_or_changed_meanwhile_is_told_nothing(rig, clock):
+    _, confirmed = only(rig.tell(A, CreateEvent(1, PERIODIC, 1.0, QueryTime(1))))
+    rig.run(0.1)
+    only(rig.tell(A, UpdateEvent(2, UpdateEvent.EventType.PERIODIC, 1.0, confirmed.event_id, QueryTime(3))))
+    clock.strike()
+    assert rig.run(0.1) == []
+    rig.run(1.0)
+    assert len(clock.open) == 1
+    only(rig.tell(A, CancelEvent(3, confirmed.event_id)))
+    clock.strike()
+    assert rig.run(0.1) == []
