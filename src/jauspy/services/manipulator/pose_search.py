@@ -97,12 +97,6 @@ class PoseSearch:
                 return self._best
         return None
 
-    def whole(self) -> Found:
-        """The rest of the search in one go."""
-        for _ in self._steps:
-            pass
-        return self._best
-
     def _search(self, start: tuple[float, ...]) -> Iterator[None]:
         for number in range(self._starts):
             for weights in self._weights:

@@ -36,6 +36,8 @@ CORRECTION: Final = 3.0
 """Part of its deviation from the line that the tool makes good in a second."""
 AHEAD: Final = 0.01
 """Metres ahead on the line that a way out leads to."""
+STEPS: Final = 10
+"""Of a search for a way out, which is over at once where there is one."""
 BEND: Final = 0.05
 """Radians or metres by which joints are bent to look for one."""
 
@@ -78,8 +80,8 @@ class ToolMotion:
         search = PoseSearch(
             arm.geometry.links, arm.tool, goal, self._bent(), arm.limits, starts=1, weights=((ATTITUDE,),)
         )
-        found = search.whole()
-        if not found.is_there:
+        found = search.work(STEPS)
+        if found is None or not found.is_there:
             return None
         part = math.hypot(*self._line.moving) / AHEAD
         return [part * (there - here) for there, here in zip(found.positions, positions, strict=True)]

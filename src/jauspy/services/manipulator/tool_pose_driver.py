@@ -13,9 +13,9 @@ from jauspy.services.manipulator.kinematics import turn_between
 from jauspy.services.manipulator.pose_search import Found, PoseSearch
 from jauspy.services.manipulator.quaternion import quaternion, rotation
 
-STEPS_AT_ONCE: Final = 20
-"""Steps of a search after which others have their turn: three milliseconds for five joints."""
-PAUSE: Final = 0.01
+STEPS_AT_ONCE: Final = 10
+"""Steps of a search after which others have their turn: about two milliseconds for five joints."""
+PAUSE: Final = 0.005
 """Seconds until it goes on."""
 PERIOD: Final = 0.05
 """Seconds between two looks at whether a pose was reached."""
