@@ -85,13 +85,13 @@ class Studio:
         (self._sender.play if playing else self._sender.pause)(address)
 
     def _picture(self, now: float) -> None:
-        settings = self._encoder.settings
+        settings, utc = self._encoder.settings, time.time()
         frame = self._eye.look(settings.width, settings.height)
         if self._stamped:
             stamp.draw(frame.image, self._number, round(frame.taken * 1e6))
         self._number += 1
         nals = self._encoder.encode(frame.image, idr=self._sender.needs_idr(now))
-        self._sender.send(nals, now, time.time())
+        self._sender.send(nals, now, utc)
 
     def _take(self, order: Take) -> None:
         wanted = order.settings

@@ -10,13 +10,13 @@ from __future__ import annotations
 import math
 from collections.abc import Generator, Iterator, Sequence
 from dataclasses import dataclass
-from itertools import cycle
 from typing import Final
 
 from jauspy.platform.vectors import Transform, Vector, difference, scaled
 from jauspy.services.manipulator.denavit_hartenberg import Link
 from jauspy.services.manipulator.kinematics import Stance, stance, turn_between
 from jauspy.services.manipulator.least_squares import bounded
+from jauspy.services.manipulator.spread import spread
 
 NEAR: Final = 5e-4
 """Metres from the pose at which the tool point is there."""
@@ -36,7 +36,8 @@ POINT: Final = (0.0, 0.01, 0.0)
 """The same when that has led away from the point."""
 SLOW: Final = 0.02
 """Part of what is left that a step must gain, or the descent has ended."""
-_PRIMES: Final = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37)
+NOTHING: Final = 1e-14
+"""What is left, in square metres, when nothing is."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,7 +101,8 @@ class PoseSearch:
     def _search(self, start: tuple[float, ...]) -> Iterator[None]:
         for number in range(self._starts):
             for weights in self._weights:
-                yield from self._try(self._place(number, weights[0]) if number else start, weights)
+                begin = (yield from self._place(number, weights[0])) if number else start
+                yield from self._try(begin, weights)
                 if self._best.is_exact:
                     return
                 if self._best.is_there:
@@ -116,21 +118,18 @@ class PoseSearch:
 
     def _descend(self, begin: tuple[float, ...], weight: float) -> Generator[None, None, Found]:
         """Downhill from a start, as far as it goes."""
-        spot = self._spot(begin, weight)
-        damping = 1e-2
+        spot, damping, ended = self._spot(begin, weight), 1e-2, False
         for _ in range(STEPS):
             yield
             after = self._step(spot, weight, damping)
-            gain = spot.cost - after.cost
-            damping *= 0.1 if gain > 0.0 else 10.0
-            if gain > 0.0:
-                slow = gain < SLOW * spot.cost
-                spot = after
-                if slow or spot.cost < 1e-14:
-                    break
-            elif damping > 1e3:
+            if after.cost < spot.cost:
+                ended = after.cost > (1.0 - SLOW) * spot.cost or after.cost < NOTHING
+                spot, damping = after, max(1e-6, 0.1 * damping)
+            else:
+                damping *= 10.0
+                ended = damping > 1e3
+            if ended:
                 break
-            damping = max(1e-6, damping)
         return spot.found
 
     def _step(self, spot: _Spot, weight: float, damping: float) -> _Spot:
@@ -149,16 +148,13 @@ class PoseSearch:
     def _limited(self, positions: Sequence[float]) -> tuple[float, ...]:
         return tuple(min(high, max(low, p)) for p, (low, high) in zip(positions, self._limits, strict=True))
 
-    def _place(self, number: int, weight: float) -> tuple[float, ...]:
-        """Another start: the best of some places that fill the room between the limits evenly (Halton's sequence)."""
-        return min(
-            (self._halton(place) for place in range((number - 1) * PLACES + 1, number * PLACES + 1)),
-            key=lambda positions: self._spot(positions, weight).cost,
-        )
-
-    def _halton(self, number: int) -> tuple[float, ...]:
-        rows = zip(self._limits, cycle(_PRIMES), strict=False)
-        return tuple(low + (high - low) * _radical_inverse(number, prime) for (low, high), prime in rows)
+    def _place(self, number: int, weight: float) -> Generator[None, None, tuple[float, ...]]:
+        """Another start: the best of some places."""
+        spots = []
+        for place in range((number - 1) * PLACES + 1, number * PLACES + 1):
+            yield
+            spots.append(self._spot(spread(place, self._limits), weight))
+        return min(spots, key=lambda spot: spot.cost).positions
 
 
 class _Spot:
@@ -171,12 +167,3 @@ class _Spot:
         self.error = (*offset, *scaled(turn, weight))
         self.cost = sum(value * value for value in self.error)
         self.found = Found(positions, math.hypot(*offset), math.hypot(*turn))
-
-
-def _radical_inverse(number: int, base: int) -> float:
-    value, scale = 0.0, 1.0
-    while number:
-        scale /= base
-        number, digit = divmod(number, base)
-        value += digit * scale
-    return value
