@@ -42,6 +42,15 @@ class JausID:
         return cls(subsystem, node, component)
 
     @classmethod
+    def of(cls, id: str | JausID) -> JausID:
+        """The id, also when it is text; raises `ConfigError` as `parse`, and `TypeError` for anything else."""
+        if isinstance(id, str):
+            return cls.parse(id)
+        if not isinstance(id, JausID):
+            raise TypeError(f"a JAUS id is text, as in '101.1.102', or a JausID, not the {type(id).__name__} {id!r}")
+        return id
+
+    @classmethod
     def from_int(cls, value: int) -> JausID:
         """The id of a 32-bit number, subsystem<<16 | node<<8 | component, as it is sent."""
         return cls(value >> 16 & 0xFFFF, value >> 8 & 0xFF, value & 0xFF)

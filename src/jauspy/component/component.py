@@ -155,11 +155,11 @@ class Component:
         broadcast: Broadcast = Broadcast.NONE,
     ) -> None:
         """Send a message, now; raises `EncodeError` for a value that does not fit."""
-        self._open().send(_parsed(destination), message, priority=priority, broadcast=broadcast)
+        self._open().send(JausID.of(destination), message, priority=priority, broadcast=broadcast)
 
     async def deliver(self, destination: str | JausID, message: Message) -> None:
         """Send, and wait until it was acknowledged; raises `ResponseTimeout` when it was not, after all resends."""
-        await self._open().deliver(_parsed(destination), message)
+        await self._open().deliver(JausID.of(destination), message)
 
     def move(self, id: str | JausID) -> None:
         """Be another component from now on: registration and Discovery have the new id, events and control end.
@@ -192,12 +192,8 @@ def _loop_time() -> float:
         return time.monotonic()
 
 
-def _parsed(id: str | JausID) -> JausID:
-    return JausID.parse(id) if isinstance(id, str) else id
-
-
 def _usable(id: str | JausID) -> JausID:
-    parsed = _parsed(id)
+    parsed = JausID.of(id)
     if parsed.is_wildcard or not parsed.component:
         raise ConfigError(
             f"{parsed} cannot be a component's id; use 1..65534, 1..254 and 1..254, as in 101.1.120; subsystem and "

@@ -78,7 +78,14 @@ SERVICES: Final[Mapping[str, tuple[str, ...]]] = {
     ),
     "CM-EEF": (*_EVERYWHERE, "PrimitiveEndEffector", "ManipulatorJointPositionSensor"),
     "CM-SEN": (*_EVERYWHERE, "RangeSensor", "ForceTorqueSensor"),
-    "CM-VIS": (*_EVERYWHERE, "VisualSensor", "DigitalVideo", "StillImage", "DigitalResourceDiscovery"),
+    "CM-VIS": (
+        *_EVERYWHERE,
+        "VisualSensor",
+        "DigitalVideo",
+        "H264VideoEncoding",
+        "StillImage",
+        "DigitalResourceDiscovery",
+    ),
 }
 """What each type of module may offer beside Transport, Events, AccessControl and Management."""
 

@@ -17,6 +17,7 @@ from jauspy.services.core import Identity
 from jauspy.services.environment_sensing import (
     DigitalResourceDiscovery,
     DigitalVideo,
+    H264VideoEncoding,
     StillImage,
     VideoCamera,
     VideoSource,
@@ -29,6 +30,7 @@ from jauspy.services.service import Service
 CHOICE: Final[Mapping[str, Callable[[Viewers], Service]]] = {
     "VisualSensor": lambda viewers: VisualSensor(viewers.cameras),
     "DigitalVideo": DigitalVideo,
+    "H264VideoEncoding": lambda viewers: H264VideoEncoding(viewers.cameras),
     "StillImage": lambda viewers: StillImage(viewers.cameras),
     "DigitalResourceDiscovery": DigitalResourceDiscovery,
 }

@@ -29,6 +29,7 @@ from jauspy.messages.core import (
     Shutdown,
     Standby,
 )
+from jauspy.ocu.arguments import check_number
 from jauspy.ocu.link import Link, Patience
 
 LEAVE: Final = Patience(timeout=0.3, retries=2)
@@ -55,6 +56,7 @@ class Control:
     """
 
     def __init__(self, link: Link, id: JausID, authority: int, patience: Patience) -> None:
+        check_number(authority, "authority", whole=True)
         if not 0 <= authority <= 255:
             raise ConfigError(f"authority {authority} is outside 0..255")
         self.id = id
