@@ -23,7 +23,7 @@ import yaml
 from jauspy.cli.demo import plan, sight
 from jauspy.cli.demo.arm import Arm
 from jauspy.cli.demo.grasp import Grasp
-from jauspy.cli.demo.reach import LevelHand
+from jauspy.cli.demo.reach import Hand
 from jauspy.cli.demo.watch import Scene
 from jauspy.modules.description import robot_model
 from jauspy.modules.robot import RobotRunner
@@ -86,7 +86,7 @@ async def test_the_can_is_really_lifted(root: Path, tmp_path: Path) -> None:
             management = module.service("Management")
             await stack.enter_async_context(management.control(plan.AUTHORITY))
             await management.resume(timeout=20.0)
-        arm = Arm(robot, arm_module, gripper_module, LevelHand(model), scene)
+        arm = Arm(robot, arm_module, gripper_module, Hand(model), scene)
         await stack.enter_async_context(arm.watched())
         grasp = Grasp(arm, RobotFrames(robot, model), model, robot.component(106), (320, 240))
 

@@ -44,6 +44,7 @@ class Grasp:
     async def look(self, folder: Path) -> Finding:
         """Find the can in the arm camera's picture, and with the arm's pose where it stands."""
         await self._arm.go(0.0, *plan.LOOKS_FROM)
+        await asyncio.sleep(plan.SETTLING)
         photo = await self._camera.still(size=self._size, format="jpeg", timeout=plan.CAMERA_TIME)
         (folder / STILL).write_bytes(photo.content)
         frames = await self._frames.look()
