@@ -7,6 +7,7 @@ from contextlib import ExitStack
 from types import TracebackType
 from typing import Final, Self
 
+from jauspy.arguments import check_number
 from jauspy.codec.base import Message
 from jauspy.errors import ConfigError, ControlRejected, ResponseTimeout, TransportError
 from jauspy.ids import JausID
@@ -29,7 +30,6 @@ from jauspy.messages.core import (
     Shutdown,
     Standby,
 )
-from jauspy.ocu.arguments import check_number
 from jauspy.ocu.link import Link, Patience
 
 LEAVE: Final = Patience(timeout=0.3, retries=2)

@@ -9,12 +9,13 @@ from collections.abc import AsyncIterator, Callable
 from dataclasses import dataclass
 from typing import Final, Protocol
 
+from jauspy.arguments import check_number
 from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
 from jauspy.component import Shell
 from jauspy.errors import ConfigError, ControlRejected, ResponseTimeout, TransportError
 from jauspy.ids import JausID
-from jauspy.ocu.arguments import check_class, check_message, check_number
+from jauspy.ocu.arguments import check_class, check_message
 from jauspy.ocu.lanes import Lanes
 from jauspy.ocu.replies import Arrival, Replies
 from jauspy.ocu.stats import Recorder

@@ -9,11 +9,12 @@ from collections.abc import Mapping
 from contextlib import suppress
 from typing import Any, Final, TypeVar, overload
 
+from jauspy.arguments import check_number, check_text
 from jauspy.codec.base import Message, Query
 from jauspy.errors import ConfigError, RequestError, ResponseTimeout
 from jauspy.ids import JausID
 from jauspy.messages.core import ClearEmergency, QueryStatus, ReportStatus, Resume, SetEmergency, Standby
-from jauspy.ocu.arguments import check_message, check_number, check_text
+from jauspy.ocu.arguments import check_message
 from jauspy.ocu.control import Control
 from jauspy.ocu.elements import Elements
 from jauspy.ocu.link import Link, Patience

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from types import TracebackType
 from typing import Final, Generic, Self, TypeVar
 
+from jauspy.arguments import check_number
 from jauspy.codec.base import Message
 from jauspy.errors import ConfigError, DecodeError, EventRejected, ResponseTimeout, TransportError
 from jauspy.ids import JausID
@@ -26,7 +27,6 @@ from jauspy.messages.core import (
     ReportEventTimeout,
     UpdateEvent,
 )
-from jauspy.ocu.arguments import check_number
 from jauspy.ocu.link import Link, Patience
 
 R = TypeVar("R", bound=Message)

@@ -1,4 +1,4 @@
-"""The inputs of the core services, with everything that their guards distinguish."""
+"""The inputs of the core services and of cameras, with everything that their guards distinguish."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from jauspy.conformance.checks import has
 from jauspy.conformance.offers import ALL_SERVICES
 from jauspy.conformance.outcome import Skipped
 from jauspy.conformance.streams import ONE_HERTZ
+from jauspy.conformance.walk.pictures import PICTURES
 from jauspy.conformance.walk.stimulus import Stimulus
 from jauspy.conformance.walk.walker import OBSERVER, STOP, Walker
 from jauspy.messages.core import (
@@ -314,6 +315,7 @@ RECIPES: Final[tuple[Stimulus, ...]] = (
     *_authorities(),
     *_EVENTS,
     *_LISTS,
+    *PICTURES,
     _one(SetEmergency(STOP)),
     _one(ClearEmergency(STOP)),
     *(_one(QueryIdentification(level), f"level {level}", query_type=level) for level in (1, 2, 3, 4)),

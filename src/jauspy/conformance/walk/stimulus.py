@@ -43,7 +43,7 @@ class Stimulus:
     by_controller: bool = False
     """Can only be prepared by the client in control."""
     seconds: Callable[[Walker], float] | None = None
-    """How long to wait for an event that comes by itself."""
+    """How long to wait: for an event that comes by itself, or an answer that takes its time."""
 
     def judge(self, role: str) -> Judge:
         """Decides predicates for this input from this sender."""

@@ -15,8 +15,13 @@ from jauspy.services.manipulator.joint_sensors import (
 )
 from jauspy.services.manipulator.list_driver import ManipulatorListDriver
 from jauspy.services.manipulator.motion_profile import JointMotionProfile
+from jauspy.services.manipulator.pan_tilt import PanTilt
+from jauspy.services.manipulator.pan_tilt_drivers import PanTiltJointPositionDriver, PanTiltJointVelocityDriver
+from jauspy.services.manipulator.pan_tilt_limits import PanTiltMotionProfile, PanTiltSpecification
+from jauspy.services.manipulator.pan_tilt_sensors import PanTiltJointPositionSensor, PanTiltJointVelocitySensor
 from jauspy.services.manipulator.primitive_end_effector import PrimitiveEndEffector
 from jauspy.services.manipulator.primitive_manipulator import PrimitiveManipulator
+from jauspy.services.manipulator.primitive_pan_tilt import PrimitivePanTilt
 from jauspy.services.manipulator.specification import ManipulatorSpecification
 from jauspy.services.manipulator.tool_offset import ToolOffset
 
@@ -34,7 +39,15 @@ __all__ = [
     "JointVelocitySensor",
     "ManipulatorListDriver",
     "ManipulatorSpecification",
+    "PanTilt",
+    "PanTiltJointPositionDriver",
+    "PanTiltJointPositionSensor",
+    "PanTiltJointVelocityDriver",
+    "PanTiltJointVelocitySensor",
+    "PanTiltMotionProfile",
+    "PanTiltSpecification",
     "PrimitiveEndEffector",
     "PrimitiveManipulator",
+    "PrimitivePanTilt",
     "ToolOffset",
 ]

@@ -39,7 +39,8 @@ class JointDriver(ArmDriver):
 
     def __init__(self, arm: Arm) -> None:
         super().__init__(arm)
-        self._commanded: Sequence[float] | None = None
+        self.commanded: Sequence[float] | None = None
+        """What was commanded, while it holds."""
 
     def motion_profile_exists(self) -> bool:
         """There always is one: the joints' own limits, until a client sets others."""
@@ -47,7 +48,7 @@ class JointDriver(ArmDriver):
 
     def taken_over(self) -> None:
         """What was commanded does not hold any more."""
-        self._commanded = None
+        self.commanded = None
 
     def values(self, choices: Choices, msg: Message) -> list[float] | None:
         """The values of a command."""
@@ -58,25 +59,20 @@ class JointDriver(ArmDriver):
         return found
 
 
-class JointPositionDriver(JointDriver, urn="urn:jaus:jss:manipulator:ManipulatorJointPositionDriver"):
-    """Radians or metres, as the specification counts them; positions beyond a joint's limits are limited.
-
-    A command has been carried out when all joints are there.
-    """
+class PositionDriver(JointDriver):
+    """Sends the joints somewhere; a command has been carried out when all joints are there."""
 
     def __init__(self, arm: Arm) -> None:
         super().__init__(arm)
         self._command = Completion()
 
-    def set_joint_efforts(self, msg: SetJointPositions) -> None:
-        """Go there within the motion profile. The standard's definition gives the action this name."""
-        found = self.values(read_positions(msg.joint_position_list), msg)
-        if found is not None:
-            self.arm.to_positions(self, found)
-            self._commanded = found
-            self._command(False)
-            self._command = self.host.begin_command()
-            self.host.set_timer(_TIMER, self.host.now + PERIOD, self._look)
+    def go(self, positions: Sequence[float]) -> None:
+        """Go there within the motion profile; the positions are the standard's."""
+        self.arm.to_positions(self, positions)
+        self.commanded = positions
+        self._command(False)
+        self._command = self.host.begin_command()
+        self.host.set_timer(_TIMER, self.host.now + PERIOD, self._look)
 
     def taken_over(self) -> None:
         """The positions were not reached, or are left again."""
@@ -85,14 +81,24 @@ class JointPositionDriver(JointDriver, urn="urn:jaus:jss:manipulator:Manipulator
         self._command(False)
 
     def _look(self) -> None:
-        if self._commanded is not None and self.arm.is_at(self._commanded):
+        if self.commanded is not None and self.arm.is_at(self.commanded):
             self._command(True)
         else:
             self.host.set_timer(_TIMER, self.host.now + PERIOD, self._look)
 
+
+class JointPositionDriver(PositionDriver, urn="urn:jaus:jss:manipulator:ManipulatorJointPositionDriver"):
+    """Radians or metres, as the specification counts them; positions beyond a joint's limits are limited."""
+
+    def set_joint_efforts(self, msg: SetJointPositions) -> None:
+        """Go there within the motion profile. The standard's definition gives the action this name."""
+        found = self.values(read_positions(msg.joint_position_list), msg)
+        if found is not None:
+            self.go(found)
+
     def report_commanded_joint_positions(self) -> ReportCommandedJointPositions:
         """What was commanded, while it holds; else where the joints are."""
-        found = self._commanded or self.arm.state().positions
+        found = self.commanded or self.arm.state().positions
         return ReportCommandedJointPositions(positions(found, self.arm.geometry.links))
 
 
@@ -104,12 +110,12 @@ class JointVelocityDriver(JointDriver, urn="urn:jaus:jss:manipulator:Manipulator
         found = self.values(read_velocities(msg.joint_velocity_list), msg)
         if found is not None:
             self.arm.at_velocities(self, found)
-            self._commanded = found
+            self.commanded = found
 
     def report_commanded_joint_velocity(self) -> ReportCommandedJointVelocity:
         """What was commanded, while it holds; else zero."""
         links = self.arm.geometry.links
-        return ReportCommandedJointVelocity(velocities(self._commanded or [0.0] * len(links), links))
+        return ReportCommandedJointVelocity(velocities(self.commanded or [0.0] * len(links), links))
 
 
 class ActuatorForceTorqueDriver(JointDriver, urn="urn:jaus:jss:manipulator:ManipulatorActuatorForceTorqueDriver"):
@@ -120,9 +126,9 @@ class ActuatorForceTorqueDriver(JointDriver, urn="urn:jaus:jss:manipulator:Manip
         found = self.values(read_efforts(msg.actuator_force_torque_list), msg)
         if found is not None:
             self.arm.move(self, [Target(ControlMode.EFFORT, effort) for effort in found])
-            self._commanded = found
+            self.commanded = found
 
     def report_commanded_actuator_force_torques(self) -> ReportCommandedActuatorForceTorques:
         """What was commanded, while it holds; else zero."""
         links = self.arm.geometry.links
-        return ReportCommandedActuatorForceTorques(efforts(self._commanded or [0.0] * len(links), links))
+        return ReportCommandedActuatorForceTorques(efforts(self.commanded or [0.0] * len(links), links))
