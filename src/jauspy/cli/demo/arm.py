@@ -10,9 +10,9 @@ from statistics import fmean
 from typing import Final
 
 from jauspy.cli.demo import plan
+from jauspy.cli.demo.patience import within
 from jauspy.cli.demo.reach import Hand
 from jauspy.cli.demo.watch import Scene
-from jauspy.errors import RequestError
 from jauspy.messages.environment_sensing.v2_0.force_torque_sensor import QueryForceTorque, ReportForceTorque
 from jauspy.messages.manipulator import (
     QueryEndEffectorPose,
@@ -73,16 +73,9 @@ class Arm:
         wanted = self.hand.joints(turn, distance, height, pitch)
         self._scene.commanded(wanted)
         await self._driver.send(SetJointPositions(positions(wanted, self.hand.geometry.links)), ack=True)
-        try:
-            async with asyncio.timeout(plan.MOVE_TIME) as limit:
-                await self._arrive(wanted)
-        except TimeoutError:
-            if not limit.expired():
-                raise
-            off = self._off(wanted)
-            raise RequestError(
-                f"the arm is {off:.3f} rad off after {plan.MOVE_TIME:g} s; it may touch something"
-            ) from None
+        late = f"rad off after {plan.MOVE_TIME:g} s, or does not rest; it may touch something"
+        async with within(plan.MOVE_TIME, lambda: f"the arm is {self._off(wanted):.3f} {late}"):
+            await self._arrive(wanted)
         return self._off(wanted)
 
     async def tool(self) -> tuple[float, float, float]:
@@ -120,7 +113,7 @@ class Arm:
         await self._gripper.send(SetEndEffectorEffort(effort), ack=True)
         await asyncio.sleep(0.5)  # until the fingers move
         width, still = await self.width(), 0
-        async with asyncio.timeout(plan.GRIP_TIME):
+        async with within(plan.GRIP_TIME, lambda: f"the fingers do not rest after {plan.GRIP_TIME:g} s"):
             while still < RESTS:
                 await asyncio.sleep(1.0 / RATE)
                 before, width = width, await self.width()

@@ -13,6 +13,7 @@ from statistics import median
 from typing import Final
 
 from jauspy.cli.demo import plan
+from jauspy.cli.demo.patience import within
 from jauspy.cli.demo.report import Finding
 from jauspy.cli.video_watch import entered, url_of
 from jauspy.errors import RequestError
@@ -50,14 +51,9 @@ class Film:
 
     async def begins(self) -> None:
         """Wait for the first picture; `RequestError` when it stays out."""
-        try:
-            async with asyncio.timeout(plan.CAMERA_TIME) as limit:
-                while not self.recorder.pictures:  # noqa: ASYNC110 - the socket's reader adds them
-                    await asyncio.sleep(0.05)
-        except TimeoutError:
-            if not limit.expired():
-                raise
-            raise RequestError(f"camera {self.name}: no picture came within {plan.CAMERA_TIME:g} s") from None
+        async with within(plan.CAMERA_TIME, lambda: f"camera {self.name}: no picture in {plan.CAMERA_TIME:g} s"):
+            while not self.recorder.pictures:  # noqa: ASYNC110 - the socket's reader adds them
+                await asyncio.sleep(0.05)
         self.began = time.monotonic()
 
     def finding(self) -> Finding:
@@ -65,7 +61,7 @@ class Film:
         pictures, counters = self.recorder.pictures, self.receiver.counters
         lost, damaged = counters.get("lost", 0), counters.get("damaged", 0)
         rate = pictures / max(self.ended - self.began, 1e-3)
-        late = median(self.latencies) if self.latencies else float("nan")
+        late = median(self.latencies) if self.latencies else 0.0
         return Finding(
             f"{self.name} video",
             f"{pictures} pictures ({rate:.1f} Hz), {lost or 'no'} packets lost, {damaged or 'none'} damaged; "
