@@ -30,7 +30,8 @@ from jauspy.messages.core import (
     Shutdown,
     Standby,
 )
-from jauspy.ocu.link import Link, Patience
+from jauspy.ocu.link import Link
+from jauspy.ocu.patience import Patience
 
 LEAVE: Final = Patience(timeout=0.3, retries=2)
 """How long leaving the block waits for the component to say that control is released."""
@@ -97,11 +98,11 @@ class Control:
             self._ready, self._calmed = False, message.CODE != Resume.CODE
 
     async def __aenter__(self) -> Self:
-        self._link.take_control(self.id, self)
+        self._link.controls.take(self.id, self)
         try:
             await self._acquire()
         except BaseException as error:
-            self._link.drop_control(self.id, self)
+            self._link.controls.drop(self.id, self)
             if not isinstance(error, ControlRejected):
                 self._quietly(ReleaseControl())  # it may have been granted, and nobody is there to use it
             raise
@@ -120,7 +121,7 @@ class Control:
                 self._quietly(Standby())
                 await self._release()
         finally:
-            self._link.drop_control(self.id, self)
+            self._link.controls.drop(self.id, self)
             if tasks := {each for each in (keeper, self._asker) if each is not None}:
                 for each in tasks:
                     each.cancel()

@@ -27,7 +27,8 @@ from jauspy.messages.core import (
     ReportEventTimeout,
     UpdateEvent,
 )
-from jauspy.ocu.link import Link, Patience
+from jauspy.ocu.link import Link
+from jauspy.ocu.patience import Patience
 
 R = TypeVar("R", bound=Message)
 
@@ -157,9 +158,9 @@ class Subscription(Generic[R]):
     def _confirmed(self, message: ConfirmEventRequest) -> None:
         """Here and not in `_create`: the first report may come in the same wake-up as the confirmation."""
         if message.event_id != self.event_id:
-            self._link.leave_event(self.request.id, self.event_id, self)
+            self._link.events.leave(self.request.id, self.event_id, self)
             self.event_id, self._next = message.event_id, None
-            self._link.join_event(self.request.id, self.event_id, self)
+            self._link.events.join(self.request.id, self.event_id, self)
         self.confirmed_rate = message.confirmed_periodic_rate
 
     def _arrived(self, message: Event) -> None:
@@ -282,7 +283,7 @@ class Subscription(Generic[R]):
 
     def _leave(self) -> None:
         self._stack.close()
-        if self.event_id is None or not self._link.leave_event(self.request.id, self.event_id, self):
+        if self.event_id is None or not self._link.events.leave(self.request.id, self.event_id, self):
             return
         number = self._link.next_request_id(self.request.id)
         try:
