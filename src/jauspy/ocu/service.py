@@ -18,11 +18,12 @@ from jauspy.ocu.answers import answer_to
 from jauspy.ocu.arguments import check_message
 from jauspy.ocu.control import Control
 from jauspy.ocu.elements import Elements
+from jauspy.ocu.event_requests import Request
 from jauspy.ocu.link import Link
 from jauspy.ocu.model import ServiceInfo
 from jauspy.ocu.patience import Patience
 from jauspy.ocu.stills import Photo, configuration, photograph
-from jauspy.ocu.subscription import Request, Subscription
+from jauspy.ocu.subscription import Subscription
 
 R = TypeVar("R", bound=Message)
 
