@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Final
 
+from jauspy.arguments import described
 from jauspy.errors import ConfigError
 
 ANY_SUBSYSTEM: Final = 0xFFFF
@@ -40,6 +41,15 @@ class JausID:
             raise ConfigError(f"{text!r} is not a JAUS id; write SUBSYSTEM.NODE.COMPONENT, as in 101.1.102")
         subsystem, node, component = map(int, parts)
         return cls(subsystem, node, component)
+
+    @classmethod
+    def of(cls, id: str | JausID) -> JausID:
+        """The id, also when it is text; raises `ConfigError` as `parse`, and `TypeError` for anything else."""
+        if isinstance(id, str):
+            return cls.parse(id)
+        if not isinstance(id, JausID):
+            raise TypeError(f"a JAUS id is text, as in '101.1.102', or a JausID, not {described(id)}")
+        return id
 
     @classmethod
     def from_int(cls, value: int) -> JausID:

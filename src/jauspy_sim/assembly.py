@@ -16,6 +16,7 @@ from jauspy.platform.camera import CameraSetup
 from jauspy.platform.description import Description, Joint, JointKind, RobotModel, TrackSetup
 from jauspy.platform.joint_control import LIVELIEST
 from jauspy_sim.force_torque import add_force_torque
+from jauspy_sim.terrain import add_twins
 
 TIMESTEP: Final = 0.002
 """Seconds of one physics step."""
@@ -25,7 +26,9 @@ ROTOR_INERTIA: Final = 1.0 / LIVELIEST
 
 SEEN: Final = 1
 COLLIDING: Final = 3
-"""Groups of a robot's geometries: MuJoCo draws the first and hides the second. A world's own are in group 0."""
+"""Groups of a robot's geometries: MuJoCo draws the first and hides the second. A world's own are in group 0, or
+as `terrain` says.
+"""
 
 
 def known_worlds() -> list[str]:
@@ -75,7 +78,9 @@ def _world(name: str) -> mujoco.MjSpec:
     if name not in names:
         raise ConfigError(f"the backend 'sim' has no world {name!r}; it has: {', '.join(names)}")
     with as_file(files("jauspy_sim") / "worlds" / f"{name}.xml") as path:
-        return mujoco.MjSpec.from_file(str(path))
+        spec = mujoco.MjSpec.from_file(str(path))
+    add_twins(spec)
+    return spec
 
 
 def _from_urdf(description: Description) -> mujoco.MjSpec:

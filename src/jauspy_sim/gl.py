@@ -12,7 +12,12 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from jauspy_sim.rays import FAR
+
 LIBRARIES: Final = {"egl": ("libEGL.so.1",), "osmesa": ("libOSMesa.so.8", "libOSMesa.so.6")}
+
+NEAR: Final = 0.02
+"""Metres from a camera to the nearest that it sees: the gripper is close to the arm's."""
 
 MAX_GEOMS: Final = 10_000
 """Shapes in a picture, at most."""
@@ -51,6 +56,7 @@ class GlPainter:
         self._scene.flags[mujoco.mjtRndFlag.mjRND_SHADOW] = 0
         self._rect = mujoco.MjrRect(0, 0, 0, 0)
         model.vis.quality.offsamples = 0
+        model.vis.map.znear = NEAR / model.stat.extent
         self._gl = import_module(f"mujoco.{way}").GLContext(64, 64)
         self._gl.make_current()
         self._context = mujoco.MjrContext(model, mujoco.mjtFontScale.mjFONTSCALE_100.value)
@@ -68,10 +74,11 @@ class GlPainter:
         self._render(data, width, height)
         image, depth = np.empty((height, width, 3), np.uint8), np.empty((height, width), np.float32)
         mujoco.mjr_readPixels(image, depth, self._rect, self._context)
+        # The sky box has a depth, too: it is beyond everything that rays would meet.
         near, far = (self._model.stat.extent * plane for plane in (self._model.vis.map.znear, self._model.vis.map.zfar))
         upright = depth[::-1]  # 1 at the near plane, 0 at the far one
         along = np.float32(near * far) / (upright * np.float32(far - near) + np.float32(near))
-        return np.ascontiguousarray(image[::-1]), np.where(upright > 0.0, along, np.float32(math.inf))
+        return np.ascontiguousarray(image[::-1]), np.where(along < FAR, along, np.float32(math.inf))
 
     def close(self) -> None:
         """Give the GL context back; twice is fine."""

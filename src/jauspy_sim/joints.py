@@ -10,6 +10,7 @@ from jauspy.platform.description import Description, GroupSetup, Joint
 from jauspy.platform.joint_control import JointController
 from jauspy.platform.joints import JointState, Target
 from jauspy_sim.assembly import TIMESTEP
+from jauspy_sim.views import view
 
 
 class SimulatedJoints:
@@ -18,20 +19,22 @@ class SimulatedJoints:
     def __init__(
         self, model: mujoco.MjModel, data: mujoco.MjData, prefix: str, description: Description, setup: GroupSetup
     ) -> None:
-        self._qpos, self._qvel, self._bias, self._ctrl = data.qpos, data.qvel, data.qfrc_bias, data.ctrl
+        self._qpos, self._qvel, self._bias, self._ctrl = map(view, (data.qpos, data.qvel, data.qfrc_bias, data.ctrl))
         self._joints = tuple(description.joint(name) for name in setup.joints)
         self._chain = description.chain(setup.base, setup.tip)
         found = [model.joint(f"{prefix}{joint.name}") for joint in self._joints]
-        self._positions = _places([int(joint.qposadr[0]) for joint in found])
-        self._dofs = _places([int(joint.dofadr[0]) for joint in found])
-        self._motors = _places([int(model.actuator(f"{prefix}{joint.name}").id) for joint in self._joints])
-        self._every = max(1, round(1.0 / (setup.rate * TIMESTEP)))
-        self._until_next = 0
+        self._positions = [int(joint.qposadr[0]) for joint in found]
+        self._dofs = [int(joint.dofadr[0]) for joint in found]
+        self._motors = [int(model.actuator(f"{prefix}{joint.name}").id) for joint in self._joints]
+        self.every = max(1, round(1.0 / (setup.rate * TIMESTEP)))
+        """Physics steps from one `control` to the next."""
+        self._dt = self.every * TIMESTEP
         _place(data, model, prefix, description, dict(zip(setup.joints, setup.start, strict=True)))
         self._controllers = [
             JointController(joint, setup.gains[joint.name], start)
             for joint, start in zip(self._joints, setup.start, strict=True)
         ]
+        self._rows = list(zip(self._controllers, self._positions, self._dofs, self._motors, strict=True))
 
     @property
     def joints(self) -> tuple[Joint, ...]:
@@ -59,34 +62,16 @@ class SimulatedJoints:
     def state(self) -> JointState:
         """Positions, velocities and efforts after the last step."""
         return JointState(
-            tuple(self._qpos[self._positions].tolist()),
-            tuple(self._qvel[self._dofs].tolist()),
-            tuple(self._ctrl[self._motors].tolist()),
+            tuple([self._qpos[at] for at in self._positions]),
+            tuple([self._qvel[at] for at in self._dofs]),
+            tuple([self._ctrl[at] for at in self._motors]),
         )
 
     def control(self) -> None:
-        """Set the motors' efforts for the physics step that follows, when the control loop is due."""
-        if self._until_next:
-            self._until_next -= 1
-            return
-        self._until_next = self._every - 1
-        dt = self._every * TIMESTEP
-        rows = zip(
-            self._controllers,
-            self._qpos[self._positions].tolist(),
-            self._qvel[self._dofs].tolist(),
-            self._bias[self._dofs].tolist(),  # gravity and what motion adds
-            strict=True,
-        )
-        self._ctrl[self._motors] = [
-            controller.effort(position, velocity, dt, bias) for controller, position, velocity, bias in rows
-        ]
-
-
-def _places(found: list[int]) -> slice | list[int]:
-    """Indices as numpy takes them fastest: a slice when they follow each other."""
-    follow = found == list(range(found[0], found[0] + len(found)))
-    return slice(found[0], found[0] + len(found)) if follow else found
+        """Set the motors' efforts for the next `every` physics steps; the bias is gravity, and what motion adds."""
+        qpos, qvel, bias, ctrl, dt = self._qpos, self._qvel, self._bias, self._ctrl, self._dt
+        for controller, position, dof, motor in self._rows:
+            ctrl[motor] = controller.effort(qpos[position], qvel[dof], dt, bias[dof])
 
 
 def _place(

@@ -13,9 +13,10 @@ from numpy.typing import NDArray
 from jauspy.platform.ranging import LidarSetup
 from jauspy.platform.scanner import Scanner
 from jauspy_sim.assembly import COLLIDING, SEEN
+from jauspy_sim.terrain import DRAWN
 
-_GROUPS: Final = np.array([group not in (SEEN, COLLIDING) for group in range(mujoco.mjNGROUP)], np.uint8)
-"""All but those of robots: a lidar that sits among its robot's own parts looks past them."""
+_GROUPS: Final = np.array([group not in (SEEN, COLLIDING, DRAWN) for group in range(mujoco.mjNGROUP)], np.uint8)
+"""All but those of robots: a lidar that sits among its robot's own parts looks past them. Height fields have twins."""
 
 _NO_NORMALS: Final[dict[str, Any]] = {"normal": None} if "normal" in (mujoco.mj_multiRay.__doc__ or "") else {}
 """MuJoCo 4 can give the normals of what the rays hit."""
@@ -31,17 +32,25 @@ class _Rays:
         self._model, self._data, self._body = model, data, body
         self._noise = setup.noise
         self._random = np.random.default_rng(setup.seed)
+        self._angles: Sequence[float] = ()
+        self._turned = np.empty((0, 3))
 
     def measure(self, angles: Sequence[float]) -> list[float]:
         """As `Measure`."""
         if not angles:
             return []
         mujoco.mj_kinematics(self._model, self._data)  # after a step, frames are those of its beginning
-        at = np.asarray(angles)
-        rays = np.stack([np.cos(at), np.sin(at), np.zeros_like(at)], axis=1) @ self._body.xmat.reshape(3, 3).T
+        rays = self._in_its_plane(angles) @ self._body.xmat.reshape(3, 3).T
         distances = cast_rays(self._model, self._data, self._body.xpos, rays)
         noise: NDArray[np.float64] = self._random.normal(0.0, self._noise, len(angles))
         return (distances + noise).tolist()  # type: ignore[no-any-return]  # numpy's tolist is untyped
+
+    def _in_its_plane(self, angles: Sequence[float]) -> NDArray[np.float64]:
+        """Rays in the link's frame; the same angles come again and again."""
+        if angles is not self._angles:
+            at = np.asarray(angles)
+            self._angles, self._turned = angles, np.stack([np.cos(at), np.sin(at), np.zeros_like(at)], axis=1)
+        return self._turned
 
 
 def cast_rays(

@@ -1,4 +1,4 @@
-"""A camera without GL: a ray for every pixel, by MuJoCo, and colours shaded by the light that falls on them."""
+"""A camera without GL: a ray for every pixel, by MuJoCo, with the sky, lights and colours that GL would take."""
 
 from __future__ import annotations
 
@@ -9,15 +9,18 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from jauspy_sim.assembly import SEEN
+from jauspy_sim.shading import Shading
+from jauspy_sim.sky import Sky
+from jauspy_sim.terrain import FELT
+
 PIXELS: Final = 160 * 120
 """Rays of one picture, at most: 11 ms on a small machine."""
 
 FAR: Final = 40.0
 """Metres beyond which nothing is seen."""
 
-_SKY: Final = np.array((150, 190, 230), np.float64)
-_SEEN: Final = np.array((1, 1, 1, 0, 0, 0), np.uint8)
-_SUN: Final = np.array((0.3, 0.2, 0.93))
+_SEEN: Final = np.array([group in (0, SEEN, FELT) for group in range(mujoco.mjNGROUP)], np.uint8)
 _HAS_NORMALS: Final = "normal" in (mujoco.mj_multiRay.__doc__ or "")  # since MuJoCo 3.5
 
 
@@ -29,7 +32,7 @@ class RayPainter:
     def __init__(self, model: mujoco.MjModel, camera: int, fov: float) -> None:
         self._model, self._camera = model, camera
         self._spread = math.tan(fov / 2.0)
-        self._colours = 255.0 * np.array([_colour(model, geom) for geom in range(model.ngeom)])
+        self._sky, self._shading = Sky(model), Shading(model)
 
     def paint(self, data: mujoco.MjData, width: int, height: int) -> NDArray[np.uint8]:
         """A picture of that size, made of fewer and larger dots."""
@@ -81,30 +84,15 @@ class RayPainter:
             cutoff=FAR,
             **({"normal": normals.reshape(-1)} if _HAS_NORMALS else {}),
         )
-        light = 0.45 + 0.55 * np.clip(normals @ _SUN, 0.0, 1.0)
-        painted = self._colours[hit] * light[:, None]
-        met = hit >= 0
-        return np.where(met[:, None], painted, _SKY).astype(np.uint8), np.where(met, far, math.inf)
+        painted = self._sky.colours(directions)
+        seen = hit >= 0
+        points = data.cam_xpos[self._camera] + directions[seen] * far[seen, None]
+        light = self._shading.light(data, directions[seen], normals[seen])
+        painted[seen] = self._shading.colours(data, hit[seen], points) * light
+        return np.clip(painted, 0.0, 255.0).astype(np.uint8), np.where(seen, far, math.inf)
 
 
 def _affordable(width: int, height: int) -> tuple[int, int]:
     """Columns and rows of a picture of that shape, in rays."""
     shrink = max(1.0, math.sqrt(width * height / PIXELS))
     return round(width / shrink), round(height / shrink)
-
-
-def _colour(model: mujoco.MjModel, geom: int) -> NDArray[np.float64]:
-    """Of a patterned one, the pattern's mean."""
-    material = int(model.geom_matid[geom])
-    if material < 0:
-        return np.array(model.geom_rgba[geom][:3])
-    patterns = [int(number) for number in np.ravel(model.mat_texid[material]) if number >= 0]
-    mean = _mean(model, patterns[0]) if patterns else 1.0
-    return np.array(model.mat_rgba[material][:3]) * mean
-
-
-def _mean(model: mujoco.MjModel, texture: int) -> NDArray[np.float64]:
-    channels, begin = int(model.tex_nchannel[texture]), int(model.tex_adr[texture])
-    size = int(model.tex_width[texture] * model.tex_height[texture]) * channels
-    pixels = model.tex_data[begin : begin + size].reshape(-1, channels)
-    return np.array(pixels.mean(axis=0)[:3]) / 255.0

@@ -23,6 +23,9 @@ from jauspy_sim.tracks import TrackedDrive
 SETTLING_STEPS: Final = 250
 """Steps before time starts, in which the robot sinks into its contacts and comes to rest."""
 
+LONGEST: Final = 2
+"""Steps that MuJoCo makes in one go at most: the belts travel 6 mm in it before they are put back."""
+
 ROUNDING: Final = 1e-9
 """Part of a step by which sums of floats may fall short of a whole one."""
 
@@ -39,8 +42,8 @@ class SimulatedRobot:
             name: SimulatedJoints(model, data, name_prefix, robot.description, setup)
             for name, setup in robot.groups.items()
         }
-        self._lidars: dict[str, Scanner] = {}
-        self._force_torque: dict[str, SampledForceTorque] = {}
+        self._every = math.gcd(LONGEST, *(group.every for group in self._groups.values()))
+        self._sensors: tuple[Scanner | SampledForceTorque, ...] = ()
         mujoco.mj_forward(model, data)
         self._owed = 0.0
         self._steps = -SETTLING_STEPS
@@ -49,6 +52,7 @@ class SimulatedRobot:
         self._force_torque = {
             setup.name: simulated_force_torque(data, name_prefix, setup) for setup in robot.force_torque
         }
+        self._sensors = (*self._lidars.values(), *self._force_torque.values())
         self._look()
         self._cameras = SimulatedCameras(model, data, name_prefix, robot.cameras)
 
@@ -120,17 +124,25 @@ class SimulatedRobot:
         self._cameras.close()
 
     def _run(self, steps: int) -> None:
-        groups = tuple(self._groups.values())
-        for _ in range(steps):
-            for group in groups:
+        """Controllers and sensors act on a grid of their own, whatever the pieces in which time passes."""
+        every, end = self._every, self._steps + steps
+        while self._steps < end:
+            phase = self._steps % every
+            if not phase:
+                self._control()
+            count = min(every - phase, end - self._steps)
+            mujoco.mj_step(self._model, self._data, count)
+            self._steps += count
+            if phase + count == every:
+                self._drive.rewind_belts()
+                self._look()
+
+    def _control(self) -> None:
+        for group in self._groups.values():
+            if not self._steps % group.every:
                 group.control()
-            mujoco.mj_step(self._model, self._data)
-            self._drive.rewind_belts()
-            self._steps += 1
-            self._look()
 
     def _look(self) -> None:
-        for lidar in self._lidars.values():
-            lidar.step(self.time)
-        for sensor in self._force_torque.values():
-            sensor.step(self.time)
+        now = self.time
+        for sensor in self._sensors:
+            sensor.step(now)

@@ -11,6 +11,7 @@ from jauspy.platform.acceleration import mean_acceleration
 from jauspy.platform.contract import Acceleration, Pose, Twist
 from jauspy.platform.description import TrackSetup
 from jauspy.platform.skid_steer import mix
+from jauspy_sim.views import view
 
 
 def roll_pitch_yaw(w: float, x: float, y: float, z: float) -> tuple[float, float, float]:
@@ -27,6 +28,7 @@ class TrackedDrive:
     def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, prefix: str, tracks: TrackSetup) -> None:
         self._model = model
         self._data = data
+        self._qpos = view(data.qpos)
         base = model.joint(f"{prefix}base")
         self._base_position = slice(base.qposadr[0], base.qposadr[0] + 7)
         self._base_velocity = slice(base.dofadr[0], base.dofadr[0] + 6)
@@ -79,4 +81,4 @@ class TrackedDrive:
     def rewind_belts(self) -> None:
         """Put the belts back to position zero: only their surface speed shall act."""
         for position in self._belt_positions:
-            self._data.qpos[position] = 0.0
+            self._qpos[position] = 0.0

@@ -20,6 +20,7 @@ from jauspy.codec.base import Message, Struct
 from jauspy.codec.items import Composite
 from jauspy.conformance import Bench, Part
 from jauspy.conformance.walk import neutral
+from jauspy.conformance.walk.pictures import PATIENCE as PICTURE_PATIENCE
 from jauspy.conformance.walk.trial import Trial
 from jauspy.conformance.walk.walker import CLIENTS, OBSERVER
 from jauspy.ids import JausID
@@ -72,9 +73,9 @@ def _shows(payload: bytes, to: JausID) -> bool:
     return Moment.now and to == WATCHING and not _is(payload, STATES)
 
 
-def delays(condition: Callable[[bytes, JausID], bool]) -> Injector:
+def delays(condition: Callable[[bytes, JausID], bool], seconds: float = 2.9) -> Injector:
     """Said after the deadline, but so that it still counts as late."""
-    return delayed(lambda outgoing: Moment.now and condition(outgoing.payload, outgoing.destination), 2.9)
+    return delayed(lambda outgoing: Moment.now and condition(outgoing.payload, outgoing.destination), seconds)
 
 
 def talks_back() -> Injector:
@@ -167,6 +168,10 @@ def impatient() -> Injector:
     return patched(Host, set_timer=hurried)
 
 
+def no_pictures(report: Any) -> None:
+    report.still_image_data_list = []
+
+
 def faster(confirmation: Any) -> None:
     confirmation.confirmed_periodic_rate *= 10
 
@@ -214,6 +219,9 @@ FAMILIES: Final = (
     Family("is short", "^[A-Z].* is as its definition says", answers(spoilt)),
     Family("is late", "in time$", delays(lambda payload, to: to in ROLES)),
     Family("has other ids and codes", "has (request_id|response_code|query_type)", answers(changed(other_codes))),
+    Family("takes its time for a picture", "in time$", delays(lambda payload, to: to in ROLES, PICTURE_PATIENCE * 1.5)),
+    Family("has no pictures", "has a picture", answers(changed(no_pictures))),
+)
     _second("gives no second answer", answers(silence, *SECOND)),
     _second("gives a short second answer", answers(spoilt, *SECOND)),
     _second("gives a late second answer", delays(lambda payload, to: _is(payload, SECOND))),
@@ -232,5 +240,4 @@ FAMILIES: Final = (
     _stream("events carry another report", answers(changed(wrong_report), *STREAM)),
     Family("is impatient", "come early$", impatient()),
     Family("is late after others were", "in time$", delays(lambda payload, to: to in ROLES)),
-)
 """Late answers to one step may spoil the next; so the last family takes those once more."""

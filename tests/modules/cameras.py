@@ -48,10 +48,12 @@ class FakeVideo:
 
 
 class Module:
-    """The CM-VIS of the chassis camera of a kinematic inc1."""
+    """The CM-VIS of the chassis camera of a kinematic inc1; a `fixed` one is where the lidar is, without a mount."""
 
-    def __init__(self, component=107, video=None):
+    def __init__(self, component=107, video=None, *, fixed=False):
         config = robots.load("inc1")
+        if fixed:
+            config = _with_fixed_cameras(config)
         model = robot_model(config)
         self.robot = KinematicRobot(model)
         self.now = 0.0
@@ -91,3 +93,11 @@ class Module:
 
     def control(self, client=CLIENT):
         self.tell(RequestControl(200), Resume(), client=client)
+
+
+def _with_fixed_cameras(config):
+    cameras = tuple(each.model_copy(update={"link": "lidar_link"}) for each in config.cameras)
+    modules = tuple(
+        each.model_copy(update={"group": None}) if each.type == "CM-VIS" else each for each in config.modules
+    )
+    return config.model_copy(update={"cameras": cameras, "modules": modules})

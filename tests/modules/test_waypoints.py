@@ -7,8 +7,11 @@ import math
 import pytest
 from tests.modules.world import CLIENT, ORIGIN, OTHER, World
 
+from jauspy.codec.base import Message
 from jauspy.ids import JausID
 from jauspy.messages.core import (
+    CommandEvent,
+    CreateCommandEvent,
     DeleteElement,
     QueryElementList,
     ReleaseControl,
@@ -29,6 +32,7 @@ from jauspy.messages.mobility import (
     SetLocalWaypoint,
     SetTravelSpeed,
     SetTravelSpeedExt,
+    SetWrenchEffort,
     Speed,
 )
 from jauspy.services.mobility.guidance.geodesy import Geodetic, offset
@@ -110,6 +114,55 @@ def test_a_list_may_mix_frames_and_keeps_its_speed(world: World) -> None:
     assert speed(world) == pytest.approx(0.8, abs=0.01)
     world.run_until(lambda: world.active == 0, 20.0)
     assert world.distance(0.0, 0.0) < 0.2
+
+
+def told(world: World, *messages: Message) -> list[bool]:
+    """How the commands ended of which command events tell now: True for those that were carried out."""
+    events = [each for each in world.tell(*messages) if isinstance(each, CommandEvent)]
+    return [each.command_result == CommandEvent.CommandResult.SUCCESSFUL for each in events]
+
+
+def watched(command: Message) -> CreateCommandEvent:
+    return CreateCommandEvent(1, 60, command)
+
+
+GO = SetTravelSpeed(speed=1.0)
+
+
+def test_a_command_event_tells_when_the_waypoint_is_reached(world: World) -> None:
+    assert told(world, watched(SetLocalWaypoint(x=2.0, y=0.0))) == [True], "it is only kept until a speed is set"
+    assert told(world, watched(GO)) == []
+    ends: list[bool] = []
+    world.run_until(lambda: bool(ends), 15.0, lambda: ends.extend(told(world)))
+    assert ends == [True]
+    assert world.distance(2.0, 0.0) < 0.15
+
+
+@pytest.mark.parametrize(
+    "end",
+    [
+        SetTravelSpeed(speed=0.5),
+        SetLocalWaypoint(x=0.0, y=5.0),
+        SetWrenchEffort(propulsive_linear_effort_x=20.0),
+        Standby(),
+        ReleaseControl(),
+    ],
+    ids=lambda each: each.NAME,
+)
+def test_a_command_event_tells_that_something_else_came_before_the_waypoint(world: World, end: Message) -> None:
+    world.tell(SetLocalWaypoint(x=20.0, y=0.0))
+    assert told(world, watched(GO)) == []
+    world.run(1.0)
+    assert told(world, end) == [False]
+
+
+def test_a_new_waypoint_on_the_way_is_a_command_that_takes_its_time(world: World) -> None:
+    world.tell(SetLocalWaypoint(x=20.0, y=0.0))
+    world.tell(GO)
+    assert told(world, watched(SetLocalWaypoint(x=2.0, y=0.0))) == []
+    assert told(world, SetTravelSpeed(speed=0.0)) == [], "it waits, and has not given up"
+    assert told(world, watched(SetTravelSpeedExt(speed=Speed(Speed.Choice.ROTATIONS_PER_MINUTE, 9.0)))) == [False]
+    assert told(world, GO, Standby()) == [False]
 
 
 def test_a_single_waypoint_waits_for_its_speed(world: World) -> None:

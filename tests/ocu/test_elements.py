@@ -6,17 +6,19 @@ import asyncio
 
 import pytest
 
-from jauspy.errors import ConfigError, ElementRejected, RequestError, ResponseTimeout
+from jauspy.errors import ConfigError, ElementRejected, EncodeError, RequestError, ResponseTimeout
 from jauspy.ids import JausID
 from jauspy.messages.core import (
     ConfirmElementRequest,
     DeleteElement,
+    ElementRec,
     Event,
     SetElement,
 )
 from jauspy.messages.mobility import ExecuteList, ReportActiveElement, SetGlobalWaypoint, SetLocalWaypoint
 from jauspy.ocu.progress import POLL
 from jauspy.services.core import AccessControl, Discovery, Events, ListDriver, ListManager, Liveness, Management
+from jauspy.services.core.element_list import ElementList
 from jauspy.testing import LocalNode
 
 ROBOT = JausID(101, 1, 1)
@@ -167,6 +169,78 @@ async def test_long_lists_go_in_several_requests(virtual_network, robot, client)
     await client.waypoints.clear()
     assert order(robot) == []
     assert len(virtual_network.sent(DeleteElement)) == 3
+
+
+async def test_a_new_list_is_there_before_the_old_one_goes(virtual_network, robot, driver, client):
+    await client.waypoints.upload(at(1, 2))
+    await client.waypoints.execute(speed=1.0)
+    before = len(virtual_network.sent(SetElement))
+    await client.waypoints.upload(at(*range(10, 310)))
+    assert order(robot) == xs(client.waypoints) == list(range(10, 310))
+    assert len(virtual_network.sent(SetElement)) == before + 2
+    assert driver.began == [pytest.approx(1.0, abs=1e-3)], "the robot goes on with the old list, and with no other"
+    assert await client.waypoints.active() is None
+
+
+REFUSED = {
+    "an element that no driver carries out": [*at(*range(300)), SetGlobalWaypoint(latitude=1.0, longitude=2.0)],
+    "a value that does not fit": [*at(*range(300)), *at(1e9)],
+    "more than there is room for": at(*range(1023)),
+}
+
+
+@pytest.mark.parametrize("new", REFUSED.values(), ids=REFUSED)
+async def test_the_old_list_stays_when_the_new_one_is_refused(robot, client, new):
+    await client.waypoints.upload(at(1, 2))
+    with pytest.raises((ElementRejected, EncodeError)):
+        await client.waypoints.upload(new)
+    assert order(robot) == xs(await client.waypoints.read()) == [1, 2]
+
+
+async def test_the_old_list_stays_behind_what_was_taken_when_the_network_fails(virtual_network, robot, client):
+    await client.waypoints.upload(at(1, 2))
+    lost = [each.CODE.to_bytes(2, "little") for each in (ConfirmElementRequest, DeleteElement)]
+    virtual_network.keeps = lambda packet: packet.payload[:2] not in lost
+    with pytest.raises(ResponseTimeout) as caught:
+        await client.waypoints.upload(at(7, 8))
+    assert "still in front of the old one" in caught.value.__notes__[0]
+    assert order(robot)[-2:] == [1, 2]
+    with pytest.raises(ConfigError, match="was not read yet"):
+        len(client.waypoints)
+
+
+@pytest.mark.parametrize("count", [1, 3])
+async def test_a_list_that_goes_round_is_replaced_by_one_that_does_not(robot, client, count):
+    uids = [*range(1, count + 1)]
+    ring = zip(uids, uids[-1:] + uids[:-1], uids[1:] + uids[:1], at(*uids), strict=True)
+    await client.query(
+        SetElement(
+            SetElement.RequestIDRec(9), [ElementRec(*links, ElementRec.ElementData(0, it)) for *links, it in ring]
+        ),
+        expects=ConfirmElementRequest,
+    )
+    assert robot.host.service(ListManager).list.loop
+    await client.waypoints.upload(at(7, 8))
+    assert order(robot) == [7, 8]
+    assert not robot.host.service(ListManager).list.loop
+
+
+async def test_a_component_that_does_not_link_as_it_says_keeps_its_old_list(virtual_network, ocu, driver):
+    class Careless(ListManager):
+        """Confirms, and puts everything at the end."""
+
+        def set_element(self, msg) -> None:
+            super().set_element(msg)
+            self.list = ElementList(tuple(sorted(self.list.order)))
+
+    careless = [AccessControl(timeout=0), Events(), Management(), Discovery(), Careless(), driver]
+    async with virtual_network.component(ROBOT, careless) as component:
+        found = (await ocu.discover(101)).service("LocalWaypointListDriver")
+        async with found.control():
+            await found.waypoints.upload(at(1, 2))
+            with pytest.raises(ElementRejected, match=r"101\.1\.1 confirmed a new list in front of its old one"):
+                await found.waypoints.upload(at(7, 8))
+        assert order(component) == [1, 2]
 
 
 async def test_refusals_say_why_and_change_nothing(robot, client):

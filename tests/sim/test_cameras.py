@@ -13,6 +13,7 @@ import pytest
 
 pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 
+import mujoco
 import numpy as np
 
 from jauspy.modules.description import robot_model
@@ -21,6 +22,7 @@ from jauspy.platform.camera import CameraSetup
 from jauspy_sim import gl
 from jauspy_sim.rays import PIXELS, RayPainter
 from jauspy_sim.robot import SimulatedRobot
+from jauspy_sim.sky import PLAIN, Sky
 
 FRONT = CameraSetup("front", "chassis_camera_link", math.radians(80.0))
 ARM = CameraSetup("arm", "arm_camera_link", math.radians(80.0))
@@ -150,3 +152,51 @@ def test_no_picture_is_taken_in_the_robots_process():
     )
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, env=os.environ)
     assert run.stdout == "[]\n"
+
+
+# --- what it looks like
+
+
+def eyes(robot, name, monkeypatch):
+    """By rays, and by GL."""
+    if gl.choose() is None:
+        pytest.skip("there is neither libegl1 nor libosmesa6")
+    by_gl = robot.cameras[name].open()
+    if "rays" in by_gl.description:
+        pytest.skip("GL does not work here")
+    monkeypatch.setenv("MUJOCO_GL", "disable")
+    return robot.cameras[name].open(), by_gl
+
+
+@pytest.mark.parametrize("world", ["demo", "empty", "rough"])
+@pytest.mark.parametrize("name", ["front", "arm"])
+def test_rays_and_gl_see_the_same(world, name, monkeypatch):
+    """Sky, floor, lights, and the gripper, which is near; only edges and what is far differ."""
+    model = dataclasses.replace(robot_model(load("inc1")), cameras=(FRONT, ARM))
+    robot = SimulatedRobot.open(model, world)
+    seen = [eye.look(160, 120).image.astype(int) for eye in eyes(robot, name, monkeypatch)]
+    robot.close()
+    different = np.abs(seen[0] - seen[1]).max(axis=2) > 24
+    assert different.mean() < 0.1
+    sky = seen[0][2, 80]
+    assert sky[2] > sky[1] > sky[0] > 80
+    assert np.abs(seen[1][2, 80] - sky).max() < 6
+
+
+def test_the_sky_is_lighter_towards_the_horizon(robot):
+    sky = Sky(robot.model)
+    up, slanting, level, down = sky.colours(np.array([[0, 0, 1], [0.6, 0, 0.8], [0, 1, 0], [0, 0, -1]], float)).sum(1)
+    assert up < slanting < level < down
+
+
+def test_a_world_without_a_sky_box_has_a_plain_one():
+    model = mujoco.MjModel.from_xml_string("<mujoco><worldbody><geom size='1'/></worldbody></mujoco>")
+    assert (Sky(model).colours(np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0]])) == PLAIN).all()
+
+
+def test_the_floor_shows_its_pattern_by_rays(robot, monkeypatch):
+    monkeypatch.setenv("MUJOCO_GL", "disable")
+    eye = robot.cameras["front"].open()
+    near = eye.look(160, 120).image[-2].astype(int).sum(axis=1)
+    eye.close()
+    assert near[20] < 0.95 * near[140]

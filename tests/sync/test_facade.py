@@ -49,6 +49,16 @@ def listed(node_manager: LocalNode):
         portal.run(component.close())
 
 
+def test_values_of_wrong_types_are_one_sentence(listed, ocu):
+    client = ocu.discover(101).service("LocalWaypointListDriver")
+    with pytest.raises(TypeError, match=r"^query\(\) takes a message, as in QueryStatus\(\), not the str 'x'$"):
+        client.query("x")
+    with pytest.raises(TypeError, match=r"^a JAUS id is text"):
+        ocu.send(QueryStatus(), "101.1.1")
+    with client.control(), pytest.raises(TypeError, match=r"^a list takes a message, as in SetLocalWaypoint"):
+        client.waypoints[:] = [(1.0, 2.0)]
+
+
 def test_the_whole_story(robot, node_manager, ocu):
     found = ocu.discover(subsystem=101)
     driver = found.service("mobility:PrimitiveDriver")

@@ -22,14 +22,16 @@ from jauspy.modules.description import robot_model
 from jauspy.modules.robots import load
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.kinematic import KinematicRobot
+from jauspy.platform.kinematic_camera import SKY
 from jauspy.platform.stills import StillFormat, StillSettings
 from jauspy.platform.video_settings import VideoSettings
-from jauspy.video import camera_process
-from jauspy.video.camera_process import MAX_STILLS, CameraProcess
+from jauspy.video import camera_process, still_orders
+from jauspy.video.camera_process import CameraProcess
 from jauspy.video.decoder import H264Decoder
 from jauspy.video.receiver import RtpReceiver
 from jauspy.video.sender import MAX_RECEIVERS
 from jauspy.video.stamp import read
+from jauspy.video.worker import POLITENESS
 
 SMALL = VideoSettings(320, 240, 20)
 TINY = StillSettings(128, 96, StillFormat.PNG)
@@ -80,6 +82,15 @@ async def test_it_starts_when_it_is_first_wanted(camera):
     camera.watch(("127.0.0.1", 2000), playing=False)
     await until(lambda: camera.description)
     assert camera.counters["started"] == 1
+
+
+async def test_its_process_leaves_the_processor_to_the_robots(camera):
+    camera.watch(("127.0.0.1", 2000), playing=False)
+    await until(lambda: camera.description)
+    nice = os.getpriority(os.PRIO_PROCESS, camera.pid) - os.getpriority(os.PRIO_PROCESS, 0)
+    assert nice == min(POLITENESS, 19 - os.getpriority(os.PRIO_PROCESS, 0))
+    assert os.getsid(camera.pid) == os.getsid(0), "sessions get shares of their own"
+    assert os.getpgid(camera.pid) != os.getpgid(0), "Ctrl-C is the robot's"
 
 
 async def test_two_receivers_see_the_same_pictures(camera, receiver):
@@ -138,8 +149,18 @@ async def test_still_images_of_any_size(camera, format, size):
     assert image.std() > 10.0
 
 
+@pytest.mark.parametrize(("size", "smooth"), [((640, 480), True), ((1408, 1152), False)], ids=str)
+async def test_the_edges_of_stills_are_smooth_unless_they_are_large(camera, size, smooth):
+    taken = asyncio.get_running_loop().create_future()
+    camera.take(StillSettings(*size, StillFormat.PNG), taken.set_result)
+    content = (await asyncio.wait_for(taken, 20.0)).content
+    image = cv2.imdecode(np.frombuffer(content, np.uint8), cv2.IMREAD_COLOR)
+    colours = {tuple(pixel) for pixel in image.reshape(-1, 3)}
+    assert (len(colours) > SKY + 1) is smooth
+
+
 async def test_too_many_stills_and_receivers_are_refused(camera):
-    for _ in range(MAX_STILLS):
+    for _ in range(still_orders.MOST):
         camera.take(TINY, lambda _: None)
     with pytest.raises(ConfigError, match="8 still images of this camera are under way"):
         camera.take(TINY, lambda _: None)
@@ -178,6 +199,23 @@ async def test_a_process_that_hangs_is_ended(camera, monkeypatch):
         if camera.counters["hung"]:
             break
     await until(lambda: camera.pid not in {hanging, None})
+
+
+async def test_a_process_that_does_not_take_a_picture_is_ended(camera, monkeypatch):
+    camera.watch(("127.0.0.1", 2000))
+    await until(lambda: camera.description)
+    hanging = camera.pid
+    os.kill(hanging, signal.SIGSTOP)
+    monkeypatch.setattr(camera_process, "STILL_TIMEOUT", 0.1)
+    lost = asyncio.get_running_loop().create_future()
+    camera.take(TINY, lost.set_result)
+    assert await asyncio.wait_for(lost, 20.0) is None
+    assert camera.counters["hung"] == 1
+    await until(lambda: camera.pid not in {hanging, None})
+    monkeypatch.undo()
+    taken = asyncio.get_running_loop().create_future()
+    camera.take(TINY, taken.set_result)
+    assert (await asyncio.wait_for(taken, 20.0)).content
 
 
 async def test_it_ends_with_the_robots_process(tmp_path):

@@ -8,6 +8,7 @@ pytest.importorskip("cv2", reason="the extra 'video' is not installed")
 import numpy as np
 
 from jauspy.errors import ConfigError
+from jauspy.platform.h264 import H264Settings, Preset, Profile
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.video import nal
 from jauspy.video.decoder import H264Decoder
@@ -92,3 +93,48 @@ def test_what_is_no_h264_is_counted():
     decoder = H264Decoder()
     assert decoder.decode(Picture(0, (b"\x65\xff\xff\xff", b"\x41nonsense"), whole=True)) is None
     assert decoder.counters["undecodable"] == 1
+
+
+# --- as H264VideoEncoding sets it
+
+
+@pytest.mark.parametrize(("profile", "number"), [(Profile.BASELINE, 66), (Profile.MAIN, 77), (Profile.HIGH, 100)])
+@pytest.mark.parametrize("preset", Preset)
+def test_profile_and_level_are_those_of_the_stream(scene, profile, number, preset):
+    for level, told in ((None, 22), (9, 31)):
+        encoder = H264Encoder(VideoSettings(coding=H264Settings(profile, level, preset)))
+        decoder = H264Decoder()
+        pictures = [tuple(encoder.encode(scene(each))) for each in range(3)]
+        sps = pictures[0][0]
+        assert (nal.kind(sps), sps[1], sps[3]) == (nal.SPS, number, told)
+        images = [decoder.decode(Picture(each, units, whole=True)) for each, units in enumerate(pictures)]
+        assert [read(image) for image in images] == [[0], [1], [2]]
+
+
+def test_constrained_baseline_says_that_it_is(scene):
+    sps = H264Encoder().encode(scene(0))[0]
+    assert sps[2] & 0b0100_0000
+
+
+def gradual():
+    return H264Encoder(VideoSettings(gop=20, coding=H264Settings(gradual=True)))
+
+
+def test_gradual_refreshes_come_without_large_pictures(scene):
+    """Only the first one is whole, and any that is asked for."""
+    encoder = gradual()
+    pictures = [encoder.encode(scene(number), idr=number == 30) for number in range(45)]
+    assert [number for number, units in enumerate(pictures) if nal.IDR in kinds(units)] == [0, 30]
+    sizes = [sum(map(len, units)) for units in pictures]
+    assert max(sizes[10:30]) < 0.5 * sizes[0]
+
+
+def test_gradual_refreshes_mend_what_was_lost(scene):
+    encoder, decoder = gradual(), H264Decoder()
+    seen = []
+    for number in range(70):
+        units = tuple(encoder.encode(scene(number)))
+        if number not in {31, 32}:
+            seen.append(decoder.decode(Picture(number, units, whole=True)))
+    assert nal.IDR not in kinds(units)
+    assert np.abs(seen[-1].astype(int) - scene(69)).mean() < 12.0

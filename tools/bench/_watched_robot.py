@@ -1,6 +1,6 @@
 """The robot `inc1` in a process of its own, which remembers when its drive was told, obeyed and read.
 
-python tools/bench/_watched_robot.py BACKEND ROOT
+python tools/bench/_watched_robot.py BACKEND ROOT STEP
 """
 
 from __future__ import annotations
@@ -38,8 +38,8 @@ class Watch(RealTime):
     commands: list[Command]
     reads: list[tuple[float, float]]
 
-    def __init__(self, robot: Robot) -> None:
-        super().__init__(robot)
+    def __init__(self, robot: Robot, step: float) -> None:
+        super().__init__(robot, step=step)
         self.commands, self.reads = [], []
         self._obeyed: list[tuple[float, float, float]] = []
 
@@ -82,12 +82,12 @@ class _WatchedDrive(SharedDrive):
         return twist
 
 
-async def serve(backend: str, root: str) -> None:
+async def serve(backend: str, root: str, step: float) -> None:
     """The robot's process; tells what it saw when its standard input closes."""
     watches: list[Watch] = []
 
     def watched(robot: Robot) -> Watch:
-        watches.append(Watch(robot))
+        watches.append(Watch(robot, step))
         return watches[0]
 
     def transport(component: JausID) -> LocalTransport:
@@ -97,8 +97,9 @@ async def serve(backend: str, root: str) -> None:
         gc.freeze()
         print("ready", flush=True)
         await asyncio.to_thread(sys.stdin.read)
-    print(json.dumps({"commands": watches[0].commands, "reads": watches[0].reads}))
+    times = dict(watches[0].counters)
+    print(json.dumps({"commands": watches[0].commands, "reads": watches[0].reads, "counters": times}))
 
 
 if __name__ == "__main__":
-    asyncio.run(serve(*sys.argv[1:]))
+    asyncio.run(serve(sys.argv[1], sys.argv[2], float(sys.argv[3])))

@@ -1,20 +1,23 @@
 """From an OCU's command to the robot's actuator, and from there to the report that shows the effect.
 
-python tools/bench/latency.py [--backends kinematic sim] [--samples 300]
+python tools/bench/latency.py [--backends kinematic sim] [--samples 300] [--cameras] [--step 0.002]
 
 An OCU on UDP, a node manager and the robot `inc1` are three processes, as in `jauspy demo`. The OCU sends
-SetWrenchEffort, each time with another effort, at random moments of the robot's 10 ms step, and then asks
+SetWrenchEffort, each time with another effort, at random moments of the robot's step, and then asks
 QueryVelocityState again and again. All clocks are the machine's monotonic one. The parts, which add up to the whole:
 
     command   the OCU calls `send`, until the service calls the drive     (what JAUS adds)
-    step due  until the robot's thread begins its next step               (0..10 ms by design: its rate is 100 Hz)
+    step due  until the robot's thread begins its next step               (0..`--step`: how often it takes orders)
     step      until the state after that step is there to be reported     (physics)
     asked     until the OCU's next query reads that state                 (how often it asks; two messages at most)
     reply     until the OCU has that report                               (what JAUS adds)
 
-`JAUS` is command and reply: what remains with a robot whose hardware takes and tells values at once. The whole
-cannot stay below 10 ms in each case while the robot takes commands every 10 ms; both are shown beside the goal. The
-velocity in each report is checked to be the one that was read. No camera streams meanwhile.
+`JAUS` is command and reply: what remains with a robot whose hardware takes and tells values at once. The velocity in
+each report is checked to be the one that was read.
+
+With `--cameras` both cameras of the robot stream to a receiver of their own meanwhile, which adds two processes that
+render and encode, and one that receives. CPU, in cores, is that of the robot's process: with nobody connected, and
+while it is driven and asked as fast as it answers.
 """
 
 from __future__ import annotations
@@ -23,21 +26,31 @@ import argparse
 import asyncio
 import json
 import random
+import subprocess
 import tempfile
 import time
 from bisect import bisect_left
+from collections.abc import Callable
 from contextlib import ExitStack
 from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
+from typing import TypeVar
 
+import psutil
 from _processes import free_port, node_manager, ready
 from _watched_robot import Command
 
 from jauspy.messages.mobility import QueryVelocityState, SetWrenchEffort
+from jauspy.modules.realtime import STEP
 from jauspy.ocu import OCU
 
+T = TypeVar("T")
+
 ROBOT = Path(__file__).with_name("_watched_robot.py")
+VIEWER = Path(__file__).with_name("_viewer.py")
+IDLE = 4.0
+"""Seconds over which the CPU of a robot with nobody connected is taken."""
 GOAL = 0.010
 WATCHED = 0.04
 """Seconds for which the OCU asks after a command."""
@@ -99,16 +112,56 @@ def _first(timed: list[tuple[float, float]], at: float) -> tuple[float, float] |
     return timed[index] if index < len(timed) else None
 
 
-def measure(backend: str, samples: int) -> tuple[list[list[float]], int]:
+@dataclass
+class Run:
+    """What one run was like; CPU in cores."""
+
+    rows: list[list[float]]
+    unseen: int
+    idle: float
+    driven: float
+    late: int
+    steps: int
+    pictures: str
+
+    def show(self, backend: str) -> None:
+        """A line for each percentile, and one for the rest."""
+        for name, share in (("p50", 0.5), ("p99", 0.99)):
+            values = [sorted(column)[int(len(column) * share)] for column in zip(*self.rows, strict=True)]
+            print(f"  {backend + ' ' + name:20}" + "".join(f"{value * 1e3:10.2f}" for value in values))
+        print(
+            f"  {len(self.rows)} commands, {self.unseen} without an effect that was seen; robot's CPU {self.idle:.2f} "
+            f"idle, {self.driven:.2f} driven; {self.late} of {self.steps} steps late{self.pictures}"
+        )
+
+
+def measure(backend: str, options: argparse.Namespace) -> Run:
     """One run."""
     port = free_port()
     with tempfile.TemporaryDirectory(prefix="jb") as root, ExitStack() as stack:
         stack.enter_context(ready(*node_manager(root, port)))
-        robot = stack.enter_context(ready(str(ROBOT), backend, root))
-        seen = asyncio.run(drive(port, samples))
-        said, _ = robot.communicate()
-    told = json.loads(said)
-    return split(seen, [Command(*each) for each in told["commands"]], [(at, speed) for at, speed in told["reads"]])
+        robot = stack.enter_context(ready(str(ROBOT), backend, root, str(options.step)))
+        idle = _cores(robot, lambda: time.sleep(IDLE))[0]
+        viewer = stack.enter_context(ready(str(VIEWER), str(port))) if options.cameras else None
+        driven, seen = _cores(robot, lambda: asyncio.run(drive(port, options.samples)))
+        pictures = "" if viewer is None else f"; pictures {viewer.communicate()[0].decode().strip()}"
+        told = json.loads(robot.communicate()[0])
+    commands = [Command(*each) for each in told["commands"]]
+    rows, unseen = split(seen, commands, [(at, speed) for at, speed in told["reads"]])
+    counters = told["counters"]
+    return Run(rows, unseen, idle, driven, counters["late"], counters["steps"], pictures)
+
+
+def _cores(process: subprocess.Popen[bytes], do: Callable[[], T]) -> tuple[float, T]:
+    """What the process uses while something is done."""
+    used, begin = _used(process), time.monotonic()
+    result = do()
+    return (_used(process) - used) / (time.monotonic() - begin), result
+
+
+def _used(process: subprocess.Popen[bytes]) -> float:
+    times = psutil.Process(process.pid).cpu_times()
+    return float(times.user + times.system)
 
 
 def main() -> None:
@@ -116,14 +169,12 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--backends", nargs="+", default=["kinematic", "sim"])
     parser.add_argument("--samples", type=int, default=300, help="commands, up to 1500 (%(default)s)")
+    parser.add_argument("--cameras", action="store_true", help="while both stream")
+    parser.add_argument("--step", type=float, default=STEP, help="of the robot, seconds (%(default)s)")
     options = parser.parse_args()
     print(f"  {'ms':20}" + "".join(f"{part:>10}" for part in PARTS) + f"   goal: p99 below {GOAL * 1e3:g}")
     for backend in options.backends:
-        rows, unseen = measure(backend, options.samples)
-        for name, share in (("p50", 0.5), ("p99", 0.99)):
-            values = [sorted(column)[int(len(column) * share)] for column in zip(*rows, strict=True)]
-            print(f"  {backend + ' ' + name:20}" + "".join(f"{value * 1e3:10.2f}" for value in values))
-        print(f"  {len(rows)} commands, {unseen} without an effect that was seen")
+        measure(backend, options).show(backend)
 
 
 if __name__ == "__main__":

@@ -29,10 +29,14 @@ from jauspy.cli.options import (
 if TYPE_CHECKING:
     from jauspy.cli.local_node import Keeper
     from jauspy.modules.cloud import Clouds
+    from jauspy.modules.config import RobotConfig
     from jauspy.modules.robot import RobotRunner
 
 
 _DRIVE: Final = "jauspy send {} SetWrenchEffort propulsive_linear_effort_x=40 --control 200 --hold 2"
+
+LONG: Final = 30
+"""Seconds after which a robot whose client has died should stand still; one that may go on longer says so."""
 
 
 class BackendName(StrEnum):
@@ -186,6 +190,22 @@ async def _up(
         await runner.wait()
 
 
+def _cautions(config: RobotConfig) -> list[str]:
+    """What one should know of modules that wait unusually long before they take a dead client's control back."""
+    from jauspy.modules.config import MOTIONLESS
+
+    found = []
+    for module in config.modules:
+        timeout = module.access_control.timeout
+        if module.type not in MOTIONLESS and not 0 < timeout <= LONG:
+            how_long = f"{timeout} s after" if timeout else "for ever when"
+            found.append(
+                f"careful:   {config.id_of(module)} goes on {how_long} its client fell silent: access_control.timeout "
+                f"= {timeout}"
+            )
+    return found
+
+
 def _tell(runner: RobotRunner, where: str, root: Path) -> None:
     """What runs, and how to talk to it."""
     config = runner.config
@@ -202,6 +222,7 @@ def _tell(runner: RobotRunner, where: str, root: Path) -> None:
         *[f"see it:    jauspy ls{connect}"] * found,
         f"ask it:    jauspy query {first} QueryStatus{connect}",
         *(f"drive it:  {_DRIVE.format(id)}{connect}" for id in driven),
+        *_cautions(config),
         "stop it:   Ctrl-C",
     ]
     print(*lines, sep="\n", flush=True)

@@ -48,20 +48,19 @@ async def enter(ocu: OCU, camera: JausID, sensor: int, url: str) -> int:
 @asynccontextmanager
 async def entered(ocu: OCU, camera: JausID, sensor: int, url: str) -> AsyncIterator[None]:
     """The video is sent there as long as this lasts."""
-    async with ocu:
-        number = await enter(ocu, camera, sensor, url)
-        keeping = asyncio.create_task(_keep(ocu, camera, sensor, url))
-        try:
-            yield
-        finally:
-            keeping.cancel()
-            with suppress(RequestError):  # one that is gone sends nothing any more
-                await ocu.query(camera, Remove(number, 2), expects=Confirm)
+    number = await enter(ocu, camera, sensor, url)
+    keeping = asyncio.create_task(_keep(ocu, camera, sensor, url))
+    try:
+        yield
+    finally:
+        keeping.cancel()
+        with suppress(RequestError):  # one that is gone sends nothing any more
+            await ocu.query(camera, Remove(number, 2), expects=Confirm)
 
 
 async def watch(ocu: OCU, camera: JausID, sensor: int, address: tuple[str, int], seconds: float | None) -> None:
     """Keep the video coming."""
-    async with entered(ocu, camera, sensor, url_of(address)):
+    async with ocu, entered(ocu, camera, sensor, url_of(address)):
         print(f"{camera} sends to {url_of(address)}; Ctrl-C ends it", flush=True)
         await _sleep(seconds)
 
@@ -88,7 +87,7 @@ async def record(
 
         loop.add_reader(receiver.fileno(), take)
         try:
-            async with entered(ocu, camera, sensor, url_of(address)):
+            async with ocu, entered(ocu, camera, sensor, url_of(address)):
                 print(f"recording {camera} to {file}; Ctrl-C ends it", flush=True)
                 with suppress(TimeoutError):
                     await asyncio.wait_for(ended.wait(), seconds)

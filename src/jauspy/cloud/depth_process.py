@@ -93,7 +93,7 @@ class DepthProcess:
             stdin=asyncio.subprocess.PIPE,
             stdout=asyncio.subprocess.PIPE,
             pass_fds=self._stream.camera.descriptors,
-            start_new_session=True,
+            process_group=0,  # as for `camera_process`: niceness counts within a session alone
         )
         self._own["started"] += 1
         self.pid = process.pid

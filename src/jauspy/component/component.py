@@ -10,6 +10,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import Final, Literal, Self, TypeVar
 
+from jauspy.arguments import check_text
 from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
 from jauspy.component.shell import Shell
@@ -20,7 +21,7 @@ from jauspy.protocol.header import Broadcast, Priority
 from jauspy.schema.model import Schema
 from jauspy.services.core.complete import with_core
 from jauspy.services.host import Host
-from jauspy.services.service import Service
+from jauspy.services.service import Service, checked
 from jauspy.transport import LocalTransport, Transport
 from jauspy.transport.connect import DEFAULT_ROOT, transport_for
 
@@ -59,9 +60,11 @@ class Component:
         utc_now: Callable[[], datetime] = lambda: datetime.now(UTC),
     ) -> None:
         me = _usable(id)
+        check_text(name, "a component's name")
+        given = checked(services)
         self.host = Host(
             me,
-            with_core(services, name) if core else services,
+            with_core(given, name) if core else given,
             utc_now=utc_now,
             now=(clock or _loop_time)(),
             on_action_error=on_action_error,
@@ -155,11 +158,11 @@ class Component:
         broadcast: Broadcast = Broadcast.NONE,
     ) -> None:
         """Send a message, now; raises `EncodeError` for a value that does not fit."""
-        self._open().send(_parsed(destination), message, priority=priority, broadcast=broadcast)
+        self._open().send(JausID.of(destination), message, priority=priority, broadcast=broadcast)
 
     async def deliver(self, destination: str | JausID, message: Message) -> None:
         """Send, and wait until it was acknowledged; raises `ResponseTimeout` when it was not, after all resends."""
-        await self._open().deliver(_parsed(destination), message)
+        await self._open().deliver(JausID.of(destination), message)
 
     def move(self, id: str | JausID) -> None:
         """Be another component from now on: registration and Discovery have the new id, events and control end.
@@ -192,12 +195,8 @@ def _loop_time() -> float:
         return time.monotonic()
 
 
-def _parsed(id: str | JausID) -> JausID:
-    return JausID.parse(id) if isinstance(id, str) else id
-
-
 def _usable(id: str | JausID) -> JausID:
-    parsed = _parsed(id)
+    parsed = JausID.of(id)
     if parsed.is_wildcard or not parsed.component:
         raise ConfigError(
             f"{parsed} cannot be a component's id; use 1..65534, 1..254 and 1..254, as in 101.1.120; subsystem and "

@@ -67,7 +67,7 @@ class Tester:
 
     def client(self, id: str | JausID) -> Client:
         """The client of this id; it is reachable from now on."""
-        wanted = JausID.parse(id) if isinstance(id, str) else id
+        wanted = JausID.of(id)
         if wanted == self.target:
             raise ConfigError(f"{wanted} is an id that the test itself speaks as; give the target another one")
         if wanted not in self._clients:

@@ -31,7 +31,7 @@ MEMORY: Final = 128
 PATIENCE: Final = 1.0
 """Seconds in which a pose must come that is later than a scan."""
 SILENCE: Final = 5.0
-"""Seconds without a scan after which the sensor counts as gone."""
+"""Seconds without a scan, or a pose, after which the sensor counts as gone."""
 LEVEL: Final = math.radians(2.0)
 """Roll and pitch beyond which a scan is left out: on a ramp it shows the ground as a wall."""
 DAY: Final = 86400.0
@@ -88,7 +88,9 @@ class LiveMapping:
 
     async def _follow(self) -> None:
         sensor = self._robot.service("mobility:LocalPoseSensor")
-        async for report in sensor.subscribe(QueryLocalPose(0x1FF), rate=RATE, expects=ReportLocalPose):
+        async for report in sensor.subscribe(
+            QueryLocalPose(0x1FF), rate=RATE, silence=SILENCE, expects=ReportLocalPose
+        ):
             tilt = max(abs(report.roll or 0.0), abs(report.pitch or 0.0))
             pose = PlanarPose(report.x or 0.0, -(report.y or 0.0), -(report.yaw or 0.0))
             async with self._news:

@@ -42,6 +42,17 @@ GLOBAL_SERVICES: Final = frozenset(
 )
 """Those that need to know where the robot's world lies on the globe."""
 
+PAN_TILT_SERVICES: Final = (
+    "PrimitivePanTilt",
+    "PanTiltJointPositionSensor",
+    "PanTiltJointPositionDriver",
+    "PanTiltJointVelocitySensor",
+    "PanTiltJointVelocityDriver",
+    "PanTiltMotionProfileService",
+    "PanTiltSpecificationService",
+)
+"""Those of a camera on a pan-tilt unit."""
+
 SERVICES: Final[Mapping[str, tuple[str, ...]]] = {
     "CM-MOB": (
         *_EVERYWHERE,
@@ -73,12 +84,23 @@ SERVICES: Final[Mapping[str, tuple[str, ...]]] = {
         "ManipulatorJointMotionProfile",
         "ManipulatorJointPositionListDriver",
         "ManipulatorEndEffectorPoseSensor",
+        "ManipulatorEndEffectorPoseDriver",
+        "ManipulatorEndEffectorPoseListDriver",
         "ManipulatorEndEffectorVelocityStateSensor",
+        "ManipulatorEndEffectorVelocityStateDriver",
         "ManipulatorToolOffsetService",
     ),
-    "CM-EEF": (*_EVERYWHERE, "PrimitiveEndEffector"),
+    "CM-EEF": (*_EVERYWHERE, "PrimitiveEndEffector", "ManipulatorJointPositionSensor"),
     "CM-SEN": (*_EVERYWHERE, "RangeSensor", "ForceTorqueSensor"),
-    "CM-VIS": (*_EVERYWHERE, "VisualSensor", "DigitalVideo", "StillImage", "DigitalResourceDiscovery"),
+    "CM-VIS": (
+        *_EVERYWHERE,
+        "VisualSensor",
+        "DigitalVideo",
+        "H264VideoEncoding",
+        "StillImage",
+        "DigitalResourceDiscovery",
+        *PAN_TILT_SERVICES,
+    ),
 }
 """What each type of module may offer beside Transport, Events, AccessControl and Management."""
 
@@ -87,7 +109,7 @@ GROUPS: Final[Mapping[str, str]] = {"CM-MAN": "arm", "CM-EEF": "gripper"}
 
 
 MOTIONLESS: Final = frozenset({"CM-SEN", "CM-VIS"})
-"""Types that move nothing."""
+"""Types that move nothing, unless a CM-VIS names a group that its camera is on."""
 
 
 class _Strict(BaseModel):
@@ -111,7 +133,7 @@ class ModuleConfig(_Strict):
     services: tuple[Service, ...] | None = None
     """Beside Transport, Events, AccessControl and Management; all that the type offers when left out."""
     group: JointName | None = None
-    """The joints that a CM-MAN or CM-EEF moves: `arm` or `gripper` when left out."""
+    """The joints that a CM-MAN or CM-EEF moves, `arm` or `gripper` when left out; those that turn a CM-VIS's camera."""
     camera: JointName | None = None
     """The name of the one that a CM-VIS streams."""
     access_control: AccessControlConfig = AccessControlConfig()
@@ -124,8 +146,11 @@ class ModuleConfig(_Strict):
             if service not in SERVICES[self.type]:
                 known = ", ".join(SERVICES[self.type])
                 raise ValueError(f"services: {service!r} is not one that a {self.type} has; those are: {known}")
-        if self.group is not None and self.type not in GROUPS:
+        if self.group is not None and self.type not in (*GROUPS, "CM-VIS"):
             raise ValueError(f"group: a {self.type} moves no group of joints; leave it out")
+        panning = [service for service in PAN_TILT_SERVICES if service in (self.services or ())]
+        if panning and self.type == "CM-VIS" and self.group is None:
+            raise ValueError(f"group: is missing; {panning[0]} needs the group of joints that pan and tilt the camera")
         if (self.type == "CM-VIS") != (self.camera is not None):
             raise ValueError("camera: a CM-VIS needs the name of one of [[cameras]], and no other type has one")
         return self
@@ -198,7 +223,7 @@ class RobotConfig(_Strict):
         """Each module has an access control of its own: two clients would be in control of one thing."""
         moved: dict[str, int] = {}
         for module in self.modules:
-            if module.type in MOTIONLESS:
+            if module.type in MOTIONLESS and module.moves is None:
                 continue
             what = f"group {module.moves!r}" if module.moves else "chassis"
             if what in moved:

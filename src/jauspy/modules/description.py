@@ -3,13 +3,19 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Final
 
 import xacro
 
 from jauspy.errors import ConfigError
 from jauspy.modules.config import RobotConfig
+from jauspy.modules.config_joints import GroupConfig
 from jauspy.platform.description import Description, JointKind, RobotModel
 from jauspy.platform.urdf import parse
+from jauspy.platform.vectors import Transform, dot
+
+SQUARE: Final = 1e-3
+"""Cosine of an angle that counts as a right one."""
 
 
 def robot_model(config: RobotConfig) -> RobotModel:
@@ -28,6 +34,10 @@ def robot_model(config: RobotConfig) -> RobotModel:
     cameras = tuple(camera.setup() for camera in config.cameras)
     for number, camera in enumerate(cameras):
         _check_link(f"cameras[{number}].link", camera.link, description)
+    for module in config.modules:
+        if module.group is not None and module.camera is not None:
+            (link,) = (camera.link for camera in cameras if camera.name == module.camera)
+            _check_pan_tilt(f"groups.{module.group}", config.groups[module.group], link, description)
     return RobotModel(description, config.tracks.setup(), groups, lidars, cameras, force_torque)
 
 
@@ -54,6 +64,20 @@ def _check_tracks(config: RobotConfig, description: Description) -> None:
 def _check_link(key: str, link: str, description: Description) -> None:
     if link not in description.links():
         raise ConfigError(f"{key}: the URDF has no link {link!r}; it has: {', '.join(sorted(description.links()))}")
+
+
+def _check_pan_tilt(key: str, group: GroupConfig, camera: str, description: Description) -> None:
+    """Two revolute joints at right angles that carry the camera."""
+    moving = [description.joint(joint.name) for joint in group.joints]
+    if [joint.kind for joint in moving] != [JointKind.REVOLUTE] * 2:
+        raise ConfigError(f"{key}.joints: to pan and tilt a camera takes two revolute joints, no more and no others")
+    if moving[1] not in description.chain(description.root(), camera):
+        raise ConfigError(f"{key}: the camera is on {camera!r}, which {moving[1].name!r} does not move")
+    frame = Transform()
+    for joint in description.chain(moving[0].child, moving[1].child):
+        frame = frame @ Transform.of(joint.origin)
+    if abs(dot(moving[0].axis, frame.turn(moving[1].axis))) > SQUARE:
+        raise ConfigError(f"{key}.joints: their axes are not at right angles; one pans, the other one tilts")
 
 
 def _check_carried(key: str, link: str, description: Description) -> None:

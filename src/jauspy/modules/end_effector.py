@@ -1,4 +1,4 @@
-"""CM-EEF, the end-effector module: closes and opens the gripper."""
+"""CM-EEF, the end-effector module: closes and opens the gripper, and tells how far it is open."""
 
 from __future__ import annotations
 
@@ -11,7 +11,8 @@ from jauspy.modules.config import ModuleConfig
 from jauspy.platform.joints import JointGroup
 from jauspy.services.core import Identity
 from jauspy.services.host import Host
-from jauspy.services.manipulator import PrimitiveEndEffector
+from jauspy.services.manipulator import Arm, JointPositionSensor, PrimitiveEndEffector
+from jauspy.services.service import Service
 
 
 def cm_eef(
@@ -26,4 +27,7 @@ def cm_eef(
 ) -> Host:
     """The component's host, with a watchdog on the gripper; `manipulator` is the module that carries it."""
     driver = PrimitiveEndEffector(gripper, manipulator)
-    return capability(id, config, [driver], driver, identities=identities, utc_now=utc_now, now=now)
+    services: list[Service] = [driver]
+    if config.offers("ManipulatorJointPositionSensor"):
+        services.append(JointPositionSensor(Arm(gripper)))
+    return capability(id, config, services, driver, identities=identities, utc_now=utc_now, now=now)

@@ -11,6 +11,7 @@ from jauspy.modules.config import ModuleConfig, RobotConfig
 from jauspy.modules.end_effector import cm_eef
 from jauspy.modules.manipulator import cm_man
 from jauspy.modules.mobility import cm_mob, vehicle_of
+from jauspy.modules.pan_tilt import unit_of
 from jauspy.modules.sensors import Sensors, cm_sen
 from jauspy.modules.vision import cm_vis, mounted_camera
 from jauspy.platform.contract import DriveBase
@@ -68,7 +69,8 @@ def host_of(
         return cm_sen(id, sensors, module, identities=identities, utc_now=utc_now, now=now)
     if module.camera is not None:
         camera = mounted_camera(model.description, videos[module.camera], body.groups)
-        return cm_vis(id, camera, module, identities=identities, utc_now=utc_now, now=now)
+        unit = unit_of(module, model, body.groups)
+        return cm_vis(id, camera, unit, module, identities=identities, utc_now=utc_now, now=now)
     if module.moves is None:
         vehicle = vehicle_of(config, model, body.drive)
         return cm_mob(id, vehicle, module, identities=identities, utc_now=utc_now, now=now)

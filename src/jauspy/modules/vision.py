@@ -1,4 +1,4 @@
-"""CM-VIS, the vision module: streams what a camera sees, and takes still images."""
+"""CM-VIS, the vision module: streams what a camera sees, takes still images, and turns it, if it has a mount."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from typing import Final
 from jauspy.ids import JausID
 from jauspy.modules.capability import capability
 from jauspy.modules.config import ModuleConfig
+from jauspy.modules.pan_tilt import services_of
 from jauspy.modules.sensors import frame_of
 from jauspy.platform.description import Description
 from jauspy.platform.joints import JointGroup
@@ -17,6 +18,7 @@ from jauspy.services.core import Identity
 from jauspy.services.environment_sensing import (
     DigitalResourceDiscovery,
     DigitalVideo,
+    H264VideoEncoding,
     StillImage,
     VideoCamera,
     VideoSource,
@@ -24,11 +26,13 @@ from jauspy.services.environment_sensing import (
     VisualSensor,
 )
 from jauspy.services.host import Host
+from jauspy.services.manipulator import PanTilt
 from jauspy.services.service import Service
 
 CHOICE: Final[Mapping[str, Callable[[Viewers], Service]]] = {
     "VisualSensor": lambda viewers: VisualSensor(viewers.cameras),
     "DigitalVideo": DigitalVideo,
+    "H264VideoEncoding": lambda viewers: H264VideoEncoding(viewers.cameras),
     "StillImage": lambda viewers: StillImage(viewers.cameras),
     "DigitalResourceDiscovery": DigitalResourceDiscovery,
 }
@@ -43,13 +47,15 @@ def mounted_camera(description: Description, source: VideoSource, groups: Mappin
 def cm_vis(
     id: JausID,
     camera: VideoCamera,
+    unit: PanTilt | None,
     config: ModuleConfig,
     *,
     identities: Mapping[int, Identity],
     utc_now: Callable[[], datetime],
     now: float,
 ) -> Host:
-    """The component's host; its camera is sensor 1. It moves nothing."""
+    """The component's host; its camera is sensor 1. `unit` carries the camera; with it comes a watchdog."""
     viewers = Viewers({1: camera})
     services = [make(viewers) for name, make in CHOICE.items() if config.offers(name)]
-    return capability(id, config, services, identities=identities, utc_now=utc_now, now=now)
+    services += services_of(unit, config) if unit else []
+    return capability(id, config, services, unit, identities=identities, utc_now=utc_now, now=now)

@@ -9,6 +9,7 @@ from datetime import UTC, datetime
 from types import TracebackType
 from typing import Any, Self, TypeVar, overload
 
+from jauspy.arguments import check_text, described
 from jauspy.codec.base import Message, Query
 from jauspy.codec.registry import Registry
 from jauspy.component import Shell
@@ -55,13 +56,16 @@ class OCU:
         transport: Transport | None = None,
         delivery: Delivery | None = None,
     ) -> None:
-        self.id: JausID = JausID.parse(id) if isinstance(id, str) else id
+        self.id: JausID = JausID.of(id)
         if self.id.is_wildcard or 0 in (self.id.subsystem, self.id.node, self.id.component):
             raise ConfigError(f"{self.id} cannot be an OCU's id; use 1..65534, 1..254 and 1..254, as in 42.1.1")
         self._connect = connect
         self._transport = transport
         self._name = name
         self._delivery = delivery
+        check_text(name, "an OCU's name")
+        if registry is not None and not isinstance(registry, Registry):
+            raise TypeError(f"registry is what `jauspy.load` gives, not {described(registry)}")
         self._link = Link(registry or _builtin(), Patience(timeout, retries))
         self._component: Shell | None = None
 
@@ -174,13 +178,13 @@ class OCU:
     ) -> Any:
         """Ask any component; of several that a wildcard id reaches, the first answer counts."""
         patience = self._link.patience.changed(timeout, retries)
-        return await self._link.query(_id(destination), message, patience=patience, expects=expects)
+        return await self._link.query(JausID.of(destination), message, patience=patience, expects=expects)
 
     async def query_each(
         self, destination: str | JausID, message: Message, *, within: float = 2.0, expects: type[Message] | None = None
     ) -> AsyncIterator[tuple[JausID, Any]]:
         """Ask all that a wildcard id reaches: who answered and what, as it comes in the next `within` seconds."""
-        async for answer, source in self._link.query_each(_id(destination), message, within, expects):
+        async for answer, source in self._link.query_each(JausID.of(destination), message, within, expects):
             yield source, answer
 
     async def send(self, destination: str | JausID, message: Message, *, ack: bool = False) -> None:
@@ -189,13 +193,9 @@ class OCU:
         With `ack` it is resent until that one component acknowledges it, or `ResponseTimeout` is raised.
         """
         if ack:
-            await self._link.deliver(_id(destination), message)
+            await self._link.deliver(JausID.of(destination), message)
             return
-        self._link.send(_id(destination), message)
-
-
-def _id(destination: str | JausID) -> JausID:
-    return JausID.parse(destination) if isinstance(destination, str) else destination
+        self._link.send(JausID.of(destination), message)
 
 
 def _services(name: str) -> list[Discovery | Liveness]:

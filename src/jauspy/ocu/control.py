@@ -7,6 +7,7 @@ from contextlib import ExitStack
 from types import TracebackType
 from typing import Final, Self
 
+from jauspy.arguments import check_number
 from jauspy.codec.base import Message
 from jauspy.errors import ConfigError, ControlRejected, ResponseTimeout, TransportError
 from jauspy.ids import JausID
@@ -55,6 +56,7 @@ class Control:
     """
 
     def __init__(self, link: Link, id: JausID, authority: int, patience: Patience) -> None:
+        check_number(authority, "authority", whole=True)
         if not 0 <= authority <= 255:
             raise ConfigError(f"authority {authority} is outside 0..255")
         self.id = id

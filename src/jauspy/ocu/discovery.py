@@ -7,6 +7,7 @@ from __future__ import annotations
 import asyncio
 from typing import Final
 
+from jauspy.arguments import check_number
 from jauspy.codec.base import Message
 from jauspy.errors import ConfigError, ResponseTimeout
 from jauspy.ids import ANY_COMPONENT, ANY_NODE, ANY_SUBSYSTEM, EVERYONE, JausID
@@ -35,6 +36,7 @@ MAX_FOLLOW_UPS: Final = 64
 
 async def discover(link: Link, subsystem: int, timeout: float) -> Subsystem:
     """The subsystem of this number as soon as it is known whole; raises `ResponseTimeout` when it does not answer."""
+    check_number(subsystem, "a subsystem", whole=True)
     if not 0 < subsystem < ANY_SUBSYSTEM:
         raise ConfigError(f"subsystem {subsystem} is outside 1..{ANY_SUBSYSTEM - 1}")
     findings = await _search(link, subsystem, timeout)
@@ -50,6 +52,7 @@ async def discover_all(link: Link, timeout: float) -> tuple[Subsystem, ...]:
 
 
 async def _search(link: Link, subsystem: int | None, timeout: float) -> Findings:
+    check_number(timeout, "timeout")
     if not timeout > 0:
         raise ConfigError(f"timeout {timeout} s must be above 0")
     findings, myself = Findings(), link.id

@@ -2,26 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import AsyncIterator, Callable, Iterable, Sequence
-from functools import partial
+from collections.abc import AsyncIterator, Iterable, Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, Final, TypeAlias, overload
 
+from jauspy.arguments import check_number, described
 from jauspy.codec.base import Message
-from jauspy.errors import ConfigError, DecodeError, ElementRejected, RequestError, ResponseTimeout
-from jauspy.messages.core import (
-    ConfirmElementRequest,
-    DeleteElement,
-    ElementRec,
-    QueryElement,
-    QueryElementList,
-    RejectElementRequest,
-    ReportElement,
-    ReportElementList,
-    ReportStatus,
-    SetElement,
-)
+from jauspy.errors import ConfigError, DecodeError, ElementRejected, JausError, RequestError
+from jauspy.messages.core import ElementRec, ReportElement, ReportStatus
+from jauspy.ocu.arguments import check_message
 from jauspy.ocu.link import Link
+from jauspy.ocu.list_requests import BATCH, ListRequests
 from jauspy.ocu.progress import progress
 
 if TYPE_CHECKING:
@@ -30,20 +21,10 @@ if TYPE_CHECKING:
 Element: TypeAlias = Message | bytes
 """A message, or bytes of a format of the user's own."""
 
-BATCH: Final = 255
-"""Elements that fit one request."""
 RESERVED: Final = (0, 65535)
 """Numbers that no element has: 0 stands for none, 65535 for all."""
-_Code: TypeAlias = RejectElementRequest.ResponseCode
-_MEANINGS: Final[dict[int, str]] = {
-    _Code.INVALID_ELEMENT_ID: "it takes no element of this number",
-    _Code.INVALID_PREVIOUS_ELEMENT: "the list has changed meanwhile; call `read()` and try again",
-    _Code.INVALID_NEXT_ELEMENT: "the list has changed meanwhile; call `read()` and try again",
-    _Code.UNSUPPORTED_ELEMENT_TYPE: "none of its drivers carries out such an element",
-    _Code.ELEMENT_NOT_FOUND: "the list has changed meanwhile; call `read()` and try again",
-    _Code.OUT_OF_MEMORY: "it has no room for more elements",
-    _Code.UNSPECIFIED_ERROR: "it does not say why",
-}
+
+EXAMPLE: Final = "SetLocalWaypoint(x=1.0, y=2.0)"
 
 
 class Elements(Sequence[Element]):
@@ -56,6 +37,7 @@ class Elements(Sequence[Element]):
     def __init__(self, link: Link, service: ServiceClient) -> None:
         self._link = link
         self._service = service
+        self._wire = ListRequests(link, service.id)
         self._items: dict[int, Element] | None = None
         """By number, in the list's order; None before the first look at the component's own."""
 
@@ -79,18 +61,29 @@ class Elements(Sequence[Element]):
     async def read(self) -> list[Element]:
         """Fetch the list from the component."""
         items: dict[int, Element] = {}
-        for uid in await self._read_order():
-            report = await self._service.query(QueryElement(element_uid=uid), expects=ReportElement)
-            items[uid] = self._content(report.element_data)
+        for uid in await self._wire.order():
+            items[uid] = self._content((await self._wire.element(uid)).element_data)
         self._items = items
         return self[:]
 
     async def upload(self, elements: Iterable[Element]) -> None:
-        """Replace the whole list, whatever it held."""
-        records = list(elements)
-        await self._delete(await self._read_order())
-        self._items = {}
-        await self._insert(0, records)
+        """Replace the whole list, whatever it held, and end its execution.
+
+        The old list is deleted when all of the new one is there, in front of it, where the robot does not come. When
+        anything goes wrong the old one stays.
+        """
+        records, old = _checked(elements), await self._wire.order()
+        self._items = dict.fromkeys(old, b"")  # whatever they hold
+        try:
+            await self._open(old)
+            await self._insert(0, records)
+            await self._compare()
+        except BaseException as error:
+            self._items = None
+            if isinstance(error, JausError):  # when cancelled, nobody has time for that
+                await self._take_back(old, error)
+            raise
+        await self._delete(old)
 
     async def append(self, element: Element) -> None:
         """Put it at the end."""
@@ -98,18 +91,21 @@ class Elements(Sequence[Element]):
 
     async def extend(self, elements: Iterable[Element]) -> None:
         """Put them at the end."""
+        new = _checked(elements)
         await self._known()
-        await self._insert(len(self), list(elements))
+        await self._insert(len(self), new)
 
     async def insert(self, index: int, element: Element) -> None:
         """Put it before the element at `index`, as `list.insert` does."""
+        check_number(index, "index", whole=True)
+        new = _checked([element])
         await self._known()
-        await self._insert(slice(index, None).indices(len(self))[0], [element])
+        await self._insert(slice(index, None).indices(len(self))[0], new)
 
     async def replace(self, index: int | slice, elements: Element | Iterable[Element]) -> None:
         """What `list[index] = elements` does. One that is being carried out is begun anew."""
         uids = await self._at(index)
-        new = [elements] if isinstance(elements, Message | bytes) else list(elements)
+        new = _checked([elements] if isinstance(elements, Message | bytes) else elements)
         if isinstance(index, int) and len(new) != 1:
             raise ConfigError(f"{len(new)} elements cannot replace the one at {index}; use a slice")
         if len(new) == len(uids):
@@ -118,9 +114,8 @@ class Elements(Sequence[Element]):
         assert isinstance(index, slice)
         if index.step not in (None, 1):
             raise ConfigError(f"{len(new)} elements cannot replace {len(uids)} that do not follow each other")
-        at = index.indices(len(self))[0]
+        await self._insert(index.indices(len(self))[0], new)
         await self._delete(uids)
-        await self._insert(at, new)
 
     async def delete(self, index: int | slice) -> None:
         """What `del list[index]` does. Deleting the element that is being carried out ends the execution."""
@@ -179,11 +174,9 @@ class Elements(Sequence[Element]):
             await self.read()
         return self._read_before()
 
-    async def _read_order(self) -> list[int]:
-        report = await self._service.query(QueryElementList(), expects=ReportElementList)
-        return [each.element_uid for each in report.element_list]
-
     async def _at(self, index: int | slice) -> list[int]:
+        if not isinstance(index, slice):
+            check_number(index, "index", whole=True)
         uids = list(await self._known())
         if isinstance(index, slice):
             return uids[index]
@@ -219,38 +212,41 @@ class Elements(Sequence[Element]):
             then = [uid for uid in order if uid in items or uid not in later]
             links = {uid: (before, after) for (before, uid), (_, after) in pairwise(pairwise([0, *then, 0]))}
             records = [ElementRec(uid, *links[uid], _data(new[uid])) for uid in batch]
-            await self._request(partial(_set_element, records))
+            await self._wire.put(records)
             changed = items | {uid: new[uid] for uid in batch}
             self._items = {uid: changed[uid] for uid in then}
 
     async def _delete(self, uids: list[int]) -> None:
         for start in range(0, len(uids), BATCH):
-            batch = [DeleteElement.DeleteElementRec(uid) for uid in uids[start : start + BATCH]]
-            try:
-                await self._request(partial(_delete_element, batch))
-            except ElementRejected:
-                # A request that was sent again, because its confirmation was lost, finds nothing to delete any more.
-                if {each.element_uid for each in batch} & set(await self._read_order()):
-                    raise
-            gone = {each.element_uid for each in batch}
+            gone = uids[start : start + BATCH]
+            await self._wire.remove(gone)
             self._items = {uid: item for uid, item in (self._items or {}).items() if uid not in gone}
 
-    async def _request(self, make: Callable[[int], Message]) -> None:
-        number = self._link.next_request_id(self._service.id)
-        try:
-            answer = await self._link.request(
-                self._service.id,
-                make(number),
-                ConfirmElementRequest,
-                RejectElementRequest,
-                accept=lambda each: getattr(each, "request_id", None) == number,
+    async def _open(self, order: list[int]) -> None:
+        """A list that goes round leads from its last element to the first one; nothing fits in front of that."""
+        if not order:
+            return
+        last = await self._wire.element(order[-1])
+        if last.next_uid:
+            data = ElementRec.ElementData(last.element_data.format, last.element_data.data)
+            await self._wire.put([ElementRec(order[-1], order[-2] if len(order) > 1 else 0, 0, data)])
+
+    async def _compare(self) -> None:
+        there, wanted = await self._wire.order(), list(await self._known())
+        if there != wanted:
+            raise ElementRejected(
+                f"{self._service.id} confirmed a new list in front of its old one, and now reports another one: "
+                "somebody else changes it, too, or it does not link as the standard says; the old list was left there"
             )
-        except ResponseTimeout as error:
-            raise ResponseTimeout(f"{error}; a list obeys only the client in control: see `control()`") from None
-        if isinstance(answer, RejectElementRequest):
-            code = answer.response_code
-            name, why = getattr(code, "name", f"code {code}"), _MEANINGS.get(code, "a reason not in the standard")
-            raise ElementRejected(f"{self._service.id} refused to change its list ({name}): {why}")
+
+    async def _take_back(self, old: list[int], error: JausError) -> None:
+        """Delete what the component took of a new list before something went wrong."""
+        try:
+            await self._delete([uid for uid in await self._wire.order() if uid not in old])
+        except JausError:
+            error.add_note("what was taken of the new list is still in front of the old one; `upload()` cleans up")
+        finally:
+            self._items = None
 
     async def _check_ready(self, command: str) -> None:
         status = await self._service.status()
@@ -267,12 +263,14 @@ class Elements(Sequence[Element]):
             return data.data
 
 
-def _set_element(records: list[ElementRec], number: int) -> SetElement:
-    return SetElement(SetElement.RequestIDRec(number), records)
-
-
-def _delete_element(batch: list[DeleteElement.DeleteElementRec], number: int) -> DeleteElement:
-    return DeleteElement(DeleteElement.RequestIDRec(number), batch)
+def _checked(elements: Iterable[Element]) -> list[Element]:
+    if isinstance(elements, Message | bytes | type) or not isinstance(elements, Iterable):
+        raise TypeError(f"a list is made of several elements, as in [{EXAMPLE}], not {described(elements)}")
+    found = list(elements)
+    for each in found:
+        if not isinstance(each, bytes):
+            check_message(each, "a list", EXAMPLE)
+    return found
 
 
 def _data(element: Element) -> ElementRec.ElementData:
@@ -281,6 +279,7 @@ def _data(element: Element) -> ElementRec.ElementData:
 
 
 def _speed(command: type[Message], speed: float | None) -> dict[str, float]:
+    check_number(speed, "speed", optional=True)
     has_speed = "speed" in {slot for kind in command.__mro__ for slot in getattr(kind, "__slots__", ())}
     if has_speed and speed is None:
         raise ConfigError(f"{command.NAME} of {command.SERVICE} needs a speed in m/s, as in execute(speed=1.0)")

@@ -9,11 +9,13 @@ from collections.abc import AsyncIterator, Callable
 from dataclasses import dataclass
 from typing import Final, Protocol
 
+from jauspy.arguments import check_number
 from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
 from jauspy.component import Shell
 from jauspy.errors import ConfigError, ControlRejected, ResponseTimeout, TransportError
 from jauspy.ids import JausID
+from jauspy.ocu.arguments import check_class, check_message
 from jauspy.ocu.lanes import Lanes
 from jauspy.ocu.replies import Arrival, Replies
 from jauspy.ocu.stats import Recorder
@@ -38,6 +40,8 @@ class Patience:
     retries: int = 2
 
     def __post_init__(self) -> None:
+        check_number(self.timeout, "timeout")
+        check_number(self.retries, "retries", whole=True)
         if not self.timeout > 0 or self.retries < 0:
             raise ConfigError(f"timeout {self.timeout} s must be above 0, retries {self.retries} must be 0 or more")
 
@@ -107,12 +111,14 @@ class Link:
         ack: Ack = Ack.NONE,
     ) -> None:
         """Send a message; raises `EncodeError` when a value does not fit."""
+        check_message(message, "send()", "Resume()")
         self._open().send(destination, message, priority=priority, broadcast=broadcast, ack=ack)
         self._sent(destination, message)
 
     async def deliver(self, destination: JausID, message: Message) -> None:
         """Send a message and wait for its ACK; raises `ResponseTimeout` when none comes after all resends."""
         component = self._open()
+        check_message(message, "send()", "Resume()")
         self._sent(destination, message)
         await component.deliver(destination, message)
 
@@ -130,7 +136,7 @@ class Link:
         report does not say which query it answers.
         """
         patience = patience or self.patience
-        kind = expects or self.report_of(message)
+        kind = self.answer_to(message, expects)
         try:
             async with asyncio.timeout(patience.total) as deadline:
                 async with self._lanes.enter((destination, kind.CODE), message.encode()):
@@ -145,7 +151,8 @@ class Link:
         self, destination: JausID, message: Message, seconds: float, expects: type[Message] | None = None
     ) -> AsyncIterator[Arrival]:
         """Every answer within `seconds`, with who gave it, as they come; one of each component."""
-        kind, myself = expects or self.report_of(message), self.id
+        check_number(seconds, "within")
+        kind, myself = self.answer_to(message, expects, "query_each()"), self.id
         answers: asyncio.Queue[Arrival] = asyncio.Queue()
         seen: set[JausID] = set()
 
@@ -203,6 +210,12 @@ class Link:
     def _silence(self, destination: JausID, message: Message, patience: Patience, problem: str = "") -> ResponseTimeout:
         self.recorder.timeouts += 1
         return ResponseTimeout(_no_answer(destination, message, patience, problem))
+
+    def answer_to(self, message: Message, expects: type[Message] | None, use: str = "query()") -> type[Message]:
+        """What answers this message: `expects`, else the report of the query that it is."""
+        check_message(message, use)
+        check_class(expects, "expects")
+        return expects or self.report_of(message)
 
     def report_of(self, query: Message) -> type[Message]:
         """The class of the report that answers a query, of the same service and version."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from jauspy.arguments import check_text
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.ocu.link import Link
@@ -26,6 +27,7 @@ class ComponentClient:
 
     def service(self, name: str) -> ServiceClient:
         """The service of this URN, or end of one; `ConfigError` that lists what the component offers."""
+        check_text(name, "a service's name")
         found = self.info.find(name)
         if found is None:
             raise ConfigError(f"{self.id} does not offer {name}; it offers {_listed(self.info)}")
@@ -78,6 +80,7 @@ class Robot:
 
         Raises `ConfigError` when none offers it, which lists what there is, or when several components do.
         """
+        check_text(name, "a service's name")
         offering = list(self.info.offering(name))
         if len(offering) == 1:
             return ComponentClient(self._link, offering[0]).service(name)

@@ -9,10 +9,12 @@ from collections.abc import Mapping
 from contextlib import suppress
 from typing import Any, Final, TypeVar, overload
 
+from jauspy.arguments import check_number, check_text
 from jauspy.codec.base import Message, Query
 from jauspy.errors import ConfigError, RequestError, ResponseTimeout
 from jauspy.ids import JausID
 from jauspy.messages.core import ClearEmergency, QueryStatus, ReportStatus, Resume, SetEmergency, Standby
+from jauspy.ocu.arguments import check_message
 from jauspy.ocu.control import Control
 from jauspy.ocu.elements import Elements
 from jauspy.ocu.link import Link, Patience
@@ -57,6 +59,7 @@ class ServiceClient:
 
     def message(self, name: str) -> type[Any]:
         """The message class of this JAUS name as the service has it, in the component's version when that is known."""
+        check_text(name, "a message's name")
         registry = self._link.registry
         for version in (self.info.version, None):
             with suppress(ConfigError):
@@ -98,6 +101,7 @@ class ServiceClient:
 
         With `ack` it is resent until the component acknowledges it; raises `ResponseTimeout` when that stays out.
         """
+        check_message(message, "send()", "Resume()")
         if message.IS_COMMAND and message.CODE not in _FREE_FOR_ALL:
             self._link.check_control(self.id)
         if ack:
@@ -158,10 +162,11 @@ class ServiceClient:
 
         `silence` is how long reports may stay out; by default ten periods, at least 2 s, and any time on change.
         """
+        check_number(rate, "rate", optional=True)
         if silence is None and rate:
             silence = max(2.0, 10.0 / rate)
-        request = Request(self.id, query, rate, silence, buffer)
-        return Subscription(self._link, request, expects or self._link.report_of(query), self._link.patience)
+        kind = self._link.answer_to(query, expects, "subscribe()")
+        return Subscription(self._link, Request(self.id, query, rate, silence, buffer), kind, self._link.patience)
 
     async def still(
         self,
@@ -191,6 +196,7 @@ class ServiceClient:
         await self._change(Standby(), ReportStatus.Status.STANDBY, timeout)
 
     async def _change(self, command: Message, wanted: ReportStatus.Status, timeout: float) -> None:
+        check_number(timeout, "timeout")
         status: ReportStatus.Status | int | None = None
         once = Patience(min(self._link.patience.timeout, max(timeout, 0.01)), 0)
         try:

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from types import TracebackType
 from typing import Final, Generic, Self, TypeVar
 
+from jauspy.arguments import check_number
 from jauspy.codec.base import Message
 from jauspy.errors import ConfigError, DecodeError, EventRejected, ResponseTimeout, TransportError
 from jauspy.ids import JausID
@@ -57,6 +58,10 @@ class Request:
     def __post_init__(self) -> None:
         if self.rate is not None and not 0 < self.rate <= MAX_RATE:
             raise ConfigError(f"rate {self.rate} is outside 0..{MAX_RATE:g} Hz; leave it out to hear of every change")
+        check_number(self.silence, "silence", optional=True)
+        if self.silence is not None and not self.silence > 0:
+            raise ConfigError(f"silence {self.silence} s must be above 0; leave it out for any time")
+        check_number(self.buffer, "buffer", whole=True)
         if self.buffer < 1:
             raise ConfigError(f"a buffer of {self.buffer} reports holds nothing; use 1 or more")
 

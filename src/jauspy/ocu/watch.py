@@ -9,6 +9,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 from typing import Final, TypeAlias
 
+from jauspy.arguments import check_number
 from jauspy.codec.base import Message
 from jauspy.errors import ConfigError
 from jauspy.ids import ANY_SUBSYSTEM, EVERYONE, JausID
@@ -64,6 +65,9 @@ _Picture: TypeAlias = dict[_Key, Thing]
 
 async def watch(link: Link, subsystem: int | None, interval: float, silence: float) -> AsyncIterator[News]:
     """What is there at first, and then every change; what was not read in time is summed up, never piled up."""
+    check_number(subsystem, "a subsystem", whole=True, optional=True)
+    check_number(interval, "interval")
+    check_number(silence, "silence")
     if not 0 < interval < silence:
         raise ConfigError(f"interval {interval:g} s must be above 0, and silence {silence:g} s longer than that")
     if subsystem is not None and not 0 < subsystem < ANY_SUBSYSTEM:

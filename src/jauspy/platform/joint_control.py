@@ -56,14 +56,16 @@ class JointController:
         joint, motion = self._joint, self._motion
         if self._braking > 0.0:
             return self._brake(position, velocity, dt, feed_forward)
-        if self.mode is ControlMode.EFFORT:
+        mode = motion.target.mode
+        if mode is ControlMode.EFFORT:
             return self._limited(motion.target.value)
         motion.advance(dt)
-        help_along = feed_forward + joint.damping * motion.velocity
-        if self.mode is ControlMode.POSITION:
-            return self._position_pid.update(motion.position - position, motion.velocity - velocity, dt, help_along)
+        wanted = motion.velocity
+        help_along = feed_forward + joint.damping * wanted
+        if mode is ControlMode.POSITION:
+            return self._position_pid.update(motion.position - position, wanted - velocity, dt, help_along)
         motion.position = position  # the limits stop where the joint is, not where it would be
-        return self._velocity_pid.update(motion.velocity - velocity, 0.0, dt, help_along)
+        return self._velocity_pid.update(wanted - velocity, 0.0, dt, help_along)
 
     def _brake(self, position: float, velocity: float, dt: float, feed_forward: float) -> float:
         """Against the motion, with all there is; the position PID alone would let the joint run on and pull it back."""

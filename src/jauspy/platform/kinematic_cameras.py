@@ -22,6 +22,9 @@ class KinematicCameras:
         self._drive, self._groups = drive, groups
         self._tree = FrameTree(robot.description)
         self._states = {camera.link: StateWriter(NUMBERS) for camera in robot.cameras}
+        self._positions: Mapping[str, float] = {}
+        self._frames: Mapping[str, Transform] = {}
+        """The links' frames in the root link's, at these positions: joints mostly rest."""
         self.cameras: Mapping[str, FloorCamera] = {
             setup.name: FloorCamera(setup, self._states[setup.link].descriptor) for setup in robot.cameras
         }
@@ -32,9 +35,12 @@ class KinematicCameras:
         if not self._states:
             return
         positions = joint_positions(self._groups.values())
+        if positions != self._positions or not self._frames:
+            self._positions = positions
+            self._frames = {link: self._tree.pose(link, positions) for link in self._states}
         base = Transform.of(self._drive.pose())
         for link, state in self._states.items():
-            frame = base @ self._tree.pose(link, positions)
+            frame = base @ self._frames[link]
             state.write(struct.pack(f"={NUMBERS}d", *chain(*frame.rotation), *frame.position))
 
     def close(self) -> None:

@@ -22,6 +22,21 @@ class Motion:
         self.joint = joint
         self.hold(position)
 
+    @property
+    def target(self) -> Target:
+        """What the joint is to do."""
+        return self._target
+
+    @target.setter
+    def target(self, target: Target) -> None:
+        joint, usual = self.joint, self.joint.velocity / ACCELERATION_TIME
+        self._target = target
+        self._goal = min(joint.upper, max(joint.lower, target.value))
+        self._cruising = min(joint.velocity, max(-joint.velocity, target.value))
+        self._fastest = min(joint.velocity, target.speed or math.inf)
+        self._acceleration = target.acceleration or usual
+        self._deceleration = target.deceleration or usual
+
     def hold(self, position: float) -> None:
         """Stand at a position."""
         self.start(position, 0.0)
@@ -34,45 +49,37 @@ class Motion:
 
     def advance(self, dt: float) -> None:
         """Let `dt` seconds pass."""
-        match self.target.mode:
-            case ControlMode.POSITION:
-                self._approach(min(self.joint.upper, max(self.joint.lower, self.target.value)), dt)
-            case ControlMode.VELOCITY:
-                self._cruise(dt)
-            case ControlMode.EFFORT:
-                self.velocity = 0.0
+        mode = self._target.mode
+        if mode is ControlMode.POSITION:
+            left = self._goal - self.position
+            if left or self.velocity:
+                self._approach(left, dt)
+        elif mode is ControlMode.VELOCITY:
+            self._cruise(dt)
+        else:
+            self.velocity = 0.0
 
-    def _approach(self, goal: float, dt: float) -> None:
-        left = goal - self.position
-        if not left and not self.velocity:
-            return
-        fastest = min(self.joint.velocity, self.target.speed or math.inf)
+    def _approach(self, left: float, dt: float) -> None:
         change = self._deceleration * dt
         # steps of dt are no smooth ramp: half a step is lost
         braking = math.sqrt(change * change / 4.0 + 2.0 * self._deceleration * abs(left)) - change / 2.0
-        self._change_speed(math.copysign(min(fastest, braking), left), dt)
+        self._change_speed(math.copysign(min(self._fastest, braking), left), dt)
         if abs(left) <= change * dt and abs(self.velocity) <= 2.0 * change:
-            self.start(goal, 0.0)
+            self.start(self._goal, 0.0)
         else:
             self.position += self.velocity * dt
 
     def _cruise(self, dt: float) -> None:
-        fastest = self.joint.velocity
-        self._change_speed(min(fastest, max(-fastest, self.target.value)), dt)
+        self._change_speed(self._cruising, dt)
         position = self.position + self.velocity * dt
         self.position = min(self.joint.upper, max(self.joint.lower, position))
         if self.position != position:
             self.velocity = 0.0
 
     def _change_speed(self, wanted: float, dt: float) -> None:
-        slower = abs(wanted) < abs(self.velocity) or wanted * self.velocity < 0.0
+        present = self.velocity
+        if wanted == present:
+            return
+        slower = abs(wanted) < abs(present) or wanted * present < 0.0
         most = (self._deceleration if slower else self._acceleration) * dt
-        self.velocity += min(most, max(-most, wanted - self.velocity))
-
-    @property
-    def _acceleration(self) -> float:
-        return self.target.acceleration or self.joint.velocity / ACCELERATION_TIME
-
-    @property
-    def _deceleration(self) -> float:
-        return self.target.deceleration or self.joint.velocity / ACCELERATION_TIME
+        self.velocity = present + min(most, max(-most, wanted - present))

@@ -30,10 +30,10 @@ class Pid:
 
     def update(self, error: float, rate: float, dt: float, feed_forward: float = 0.0) -> float:
         """The effort for an error that changes by `rate` per second, after `dt` seconds, on top of `feed_forward`."""
-        gains = self.gains
-        wanted = feed_forward + gains.p * error + gains.d * rate + self._integral
-        output = min(self.limit, max(-self.limit, wanted))
-        if output == wanted or error * wanted < 0.0:
-            most = gains.i_limit
-            self._integral = min(most, max(-most, self._integral + gains.i * error * dt))
-        return output
+        gains, integral, limit = self.gains, self._integral, self.limit
+        wanted = feed_forward + gains.p * error + gains.d * rate + integral
+        within = -limit <= wanted <= limit
+        if within or error * wanted < 0.0:
+            integral, most = integral + gains.i * error * dt, gains.i_limit
+            self._integral = integral if -most <= integral <= most else math.copysign(most, integral)
+        return wanted if within else math.copysign(limit, wanted)

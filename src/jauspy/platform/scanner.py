@@ -76,10 +76,10 @@ class Scanner:
         self._now = now
         if not self._settings.active or not self._sampling.is_due(now):
             return
-        ranges = tuple(self._limited(distance) for distance in self._measure(self._angles))
+        ranges = _limited(self._measure(self._angles), self._settings.least, self._settings.most)
         self._scan = RangeScan(now, self._setup.link, self._angles, ranges)
 
-    def _limited(self, distance: float) -> float:
-        if distance > self._settings.most:
-            return math.inf
-        return distance if distance >= self._settings.least else -math.inf
+
+def _limited(distances: Sequence[float], least: float, most: float) -> tuple[float, ...]:
+    far, near = math.inf, -math.inf
+    return tuple([far if each > most else each if each >= least else near for each in distances])

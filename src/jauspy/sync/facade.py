@@ -167,7 +167,11 @@ class Elements(Facade[_Elements], MutableSequence[Element]):
         return self._portal.run(self._async.read())
 
     def upload(self, elements: Iterable[Element]) -> None:
-        """Replace the whole list, whatever it held."""
+        """Replace the whole list, whatever it held, and end its execution.
+
+        The old list is deleted when all of the new one is there, in front of it, where the robot does not come. When
+        anything goes wrong the old one stays.
+        """
         self._portal.run(self._async.upload(elements))
 
     def append(self, element: Element) -> None:

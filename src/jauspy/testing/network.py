@@ -18,7 +18,7 @@ from jauspy.modules.robot import RobotRunner
 from jauspy.protocol.header import Packet
 from jauspy.protocol.judp import unpack_all
 from jauspy.testing.clock import VirtualClock
-from jauspy.testing.place import Place, parsed
+from jauspy.testing.place import Place
 from jauspy.testing.robot import VirtualTime
 from jauspy.transport import LoopbackHub, LoopbackTransport
 
@@ -58,7 +58,7 @@ class VirtualNetwork(Place):
 
     def transport(self, id: str | JausID) -> LoopbackTransport:
         """A way in for the component of this id."""
-        return LoopbackTransport(parsed(id), self._hub)
+        return LoopbackTransport(JausID.of(id), self._hub)
 
     def robot(self, name: str = "inc1") -> RobotRunner:
         """A whole robot of this name on the `kinematic` backend, to be used with `async with`; it, too, is virtual."""
@@ -98,17 +98,17 @@ class VirtualNetwork(Place):
 
     def cut(self, id: str | JausID) -> None:
         """Lose all that this component sends and all that is sent to it, as if its cable were cut."""
-        self._cut.add(parsed(id))
+        self._cut.add(JausID.of(id))
 
     def mend(self, id: str | JausID) -> None:
         """Undo `cut`."""
-        self._cut.discard(parsed(id))
+        self._cut.discard(JausID.of(id))
 
     # --- looking --------------------------------------------------------------------------------------------------
 
     def sent(self, kind: type[Message], source: str | JausID | None = None) -> list[Packet]:
         """The packets with this message, from `source` or anybody, that were sent so far."""
-        code, wanted = _code(kind), None if source is None else parsed(source)
+        code, wanted = _code(kind), None if source is None else JausID.of(source)
         return [each for each in self.log if each.payload[:2] == code and wanted in (None, each.source)]
 
     def delays(self, datagram: bytes) -> list[float]:

@@ -17,7 +17,7 @@ from jauspy.modules import robots
 from jauspy.modules.robot import RobotRunner
 from jauspy.node import NodeConfig, NodeManager
 from jauspy.sync.portal import Portal
-from jauspy.testing.place import Place, parsed
+from jauspy.testing.place import Place
 from jauspy.transport import LocalTransport
 
 T = TypeVar("T")
@@ -60,7 +60,7 @@ class LocalNode(Place):
 
     def transport(self, id: str | JausID) -> LocalTransport:
         """A way in for the component of this id, by local sockets."""
-        return LocalTransport(parsed(id), self.root)
+        return LocalTransport(JausID.of(id), self.root)
 
     @asynccontextmanager
     async def robot(self, name: str = "inc1") -> AsyncIterator[RobotRunner]:

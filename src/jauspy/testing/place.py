@@ -42,8 +42,3 @@ class Place(ABC):
     def ocu(self, id: str | JausID = "42.1.1", **options: Any) -> OCU:
         """An OCU; `options` are those of `OCU`."""
         return OCU(id, transport=self.transport(id), **options)
-
-
-def parsed(id: str | JausID) -> JausID:
-    """The id, also when it is text."""
-    return JausID.parse(id) if isinstance(id, str) else id

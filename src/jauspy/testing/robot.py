@@ -7,8 +7,11 @@ from collections.abc import Callable
 from typing import Final
 
 from jauspy.component.shell import loop_time
-from jauspy.modules.realtime import STEP, RealTime
+from jauspy.modules.realtime import RealTime
 from jauspy.platform.contract import Robot
+
+STEP: Final = 0.01
+"""Seconds; longer than in real time, since whoever waits for the robot here waits on the same clock."""
 
 
 class VirtualTime(RealTime):

@@ -30,6 +30,8 @@ async def transport_for(id: JausID, connect: str | None) -> Transport:
         if local_socket.is_alive(DEFAULT_ROOT / junior.SOCKET_NAME):
             return LocalTransport(id, DEFAULT_ROOT)
         return UdpTransport(id, group=(judp.MULTICAST_GROUP, judp.PORT))
+    if not isinstance(connect, str):
+        raise ConfigError(f"connect={connect!r} is not understood; use {FORMS}")
     if connect.startswith("local:"):
         return LocalTransport(id, _directory(connect))
     if connect.startswith("udp://"):

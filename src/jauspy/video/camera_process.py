@@ -8,14 +8,14 @@ import os
 import sys
 import time
 from collections import Counter
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from contextlib import suppress
 from types import TracebackType
 from typing import Final, Self
 
 from jauspy.errors import ConfigError
 from jauspy.platform.camera import Camera, CameraSetup
-from jauspy.platform.stills import Still, StillSettings
+from jauspy.platform.stills import StillSettings
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.video.extra import need_video
 from jauspy.video.orders import (
@@ -35,6 +35,7 @@ from jauspy.video.orders import (
     unpacked,
 )
 from jauspy.video.sender import MAX_RECEIVERS
+from jauspy.video.still_orders import StillOrders, Then
 
 PAUSES: Final = (0.5, 10.0)
 """Seconds before a process that died is started again: at first, and at most; doubled from time to time."""
@@ -46,8 +47,8 @@ BACKLOG: Final = 1 << 22
 """Bytes of orders, the first of which carries the model of the world, that the process may leave unread; one that
 leaves more hangs, and is ended."""
 
-MAX_STILLS: Final = 8
-"""Still images that wait to be taken; one more is refused."""
+STILL_TIMEOUT: Final = 30.0
+"""Seconds in which a process must have taken a still image; one that has not hangs, too."""
 
 STOP_TIMEOUT: Final = 5.0
 
@@ -63,8 +64,7 @@ class CameraProcess:
     def __init__(self, camera: Camera, settings: VideoSettings, *, stamped: bool = False) -> None:
         self._camera, self._settings, self._stamped = camera, settings, stamped
         self._receivers: dict[Address, bool] = {}
-        self._stills: dict[int, tuple[Take, Callable[[Still | None], None]]] = {}
-        self._number = 0
+        self._stills = StillOrders()
         self._own: Counter[str] = Counter()
         self._sent: Counter[str] = Counter()
         self._before: Counter[str] = Counter()
@@ -121,18 +121,17 @@ class CameraProcess:
         if self._receivers.pop(address, None) is not None:
             self._order(Leave(address))
 
-    def take(self, settings: StillSettings, then: Callable[[Still | None], None]) -> None:
+    def take(self, settings: StillSettings, then: Then) -> None:
         """Take a still image; `then` gets it, or None if its process dies.
 
         Raises `ConfigError` without the extra, or when too many wait.
         """
-        if len(self._stills) >= MAX_STILLS:
-            raise ConfigError(f"{MAX_STILLS} still images of this camera are under way; ask again when one has come")
+        self._stills.check()
         self._wake()
-        self._number += 1
-        order = Take(self._number, settings)
-        self._stills[self._number] = (order, then)
+        order = self._stills.add(settings, then)
         self._order(order)
+        if self._is_open:
+            asyncio.get_running_loop().call_later(STILL_TIMEOUT, self._look_after, order)
 
     async def open(self) -> None:
         """Be ready to start; twice is fine."""
@@ -168,9 +167,16 @@ class CameraProcess:
             return
         process.stdin.write(packed(order))
         if process.stdin.transport.get_write_buffer_size() > BACKLOG:
-            self._own["hung"] += 1
-            with suppress(ProcessLookupError):
-                process.kill()
+            self._kill(process)
+
+    def _look_after(self, order: Take) -> None:
+        if order in self._stills and self._process is not None:
+            self._kill(self._process)
+
+    def _kill(self, process: asyncio.subprocess.Process) -> None:
+        self._own["hung"] += 1
+        with suppress(ProcessLookupError):
+            process.kill()
 
     async def _start(self) -> None:
         process = await asyncio.create_subprocess_exec(
@@ -180,7 +186,7 @@ class CameraProcess:
             stdin=asyncio.subprocess.PIPE,
             stdout=asyncio.subprocess.PIPE,
             pass_fds=self._camera.descriptors,
-            start_new_session=True,
+            process_group=0,  # no Ctrl-C; a session of its own would have a share of its own, however nice it is
             env={**os.environ, "PYTHONUNBUFFERED": "1"},
         )
         self._own["started"] += 1
@@ -189,7 +195,7 @@ class CameraProcess:
         process.stdin.write(packed(Begin(self._camera, self._settings, self._stamped)))
         for address, playing in self._receivers.items():
             self._order(Watch(address, playing))
-        for order, _ in self._stills.values():
+        for order in self._stills:
             self._order(order)
 
     async def _keep(self) -> None:
@@ -224,9 +230,9 @@ class CameraProcess:
                 if description != self._description:
                     _LOG.info("camera %s: %s", self._camera.setup.name, description)
                 self._description = description
-            case Taken(number, content, at):
+            case Taken():
                 self._own["stills"] += 1
-                self._stills.pop(number)[1](Still(content, time.monotonic() - at))
+                self._stills.deliver(word, time.monotonic())
             case Counted(counters):
                 self._sent = Counter(counters)
 
@@ -234,10 +240,7 @@ class CameraProcess:
         self._process = None
         self._before += self._sent
         self._sent = Counter()
-        waiting, self._stills = self._stills, {}
-        self._own["stills_lost"] += len(waiting)
-        for _, then in waiting.values():
-            then(None)
+        self._own["stills_lost"] += self._stills.lose()
 
     async def _stop(self) -> None:
         process = self._process

@@ -13,6 +13,7 @@ from av.video.frame import PictureType
 from numpy.typing import NDArray
 
 from jauspy.errors import ConfigError
+from jauspy.platform.h264 import LEVELS, Profile
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.video import nal
 from jauspy.video.packetiser import MAX_PAYLOAD
@@ -72,14 +73,27 @@ def _open(settings: VideoSettings) -> VideoCodecContext:
     codec.gop_size = settings.gop
     codec.max_b_frames = 0
     codec.thread_count = 1
-    rate = settings.bit_rate // 1000
-    limits = f"slice-max-size={MAX_PAYLOAD}:vbv-maxrate={rate}:vbv-bufsize={round(rate * BUFFER)}:scenecut=0"
     codec.options = {
-        "preset": "ultrafast",
+        "preset": settings.coding.preset.value,
         "tune": "zerolatency",
-        "profile": "baseline",
+        "profile": settings.coding.profile.value,
         "forced-idr": "1",
-        "x264-params": limits,
+        "x264-params": ":".join(f"{name}={value}" for name, value in _parameters(settings).items()),
     }
     codec.open()
     return codec
+
+
+def _parameters(settings: VideoSettings) -> dict[str, object]:
+    """What x264 is told by its own names. Presets leave out tools that make a profile what it is."""
+    rate, profile = settings.bit_rate // 1000, settings.coding.profile
+    level = {} if settings.level is None else {"level": LEVELS[settings.level].name}
+    return level | {
+        "slice-max-size": MAX_PAYLOAD,
+        "vbv-maxrate": rate,
+        "vbv-bufsize": round(rate * BUFFER),
+        "scenecut": 0,
+        "cabac": int(profile is not Profile.BASELINE),
+        "8x8dct": int(profile is Profile.HIGH),
+        "intra-refresh": int(settings.coding.gradual),
+    }

@@ -11,8 +11,8 @@ from typing import Final, Self
 
 from jauspy.errors import ProtocolError, TransportError
 from jauspy.video.depacketiser import Depacketiser, Picture
-from jauspy.video.rtcp import picture_loss
-from jauspy.video.rtp import RtpPacket
+from jauspy.video.rtcp import clock_of, picture_loss
+from jauspy.video.rtp import CLOCK, RtpPacket
 
 READS: Final = 256
 """Datagrams taken in one go."""
@@ -34,6 +34,7 @@ class RtpReceiver:
         self._rtp, self._rtcp = _pair(host, port)
         self._reporter: tuple[object, ...] | None = None
         self._source = 0
+        self._clock: tuple[float, int] | None = None
 
     @property
     def port(self) -> int:
@@ -63,6 +64,14 @@ class RtpReceiver:
             self._ask()
         return pictures
 
+    def taken(self, picture: Picture) -> float | None:
+        """When the picture was taken, in seconds since 1970 of the sender's clock; None before its first report."""
+        if self._clock is None:
+            return None
+        utc, timestamp = self._clock
+        since = (picture.timestamp - timestamp + (1 << 31)) % (1 << 32) - (1 << 31)
+        return utc + since / CLOCK
+
     def close(self) -> None:
         """Give the ports back; twice is fine."""
         self._rtp.close()
@@ -88,9 +97,10 @@ class RtpReceiver:
     def _learn(self) -> None:
         for _ in range(READS):
             try:
-                _, self._reporter = self._rtcp.recvfrom(2048)
+                heard, self._reporter = self._rtcp.recvfrom(2048)
             except OSError:
                 break
+            self._clock = clock_of(heard) or self._clock
 
     def _ask(self) -> None:
         if self._reporter is None:

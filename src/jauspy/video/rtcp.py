@@ -34,6 +34,14 @@ def _named(ssrc: int, name: str) -> bytes:
     return struct.pack("!BBH", 0x81, _SOURCE_DESCRIPTION, len(chunk) // 4) + chunk
 
 
+def clock_of(data: bytes) -> tuple[float, int] | None:
+    """Seconds since 1970, and what the stream's clock showed then, of a sender report; None of anything else."""
+    if len(data) < _SENDER.size or data[0] & 0xC0 != 0x80 or data[1] != _SENDER_REPORT:
+        return None
+    _, _, _, _, seconds, fraction, timestamp, _, _ = _SENDER.unpack_from(data)
+    return seconds - _NTP_EPOCH + fraction / 2**32, timestamp
+
+
 def picture_loss(receiver: int, source: int) -> bytes:
     """A receiver asks a source for a whole picture (PLI)."""
     return struct.pack("!BBHII", 0x80 | _PICTURE_LOSS, _FEEDBACK, 2, receiver, source)

@@ -13,8 +13,8 @@ from typing import Final
 
 from jauspy.video.orders import LENGTH, Begin, Word, length, packed, unpacked
 
-POLITENESS: Final = 5
-"""By how much it is nicer than the robot's process: video never delays control."""
+POLITENESS: Final = 15
+"""By how much it is nicer than the robot's process: video never delays control, and has what is left."""
 
 READ: Final = 1 << 16
 

@@ -12,6 +12,7 @@ from jauspy.conformance.walk.access import ACCESS, SILENT_CLIENT
 from jauspy.conformance.walk.effects import EFFECTS
 from jauspy.conformance.walk.events import DUE, EVENTS, NOT_RENEWED
 from jauspy.conformance.walk.lists import LISTS
+from jauspy.conformance.walk.pictures import PICTURES
 from jauspy.conformance.walk.stimulus import Stimulus
 from jauspy.conformance.walk.walker import STOP
 from jauspy.messages.core import ClearEmergency, QueryConfiguration, QueryIdentification, SetEmergency
@@ -28,6 +29,7 @@ RECIPES: Final[tuple[Stimulus, ...]] = (
     *EVENTS,
     *LISTS,
     *EFFECTS,
+    *PICTURES,
     _one(SetEmergency(STOP)),
     _one(ClearEmergency(STOP)),
     *(_one(QueryIdentification(level), f"level {level}", query_type=level) for level in (1, 2, 3, 4)),

@@ -59,7 +59,7 @@ class Stimulus:
     by_controller: bool = False
     """Can only be prepared by the client in control."""
     seconds: Callable[[Walker], float] | None = None
-    """How long to wait for an event that comes by itself."""
+    """How long to wait: for an event that comes by itself, or an answer that takes its time."""
     earliest: float = 0.0
     """The part of that time before which it must not come."""
     once: bool = False

@@ -3,6 +3,7 @@
 from jauspy.services.environment_sensing.digital_resource_discovery import DigitalResourceDiscovery
 from jauspy.services.environment_sensing.digital_video import DigitalVideo
 from jauspy.services.environment_sensing.force_torque_sensor import ForceTorqueSensor, MountedGauge
+from jauspy.services.environment_sensing.h264_video_encoding import H264VideoEncoding
 from jauspy.services.environment_sensing.mounting import Mounted
 from jauspy.services.environment_sensing.range_sensor import RangeSensor
 from jauspy.services.environment_sensing.still_image import StillImage
@@ -14,6 +15,7 @@ __all__ = [
     "DigitalResourceDiscovery",
     "DigitalVideo",
     "ForceTorqueSensor",
+    "H264VideoEncoding",
     "Mounted",
     "MountedGauge",
     "RangeSensor",

@@ -127,7 +127,7 @@ class DigitalVideo(Service, urn="urn:jaus:jss:environmentSensing:DigitalVideo"):
     def _refusal(self, sensor: int, wanted: _Wanted) -> DigitalVideoSensorErrorRec | None:
         if sensor not in self._cameras:
             return DigitalVideoSensorErrorRec(sensor, _Code.UNKNOWN_SENSOR_ID, f"there is no sensor {sensor}")
-        wrong = _problems(wanted)
+        wrong = _problems(wanted) or _beyond_level(wanted, self._cameras[sensor].source.settings)
         if not wrong:
             return None
         code = wrong[0][0] if len(wrong) == 1 else _Code.MULTIPLE_INVALID_PARAMETERS
@@ -140,6 +140,14 @@ def _settings(wanted: _Wanted, present: VideoSettings) -> VideoSettings:
     kilobits = wanted.maximum_bit_rate if wanted.maximum_bit_rate is not None else wanted.minimum_bit_rate
     bit_rate = present.bit_rate if kilobits is None else kilobits * KILO
     return replace(present, width=width, height=height, rate=rate, bit_rate=bit_rate)
+
+
+def _beyond_level(wanted: _Wanted, present: VideoSettings) -> list[tuple[_Code, str]]:
+    try:
+        _settings(wanted, present)
+    except ConfigError as error:
+        return [(_Code.INVALID_FRAME_SIZE, str(error))]
+    return []
 
 
 def _problems(wanted: _Wanted) -> list[tuple[_Code, str]]:

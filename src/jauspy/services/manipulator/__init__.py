@@ -1,7 +1,10 @@
 """Services of the manipulator set (AS6057)."""
 
 from jauspy.services.manipulator.arm import Arm
+from jauspy.services.manipulator.end_effector_pose_driver import EndEffectorPoseDriver
+from jauspy.services.manipulator.end_effector_pose_list_driver import EndEffectorPoseListDriver
 from jauspy.services.manipulator.end_effector_sensors import EndEffectorPoseSensor, EndEffectorVelocityStateSensor
+from jauspy.services.manipulator.end_effector_velocity_state_driver import EndEffectorVelocityStateDriver
 from jauspy.services.manipulator.joint_drivers import (
     ActuatorForceTorqueDriver,
     JointPositionDriver,
@@ -15,15 +18,23 @@ from jauspy.services.manipulator.joint_sensors import (
 )
 from jauspy.services.manipulator.list_driver import ManipulatorListDriver
 from jauspy.services.manipulator.motion_profile import JointMotionProfile
+from jauspy.services.manipulator.pan_tilt import PanTilt
+from jauspy.services.manipulator.pan_tilt_drivers import PanTiltJointPositionDriver, PanTiltJointVelocityDriver
+from jauspy.services.manipulator.pan_tilt_limits import PanTiltMotionProfile, PanTiltSpecification
+from jauspy.services.manipulator.pan_tilt_sensors import PanTiltJointPositionSensor, PanTiltJointVelocitySensor
 from jauspy.services.manipulator.primitive_end_effector import PrimitiveEndEffector
 from jauspy.services.manipulator.primitive_manipulator import PrimitiveManipulator
+from jauspy.services.manipulator.primitive_pan_tilt import PrimitivePanTilt
 from jauspy.services.manipulator.specification import ManipulatorSpecification
 from jauspy.services.manipulator.tool_offset import ToolOffset
 
 __all__ = [
     "ActuatorForceTorqueDriver",
     "Arm",
+    "EndEffectorPoseDriver",
+    "EndEffectorPoseListDriver",
     "EndEffectorPoseSensor",
+    "EndEffectorVelocityStateDriver",
     "EndEffectorVelocityStateSensor",
     "JointForceTorqueSensor",
     "JointMotionProfile",
@@ -34,7 +45,15 @@ __all__ = [
     "JointVelocitySensor",
     "ManipulatorListDriver",
     "ManipulatorSpecification",
+    "PanTilt",
+    "PanTiltJointPositionDriver",
+    "PanTiltJointPositionSensor",
+    "PanTiltJointVelocityDriver",
+    "PanTiltJointVelocitySensor",
+    "PanTiltMotionProfile",
+    "PanTiltSpecification",
     "PrimitiveEndEffector",
     "PrimitiveManipulator",
+    "PrimitivePanTilt",
     "ToolOffset",
 ]

@@ -12,8 +12,6 @@ from jauspy.services.manipulator.values import positions, read_positions, values
 
 PERIOD: Final = 0.05
 """Seconds between two looks at whether an element was reached."""
-NEAR: Final = 0.01
-"""Radians or metres from an element at which it counts as reached."""
 _TIMER: Final = "joint position list"
 
 
@@ -48,8 +46,7 @@ class JointPositionListDriver(ArmDriver, ListDriver, urn="urn:jaus:jss:manipulat
         found = self._read(message) if message is not None else None
         if found is None:
             return
-        rows = zip(self.arm.limited(found), self.arm.state().positions, strict=True)
-        if all(abs(goal - position) <= NEAR for goal, position in rows):
+        if self.arm.is_at(found):
             self.elements.done()
         else:
             self.host.set_timer(_TIMER, self.host.now + PERIOD, self._look)

@@ -26,7 +26,7 @@ class JointMotionProfile(Service, urn="urn:jaus:jss:manipulator:ManipulatorJoint
             self.host.count("wrong_joints", f"{msg}")
             return
         self._arm.profiles = tuple(
-            _within(
+            within(
                 Profile(r.joint_max_speed, r.joint_max_acceleration_rate, r.joint_max_deceleration_rate),
                 Profile.of(link.joint),
             )
@@ -39,7 +39,7 @@ class JointMotionProfile(Service, urn="urn:jaus:jss:manipulator:ManipulatorJoint
         return ReportJointMotionProfile([_record(profile, link) for profile, link in rows])
 
 
-def _within(profile: Profile, most: Profile) -> Profile:
+def within(profile: Profile, most: Profile) -> Profile:
     """A profile that the joint can follow; zero would mean never to move, and counts as no wish."""
     return Profile(
         min(profile.speed or most.speed, most.speed),

@@ -33,6 +33,7 @@ class Driver(Service):
         speed = ground_speed(msg.speed)
         if speed is None:
             self.host.count("unsupported_speed", f"{msg}")
+            self.host.begin_command()(False)
         return speed
 
     def arrived(self) -> None:

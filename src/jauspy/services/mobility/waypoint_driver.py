@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
+from jauspy.services.completion import Completion
 from jauspy.services.mobility.travel import Traveller
+from jauspy.services.mobility.vehicle import Vehicle
 from jauspy.services.mobility.waypoint import Waypoint
 
 
@@ -12,7 +14,12 @@ class WaypointDriver(Traveller):
     """The waypoint may be set before Ready. A new one on the way keeps the speed; reaching it ends the drive.
 
     Of two such drivers in a component the one that was given its waypoint last is meant by SetTravelSpeed.
+    The command that set out, or last changed the drive, has been carried out when the waypoint is reached.
     """
+
+    def __init__(self, vehicle: Vehicle) -> None:
+        super().__init__(vehicle)
+        self._command = Completion()
 
     def waypoint_exists(self, msg: Any) -> bool:
         """To drive: a waypoint that this client has set. To report: any of this kind that was set or driven to."""
@@ -28,21 +35,41 @@ class WaypointDriver(Traveller):
         """Drive here next, or now when this driver is under way."""
         self.vehicle.goal = self.vehicle.waypoint = waypoint
         if self.drives:
-            self.travel(waypoint, self.vehicle.pilot.travel_speed, is_last=True)
+            self._set_out(waypoint, self.vehicle.pilot.travel_speed)
 
     def set_travel_speed(self, msg: Any) -> None:
         """Set out for the waypoint, or go on faster or slower; zero waits."""
         speed, goal = self.usable_speed(msg), self.vehicle.goal
         if speed is None or goal is None:
             return
-        if self.drives:
-            self.vehicle.pilot.travel_speed = speed
-        else:
-            self.travel(goal, speed, is_last=True)
+        if not self.drives:
+            self._set_out(goal, speed)
+            return
+        self.vehicle.pilot.travel_speed = speed
+        if speed:
+            self._begin()
 
     def set_travel_speed_ext(self, msg: Any) -> None:
         """As `set_travel_speed`, of several kinds."""
         self.set_travel_speed(msg)
+
+    def arrived(self) -> None:
+        """That was all."""
+        self._command(True)
+        super().arrived()
+
+    def taken_over(self) -> None:
+        """The waypoint was not reached."""
+        self._command(False)
+
+    def _set_out(self, waypoint: Waypoint, speed: float) -> None:
+        self.travel(waypoint, speed, is_last=True)
+        self._begin()
+
+    def _begin(self) -> None:
+        """What is being handled ends with this drive; the command before it does not hold any more."""
+        self._command(False)
+        self._command = self.host.begin_command()
 
     def control_lost(self) -> None:
         """The next client does not drive to a waypoint that it has not set."""

@@ -1,0 +1,45 @@
+"""What the pan-tilt services of a component share: the two joints, and how they count."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from jauspy.platform.description import Joint, JointKind
+from jauspy.platform.joints import JointGroup
+from jauspy.platform.transforms import joint_frame
+from jauspy.platform.vectors import Transform, Vector, Y, Z, cross, dot, transposed
+from jauspy.services.axes import JAUS_FROM_REP_103
+from jauspy.services.manipulator.arm import Arm
+from jauspy.services.manipulator.turned_joints import TurnedJoints
+
+
+class PanTilt(Arm):
+    """A unit of two revolute joints that are at right angles; the first pans, the second tilts.
+
+    Angles are zero where the description has its zero, and grow about the axes that JAUS gives what is carried: pan
+    about z, which is down, so to the right; tilt about y, which is right, so upwards. `mount` tells where the group's
+    base link is on the vehicle now, both as in REP-103.
+    """
+
+    def __init__(self, joints: JointGroup, mount: Callable[[], Transform]) -> None:
+        super().__init__(TurnedJoints(joints, _turned(joints.chain)))
+        self._mount = mount
+
+    @property
+    def coordinate_system(self) -> Transform:
+        """In the vehicle's frame (JAUS's axes): z along pan, y along tilt, x ahead; where the two axes are closest."""
+        pan = self.geometry.base @ self.geometry.links[0].frame(0.0)
+        tilt = pan @ self.geometry.links[1].frame(0.0)
+        y, z = tilt.turn(Z), pan.turn(Z)
+        return JAUS_FROM_REP_103 @ self._mount() @ Transform(transposed((cross(y, z), y, z)), pan.position)
+
+
+def _turned(chain: Sequence[Joint]) -> tuple[bool, bool]:
+    """Whether pan and tilt must count the other way round: as what is carried has it at zero, down and right."""
+    frame, axes = Transform(), list[Vector]()
+    for joint in chain:
+        if joint.kind is not JointKind.FIXED:
+            axes.append((frame @ Transform.of(joint.origin)).turn(joint.axis))
+        frame = frame @ joint_frame(joint, 0.0)
+    pan, tilt = axes
+    return dot(pan, frame.turn(Z)) > 0.0, dot(tilt, frame.turn(Y)) > 0.0

@@ -1,0 +1,39 @@
+"""Where the arm's joints must be, against the forward kinematics of its specification."""
+
+import math
+
+import pytest
+
+from jauspy.cli.demo import plan
+from jauspy.cli.demo.reach import LevelHand
+from jauspy.errors import RequestError
+from jauspy.modules.description import robot_model
+from jauspy.modules.robots import load
+
+
+@pytest.fixture(scope="module")
+def hand() -> LevelHand:
+    return LevelHand(robot_model(load("inc1")))
+
+
+@pytest.mark.parametrize("target", [(0.9, 0.0, 0.41), (0.85, 0.12, 0.53), (0.7, -0.2, 0.7), (0.2, 0.6, 0.5)])
+def test_the_tool_is_where_it_is_wanted_and_level(hand: LevelHand, target: tuple[float, float, float]) -> None:
+    last = hand.geometry.forward(hand.joints(*hand.around(target)))
+    assert last.apply(hand.geometry.tool) == pytest.approx(target, abs=1e-6)
+    along = last.turn(hand.geometry.tool)
+    assert along[2] == pytest.approx(0.0, abs=1e-6)
+    assert math.atan2(along[1], along[0]) == pytest.approx(math.atan2(target[1], target[0] - hand.axis))
+
+
+def test_every_pose_of_the_plan_can_be_had(hand: LevelHand) -> None:
+    x, y, height = plan.CAN
+    standing = (y - plan.STAND[1] + plan.NEAR[0], x - plan.STAND[0] + plan.NEAR[0], height)
+    turn, distance, _ = hand.around(standing)
+    for farther, higher in (plan.HIGH, plan.OVER, *plan.APPROACH):
+        hand.joints(turn, distance + farther, height + higher)
+    hand.joints(0.0, *plan.LOOKS_FROM)
+
+
+def test_what_is_too_far_is_refused(hand: LevelHand) -> None:
+    with pytest.raises(RequestError, match=r"cannot reach 1\.50 m"):
+        hand.joints(0.0, 1.5, 0.4)

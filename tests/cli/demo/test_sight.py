@@ -1,0 +1,48 @@
+"""A red can in a picture, and where it stands."""
+
+import math
+
+import pytest
+
+pytest.importorskip("numpy", reason="NumPy is not installed")
+pytest.importorskip("cv2", reason="OpenCV is not installed")
+
+import numpy as np
+
+from jauspy.cli.demo import sight
+from jauspy.platform.contract import Pose
+from jauspy.platform.vectors import Transform
+
+FOV = math.radians(80.0)
+BRICK, CAN = (110, 70, 60), (120, 30, 24)
+
+
+def scene(*spots):
+    image = np.full((240, 320, 3), BRICK, np.uint8)
+    for left, top, width, height in spots:
+        image[top : top + height, left : left + width] = CAN
+    return image
+
+
+def test_the_largest_spot_counts() -> None:
+    column, row = sight.red_spot(scene((10, 10, 3, 3), (200, 150, 20, 40)))
+    assert (column, row) == (pytest.approx((210 - 160) / 320), pytest.approx((170 - 120) / 320))
+
+
+def test_bricks_and_specks_are_no_can() -> None:
+    assert sight.red_spot(scene()) is None
+    assert sight.red_spot(scene((5, 5, 3, 3))) is None
+
+
+def test_a_ray_meets_the_can_where_it_is() -> None:
+    camera = Transform.of(Pose(1.0, 2.0, 0.8, pitch=0.3, yaw=0.5))
+    can = (1.7, 2.6, 0.41)
+    x, y, z = camera.inverse().apply(can)
+    spread = 2.0 * math.tan(FOV / 2.0)
+    spot = (-y / x / spread, -z / x / spread)
+    assert sight.at_height(camera, sight.ray(spot, FOV), 0.41) == pytest.approx(can)
+
+
+def test_a_ray_to_the_sky_meets_nothing() -> None:
+    assert sight.at_height(Transform.of(Pose(z=0.8)), sight.ray((0.0, -0.1), FOV), 0.41) is None
+    assert sight.at_height(Transform.of(Pose(z=0.3)), sight.ray((0.0, 0.1), FOV), 0.41) is None

@@ -1,0 +1,282 @@
+"""The pan-tilt unit of a CM-VIS on a robot of each backend, on virtual time, and a client in control of it."""
+
+from __future__ import annotations
+
+import math
+from datetime import UTC, datetime, timedelta
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+import pytest
+from tests.modules.cameras import FakeVideo
+
+from jauspy.codec.base import Message
+from jauspy.errors import ConfigError
+from jauspy.ids import JausID
+from jauspy.messages import manipulator as m, registry
+from jauspy.messages.core import (
+    CommandEvent,
+    CreateCommandEvent,
+    QueryStatus,
+    ReleaseControl,
+    RequestControl,
+    Resume,
+    SetEmergency,
+    Standby,
+)
+from jauspy.messages.environment_sensing import QueryVisualSensorConfiguration
+from jauspy.modules import robots
+from jauspy.modules.config import AccessControlConfig
+from jauspy.modules.description import robot_model
+from jauspy.modules.hosts import host_of
+from jauspy.platform.backends import find
+from jauspy.platform.transforms import FrameTree, joint_positions
+from jauspy.platform.vectors import Transform, X
+from jauspy.services.axes import jaus_frame
+from jauspy.services.manipulator.quaternion import rotation
+
+CLIENT, OTHER = JausID(42, 1, 1), JausID(42, 2, 1)
+STEP = 0.01
+START = datetime(2026, 1, 1, tzinfo=UTC)
+
+
+class Head:
+    """A robot whose chassis camera can turn, and that camera's component."""
+
+    def __init__(self, backend: str, robot: str = "inc1") -> None:
+        config = robots.load(robot)
+        self.model = model = robot_model(config)
+        self.robot = find(backend).open(model, "empty")
+        self.now = 0.0
+        (module,) = (each for each in config.modules if each.component == 107)
+        module = module.model_copy(update={"access_control": AccessControlConfig(timeout=0)})
+        videos: Any = {camera.name: FakeVideo(camera) for camera in model.cameras}
+        self.host = host_of(
+            config,
+            module,
+            model,
+            self.robot,
+            {},
+            videos=videos,
+            utc_now=lambda: START + timedelta(seconds=self.now),
+            now=0.0,
+        )
+
+    def tell(self, *messages: Message, client: JausID = CLIENT) -> list[Message]:
+        for message in messages:
+            self.host.receive(message.encode(), client, self.now)
+        return [
+            registry.decode(each.payload, service=_service(each.payload)) for each in self.host.poll_output(self.now)
+        ]
+
+    def ask(self, query: Message) -> Any:
+        (answer,) = self.tell(query)
+        return answer
+
+    def take_control(self, client: JausID = CLIENT) -> None:
+        self.tell(RequestControl(200), Resume(), client=client)
+
+    def run(self, seconds: float, sent: list[Message] | None = None) -> None:
+        for _ in range(round(seconds / STEP)):
+            self.robot.advance(STEP)
+            self.now += STEP
+            while (due := self.host.next_timeout()) is not None and due <= self.now:
+                self.host.handle_timeout(self.now)
+                if sent is not None:
+                    sent += self.tell()
+
+    def angles(self) -> tuple[float, float]:
+        found = self.ask(m.QueryPanTiltJointPositions())
+        return found.joint1_position, found.joint2_position
+
+    def speeds(self) -> tuple[float, float]:
+        found = self.ask(m.QueryPanTiltJointVelocity())
+        return found.joint1_velocity, found.joint2_velocity
+
+    def line_of_sight(self) -> tuple[float, float, float]:
+        """Where the camera looks, in the vehicle's frame: forward, right, down."""
+        tree = FrameTree(self.model.description)
+        return jaus_frame(tree.pose("chassis_camera_link", joint_positions(self.robot.groups.values()))).turn(X)
+
+
+def _service(payload: bytes) -> str | None:
+    found = registry.by_code(int.from_bytes(payload[:2], "little"))
+    newest = [cls for cls in found if ":manipulator:" in cls.SERVICE and cls.VERSION == "2.0"]
+    return newest[0].SERVICE if newest else None
+
+
+@pytest.fixture(
+    params=[
+        "kinematic",
+        pytest.param("sim", marks=pytest.mark.skipif(find_spec("mujoco") is None, reason="MuJoCo is not installed")),
+    ]
+)
+def head(request: pytest.FixtureRequest) -> Head:
+    head = Head(request.param)
+    head.take_control()
+    return head
+
+
+@pytest.mark.parametrize("robot", ["inc1", "inc1_pprm"])
+def test_the_specification_is_that_of_the_description(robot: str) -> None:
+    found = Head("kinematic", robot).ask(m.QueryPanTiltSpecifications(0xFF))
+    place = (found.pan_tilt_coordinate_sys_x, found.pan_tilt_coordinate_sys_y, found.pan_tilt_coordinate_sys_z)
+    assert place == pytest.approx((0.35, 0.0, -0.24), abs=1e-6), "where the axes meet"
+    turn = [getattr(found, f"{each}_component_of_unit_quaternion_q") for each in "dabc"]
+    assert turn == pytest.approx([1.0, 0.0, 0.0, 0.0], abs=1e-6)
+    assert (found.joint1_min_value, found.joint1_max_value, found.joint1_max_speed) == pytest.approx((-2.0, 2.0, 1.5))
+    assert (found.joint2_min_value, found.joint2_max_value) == pytest.approx((-0.7, 0.9)), "more upwards than downwards"
+
+
+def test_only_what_was_asked_for_of_the_specification() -> None:
+    found = Head("kinematic").ask(m.QueryPanTiltSpecifications(0b10))
+    assert found.pan_tilt_coordinate_sys_x is None
+    assert found.pan_tilt_coordinate_sys_y == pytest.approx(0.0, abs=1e-6)
+
+
+def test_looks_to_the_right_and_up(head: Head) -> None:
+    head.tell(m.SetPanTiltJointPositions(0.8, 0.5))
+    commanded = head.ask(m.QueryCommandedPanTiltJointPositions())
+    assert (commanded.joint1_position, commanded.joint2_position) == pytest.approx((0.8, 0.5))
+    head.run(2.0)
+    assert head.angles() == pytest.approx((0.8, 0.5), abs=0.01)
+    assert head.speeds() == pytest.approx((0.0, 0.0), abs=0.01)
+    forward, right, down = head.line_of_sight()
+    assert math.atan2(right, forward) == pytest.approx(0.8, abs=0.01)
+    assert math.asin(down) == pytest.approx(-0.5, abs=0.01)
+
+
+def test_the_reported_numbers_alone_tell_where_the_camera_looks(head: Head) -> None:
+    head.tell(m.SetPanTiltJointPositions(-1.1, 0.6))
+    head.run(3.0)
+    system = head.ask(m.QueryPanTiltSpecifications(0xFF))
+    turn = Transform(rotation(*(getattr(system, f"{each}_component_of_unit_quaternion_q") for each in "dabc")))
+    pan, tilt = head.angles()
+    ahead = (math.cos(pan) * math.cos(tilt), math.sin(pan) * math.cos(tilt), -math.sin(tilt))
+    assert turn.turn(ahead) == pytest.approx(head.line_of_sight(), abs=1e-3)
+
+
+def test_angles_beyond_the_limits_are_limited(head: Head) -> None:
+    head.tell(m.SetPanTiltJointPositions(-20.0, -20.0))
+    head.run(4.0)
+    assert head.angles() == pytest.approx((-2.0, -0.7), abs=0.02)
+
+
+def test_turns_at_a_velocity_until_the_limit(head: Head) -> None:
+    head.tell(m.SetPanTiltJointVelocity(0.5, -0.2))
+    head.run(1.5)
+    assert head.speeds() == pytest.approx((0.5, -0.2), abs=0.05)
+    pan, tilt = head.angles()
+    assert pan == pytest.approx(0.7, abs=0.15)
+    assert tilt == pytest.approx(-0.28, abs=0.06)
+    assert head.ask(m.QueryCommandedPanTiltJointVelocity()).joint1_velocity == pytest.approx(0.5)
+    head.run(5.0)
+    assert head.angles() == pytest.approx((2.0, -0.7), abs=0.03)
+
+
+def test_efforts_push_and_zero_holds(head: Head) -> None:
+    head.tell(m.SetPanTiltJointEffort(20.0, 0.0))
+    assert head.ask(m.QueryPanTiltJointEffort()).joint1_effort == pytest.approx(20.0, abs=0.01)
+    head.run(0.5)
+    pan, tilt = head.angles()
+    assert pan > 0.05, "to the right"
+    assert tilt == pytest.approx(0.0, abs=0.02)
+    head.tell(m.SetPanTiltJointEffort(0.0, 0.0))
+    head.run(0.5)
+    held, _ = head.angles()
+    head.run(1.0)
+    assert head.angles()[0] == pytest.approx(held, abs=0.01)
+
+
+def test_a_profile_limits_all_drivers(head: Head) -> None:
+    head.tell(m.SetPanTiltMotionProfile(0.2, 2.0, 2.0, 30.0, 0.0, 30.0))
+    found = head.ask(m.QueryPanTiltMotionProfile())
+    assert found.joint1_max_speed == pytest.approx(0.2)
+    assert found.joint2_max_speed == pytest.approx(1.5), "no more than the joint can do"
+    assert found.joint2_max_acceleration_rate == pytest.approx(6.0), "zero is no wish"
+    head.tell(m.SetPanTiltJointPositions(1.0, 0.0))
+    head.run(2.0)
+    assert 0.3 < head.angles()[0] < 0.42
+    head.tell(m.SetPanTiltJointVelocity(-1.0, 0.0))
+    head.run(1.0)
+    assert head.speeds()[0] == pytest.approx(-0.2, abs=0.03)
+
+
+def test_a_command_event_tells_when_it_looks_there(head: Head) -> None:
+    head.tell(CreateCommandEvent(7, 10, m.SetPanTiltJointPositions(0.8, 0.5)))
+    results: list[Message] = []
+    head.run(3.0, results)
+    (found,) = [each for each in results if isinstance(each, CommandEvent)]
+    assert found.command_result == CommandEvent.CommandResult.SUCCESSFUL
+    assert head.angles() == pytest.approx((0.8, 0.5), abs=0.03)
+
+
+@pytest.mark.parametrize("ending", [Standby(), SetEmergency(1), ReleaseControl()])
+def test_stops_when_it_may_not_move_any_more(head: Head, ending: Message) -> None:
+    head.tell(m.SetPanTiltJointVelocity(0.5, 0.0))
+    head.run(1.0)
+    head.tell(ending)
+    head.run(0.3)
+    stopped = head.angles()
+    head.run(1.0)
+    assert head.angles() == pytest.approx(stopped, abs=0.01)
+    assert head.ask(m.QueryCommandedPanTiltJointVelocity()).joint1_velocity == pytest.approx(0.0, abs=1e-6)
+
+
+def test_nobody_else_turns_it(head: Head) -> None:
+    head.tell(m.SetPanTiltJointPositions(1.0, 0.0), client=OTHER)
+    head.run(1.0)
+    assert head.angles() == pytest.approx((0.0, 0.0), abs=0.01)
+
+
+def test_the_newest_command_counts(head: Head) -> None:
+    head.tell(m.SetPanTiltJointVelocity(0.5, 0.0), m.SetPanTiltJointPositions(0.3, 0.1))
+    assert head.ask(m.QueryCommandedPanTiltJointVelocity()).joint1_velocity == pytest.approx(0.0, abs=1e-6)
+    head.run(2.0)
+    assert head.angles() == pytest.approx((0.3, 0.1), abs=0.01)
+
+
+def test_the_camera_s_services_are_there_too(head: Head) -> None:
+    record = QueryVisualSensorConfiguration.QueryVisualSensorConfigurationRec(1, 0xFFFF)
+    assert head.ask(QueryVisualSensorConfiguration([record])).visual_sensor_configuration_list
+    assert head.ask(QueryStatus()).status == 1
+
+
+MOUNT = """
+[groups.pan_tilt]
+base = "base_link"
+tip = "{tip}"
+joints = [{joints}]
+"""
+JOINT = "{{ name = '{0}', position = {{ p = 1 }}, velocity = {{ p = 1 }} }}"
+
+
+@pytest.mark.parametrize(
+    ("tip", "joints", "said"),
+    [
+        ("pan_link", ["base_link_to_pan_link"], r"groups.pan_tilt.joints: .* takes two revolute joints"),
+        (
+            "arm_link_2",
+            ["base_link_to_arm_link_1", "arm_link_1_to_arm_link_2"],
+            r"the camera is on 'chassis_camera_link', which 'arm_link_1_to_arm_link_2' does not move",
+        ),
+    ],
+)
+def test_a_mount_that_is_none_is_said(tmp_path: Path, tip: str, joints: list[str], said: str) -> None:
+    file = tmp_path / "mine.toml"
+    text = MOUNT.format(tip=tip, joints=", ".join(JOINT.format(joint) for joint in joints))
+    module = "[[modules]]\ntype = 'CM-VIS'\ncomponent = 107\ncamera = 'chassis'\ngroup = 'pan_tilt'\n"
+    file.write_text(f"extends = 'inc1'\n{module}{text}")
+    with pytest.raises(ConfigError, match=said):
+        robot_model(robots.load(file))
+
+
+def test_services_without_a_mount_are_an_error(tmp_path: Path) -> None:
+    file = tmp_path / "mine.toml"
+    services = "services = ['Discovery', 'PanTiltJointPositionSensor']"
+    file.write_text(
+        f"extends = 'inc1'\n[[modules]]\ntype = 'CM-VIS'\ncomponent = 107\ncamera = 'chassis'\n{services}\n"
+    )
+    with pytest.raises(ConfigError, match="group: is missing; PanTiltJointPositionSensor needs"):
+        robots.load(file)

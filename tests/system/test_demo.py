@@ -1,0 +1,114 @@
+"""The demo: all of it as a user starts it, and its grasp against the simulation's truth."""
+
+from __future__ import annotations
+
+import json
+import math
+import subprocess
+import sys
+from contextlib import AsyncExitStack
+from pathlib import Path
+
+import psutil
+import pytest
+
+pytest.importorskip("mujoco", reason="MuJoCo is not installed")
+pytest.importorskip("av", reason="PyAV is not installed")
+pytest.importorskip("matplotlib", reason="matplotlib is not installed")
+
+import av
+import cv2
+import yaml
+
+from jauspy.cli.demo import plan, sight
+from jauspy.cli.demo.arm import Arm
+from jauspy.cli.demo.film import filmed
+from jauspy.cli.demo.grasp import Grasp
+from jauspy.cli.demo.reach import LevelHand
+from jauspy.cli.demo.watch import Scene
+from jauspy.modules.description import robot_model
+from jauspy.modules.robot import RobotRunner
+from jauspy.modules.robots import load
+from jauspy.node import NodeConfig, NodeManager
+from jauspy.ocu import OCU
+from jauspy.ocu.frames import RobotFrames
+from jauspy.platform.contract import Robot
+from jauspy.services.environment_sensing.frame_sizes import FrameSize
+from jauspy.transport import LocalTransport
+
+INC1 = load("inc1")
+
+
+@pytest.mark.timeout(300)
+def test_drives_looks_reaches_grasps_and_lifts(free_port: int, tmp_path: Path) -> None:
+    folder = tmp_path / "out"
+    arguments = ("demo", "--port", str(free_port), "--output", str(folder), "--size", "320x240", "--plain")
+    command = [sys.executable, "-m", "jauspy.cli.main", *arguments]
+    done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=280)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "it works" in done.stdout
+    assert not psutil.Process().children()
+
+    found = {each["stage"]: each for each in json.loads((folder / "summary.json").read_text())["findings"]}
+    goals = ["drive", "map", "look", "reach", "grasp", "lift", "arm video", "chassis video"]
+    assert [stage for stage, each in found.items() if each["reached"]] == goals
+    assert found["lift"]["figures"]["lifted"] >= 0.1
+    assert found["lift"]["figures"]["weight"] == pytest.approx(1.0, abs=0.2)
+    assert found["real time"]["figures"]["held"] > 0.0
+
+    for camera in ("arm", "chassis"):
+        with av.open(folder / f"{camera}.mp4") as film:
+            frames = [(frame.width, frame.height) for frame in film.decode(video=0)]
+        assert len(frames) == found[f"{camera} video"]["figures"]["pictures"]
+        assert set(frames) == {(320, 240)}
+    assert sight.red_spot(cv2.cvtColor(cv2.imread(str(folder / "still.jpg")), cv2.COLOR_BGR2RGB)) is not None
+    assert cv2.imread(str(folder / "joints.png")).shape[1] >= 1000
+    notes = yaml.safe_load((folder / "map.yaml").read_text())
+    picture = cv2.imread(str(folder / notes["image"]), cv2.IMREAD_GRAYSCALE)
+    west, south, _ = notes["origin"]
+    column = round((-3.0 - west) / notes["resolution"])
+    row = picture.shape[0] - round((0.5 - south) / notes["resolution"])
+    assert picture[row, column - 2 : column + 3].min() == 0, "the wall behind the start is on the map"
+
+
+async def test_the_can_is_really_lifted(root: Path, tmp_path: Path) -> None:
+    """The stages after the drive; the robot is put before the table, not quite where the plan has it."""
+    model, scene = robot_model(INC1), Scene()
+    runner = RobotRunner(INC1, lambda me: LocalTransport(me, root), backend="sim")
+    async with AsyncExitStack() as stack:
+        await stack.enter_async_context(NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root)))
+        await stack.enter_async_context(runner)
+        assert runner._realtime is not None
+        simulated = runner._realtime._robot
+        runner._realtime.order("put", lambda robot: put(robot, 2.03, 0.04, math.pi / 2 - 0.04))
+        ocu = await stack.enter_async_context(OCU("42.1.1", f"local:{root}", timeout=3.0))
+        robot = await ocu.discover(101, timeout=20.0)
+        arm_module, gripper_module = robot.component(104), robot.component(105)
+        for module in (arm_module, gripper_module):
+            management = module.service("Management")
+            await stack.enter_async_context(management.control(plan.AUTHORITY))
+            await management.resume(timeout=20.0)
+        arm = Arm(robot, arm_module, gripper_module, LevelHand(model), scene)
+        await stack.enter_async_context(arm.watched())
+        size = FrameSize.QVGA_320_X240
+        film = await stack.enter_async_context(filmed(ocu, robot.component(106), "arm", tmp_path / "arm.mp4", size))
+        grasp = Grasp(arm, RobotFrames(robot, model), model, film)
+
+        can = simulated.data.body("can")
+        before = can.xpos.copy()
+        looked = await grasp.look(tmp_path)
+        assert math.dist((looked.figures["x"], looked.figures["y"]), before[:2]) < 0.03
+        assert looked.reached
+        assert (await grasp.reach()).reached
+        closed = await grasp.close()
+        assert closed.reached, closed.measured
+        lifted = await grasp.lift()
+        assert lifted.reached, lifted.measured
+        assert can.xpos[2] - before[2] == pytest.approx(lifted.figures["lifted"], abs=0.01)
+        assert can.xpos[2] - before[2] > plan.LIFT
+
+
+def put(robot: Robot, x: float, y: float, yaw: float) -> None:
+    """Stand the robot somewhere else on the floor."""
+    address = robot.model.joint("inc1/base").qposadr[0]
+    robot.data.qpos[address : address + 7] = (x, y, 0.0, math.cos(yaw / 2), 0.0, 0.0, math.sin(yaw / 2))
