@@ -21,7 +21,7 @@ from jauspy.messages.core import (
     QueryIdentification,
     QueryStatus,
 )
-from jauspy.ocu.link import REPORT_OFFSET
+from jauspy.ocu.answers import REPORT_OFFSET
 from jauspy.protocol import header
 from jauspy.protocol.header import Ack, DataFlag, Packet
 
