@@ -221,7 +221,6 @@ FAMILIES: Final = (
     Family("has other ids and codes", "has (request_id|response_code|query_type)", answers(changed(other_codes))),
     Family("takes its time for a picture", "in time$", delays(lambda payload, to: to in ROLES, PICTURE_PATIENCE * 1.5)),
     Family("has no pictures", "has a picture", answers(changed(no_pictures))),
-)
     _second("gives no second answer", answers(silence, *SECOND)),
     _second("gives a short second answer", answers(spoilt, *SECOND)),
     _second("gives a late second answer", delays(lambda payload, to: _is(payload, SECOND))),
@@ -240,4 +239,5 @@ FAMILIES: Final = (
     _stream("events carry another report", answers(changed(wrong_report), *STREAM)),
     Family("is impatient", "come early$", impatient()),
     Family("is late after others were", "in time$", delays(lambda payload, to: to in ROLES)),
-"""Late answers to one step may spoil the next; so the last family takes those once more."""
+)
+"""Late answers to one step may spoil the next; so the last one takes those once more."""
