@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Final
 
+from jauspy.arguments import described
 from jauspy.errors import ConfigError
 
 ANY_SUBSYSTEM: Final = 0xFFFF
@@ -47,7 +48,7 @@ class JausID:
         if isinstance(id, str):
             return cls.parse(id)
         if not isinstance(id, JausID):
-            raise TypeError(f"a JAUS id is text, as in '101.1.102', or a JausID, not the {type(id).__name__} {id!r}")
+            raise TypeError(f"a JAUS id is text, as in '101.1.102', or a JausID, not {described(id)}")
         return id
 
     @classmethod

@@ -33,7 +33,7 @@ class Painter(Protocol):
         """How."""
         ...
 
-    def paint(self, data: mujoco.MjData, width: int, height: int) -> NDArray[np.uint8]:
+    def paint(self, data: mujoco.MjData, width: int, height: int, *, thoroughly: bool = False) -> NDArray[np.uint8]:
         """A picture of that size."""
         ...
 
@@ -80,10 +80,10 @@ class SimulatedEye:
         """By which GL, or why by none."""
         return self._painter.description
 
-    def look(self, width: int, height: int) -> Frame:
+    def look(self, width: int, height: int, *, thoroughly: bool = False) -> Frame:
         """The world as the robot's process left it with its last step."""
         taken = self._update()
-        return Frame(self._painter.paint(self._data, width, height), taken)
+        return Frame(self._painter.paint(self._data, width, height, thoroughly=thoroughly), taken)
 
     def measure(self, width: int, height: int) -> DepthFrame:
         """The same, with distances; rays are fewer than pixels may be."""

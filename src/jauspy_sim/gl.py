@@ -62,7 +62,14 @@ class GlPainter:
         self._context = mujoco.MjrContext(model, mujoco.mjtFontScale.mjFONTSCALE_100.value)
         self._context.readDepthMap = mujoco.mjtDepthMap.mjDEPTH_ZEROFAR
 
-    def paint(self, data: mujoco.MjData, width: int, height: int) -> NDArray[np.uint8]:
+    def paint(
+        self,
+        data: mujoco.MjData,
+        width: int,
+        height: int,
+        *,
+        thoroughly: bool = False,  # noqa: ARG002 - it always does
+    ) -> NDArray[np.uint8]:
         """A picture of that size."""
         self._render(data, width, height)
         image = np.empty((height, width, 3), np.uint8)

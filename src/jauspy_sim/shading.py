@@ -24,27 +24,29 @@ class Shading:
             if (pattern := _pattern(model, int(geom))) is not None
         }
 
-    def colours(self, data: mujoco.MjData, hit: NDArray[np.int32], points: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Of the shapes that were hit, at these points of the world."""
+    def colours(
+        self, data: mujoco.MjData, hit: NDArray[np.int32], points: NDArray[np.float64], widths: NDArray[np.float64]
+    ) -> NDArray[np.float64]:
+        """Of the shapes that were hit, at these points of the world; dots that are too wide for a pattern blur it."""
         colours: NDArray[np.float64] = self._plain[hit]
         for geom, pattern in self._patterns.items():
             on = hit == geom
             local = (points[on] - data.geom_xpos[geom]) @ data.geom_xmat[geom].reshape(3, 3)
             size = np.array(pattern.shape[:2])
             at = np.floor(local[:, 1::-1] / [-PERIOD, PERIOD] % 1.0 * size).astype(np.int64) % size
-            colours[on] = colours[on] * pattern[at[:, 0], at[:, 1]]
+            blur = np.clip(2.0 * widths[on] / PERIOD, 0.0, 1.0)[:, None]
+            colours[on] *= (1.0 - blur) * pattern[at[:, 0], at[:, 1]] + blur * pattern.mean(axis=(0, 1))
         return colours
 
     def light(
-        self, data: mujoco.MjData, rays: NDArray[np.float64], normals: NDArray[np.float64]
+        self, data: mujoco.MjData, facing: NDArray[np.float64], normals: NDArray[np.float64]
     ) -> NDArray[np.float64]:
-        """What falls on surfaces with these normals that these rays see: red, green, blue."""
+        """What falls on surfaces with these normals, which face the camera so much (0..1): red, green, blue."""
         model, own = self._model, self._model.vis.headlight
-        facing = np.clip(-np.sum(rays * normals, axis=1), 0.0, 1.0)[:, None]
-        light = np.asarray(own.ambient) + facing * np.asarray(own.diffuse)
+        light = np.asarray(own.ambient) + facing[:, None] * np.asarray(own.diffuse)
         for number in np.flatnonzero(model.light_type == mujoco.mjtLightType.mjLIGHT_DIRECTIONAL):
-            facing = np.clip(-(normals @ data.light_xdir[number]), 0.0, 1.0)[:, None]
-            light = light + model.light_ambient[number] + facing * model.light_diffuse[number]
+            sun = np.clip(-(normals @ data.light_xdir[number]), 0.0, 1.0)[:, None]
+            light = light + model.light_ambient[number] + sun * model.light_diffuse[number]
         return np.asarray(light)
 
 

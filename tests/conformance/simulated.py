@@ -1,6 +1,6 @@
 """Our robots in memory: the same services as with `jauspy up`, on the kinematic backend and virtual time.
 
-Nobody opens the cameras: they take orders, and show nothing.
+Nobody opens the cameras: they take orders, and their pictures are empty.
 """
 
 from __future__ import annotations
@@ -15,12 +15,21 @@ from jauspy.modules.description import robot_model
 from jauspy.modules.hosts import host_of
 from jauspy.modules.robot import announced
 from jauspy.platform import backends
+from jauspy.platform.stills import Still, StillSettings
 from jauspy.video.camera_process import CameraProcess
+from jauspy.video.still_orders import Then
 
 START = datetime(2026, 3, 14, 15, 9, 26, 535000, tzinfo=UTC)
 TARGET = JausID(105, 1, 255)
 
 Maker = Callable[..., Bench]
+
+
+class Cameraman(CameraProcess):
+    """Has each picture at once."""
+
+    def take(self, settings: StillSettings, then: Then) -> None:
+        then(Still(b"", 0.0))
 
 
 def robot(
@@ -39,7 +48,7 @@ def robot(
         config = config.model_copy(update={"modules": modules})
     model = robot_model(config)
     body = backends.find("kinematic").open(model, config.world)
-    videos = {each.name: CameraProcess(body.cameras[each.name], each.settings()) for each in config.cameras}
+    videos = {each.name: Cameraman(body.cameras[each.name], each.settings()) for each in config.cameras}
     made: list[Bench] = []
 
     def utc_now() -> datetime:

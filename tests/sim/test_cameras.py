@@ -20,7 +20,7 @@ from jauspy.modules.description import robot_model
 from jauspy.modules.robots import load
 from jauspy.platform.camera import CameraSetup
 from jauspy_sim import gl
-from jauspy_sim.rays import PIXELS, RayPainter
+from jauspy_sim.rays import PIXELS, THOROUGH, RayPainter
 from jauspy_sim.robot import SimulatedRobot
 from jauspy_sim.sky import PLAIN, Sky
 
@@ -108,12 +108,14 @@ def test_rays_are_fewer_than_the_pixels_of_a_large_picture(robot, monkeypatch):
     painter = RayPainter(robot.model, robot.cameras["front"].number, FRONT.fov)
     cast = []
     monkeypatch.setattr(
-        painter, "_cast", lambda _, rays: cast.append(len(rays)) or (np.zeros((len(rays), 3), np.uint8), None)
+        painter, "_cast", lambda _, rays, __: cast.append(len(rays)) or (np.zeros((len(rays), 3), np.uint8), None)
     )
     painter.paint(robot.data, 1280, 720)
     painter.paint(robot.data, 100, 100)
+    painter.paint(robot.data, 1280, 720, thoroughly=True)
     assert cast[0] <= PIXELS * 1.02
     assert cast[1] == 10_000
+    assert PIXELS < cast[2] <= THOROUGH * 1.02
 
 
 def test_gl_that_does_not_work_gives_way_to_rays_and_says_why(robot, monkeypatch, caplog):
@@ -194,9 +196,13 @@ def test_a_world_without_a_sky_box_has_a_plain_one():
     assert (Sky(model).colours(np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0]])) == PLAIN).all()
 
 
-def test_the_floor_shows_its_pattern_by_rays(robot, monkeypatch):
+def test_the_floor_shows_its_pattern_by_rays_where_it_is_not_too_fine(monkeypatch):
     monkeypatch.setenv("MUJOCO_GL", "disable")
+    robot = SimulatedRobot.open(dataclasses.replace(robot_model(load("inc1")), cameras=(FRONT,)), "empty")
     eye = robot.cameras["front"].open()
-    near = eye.look(160, 120).image[-2].astype(int).sum(axis=1)
+    rows = eye.look(160, 120).image.astype(int).sum(axis=2)
     eye.close()
+    robot.close()
+    near, far = rows[-2], rows[62]
     assert near[20] < 0.95 * near[140]
+    assert np.ptp(far) < 0.04 * far.mean()

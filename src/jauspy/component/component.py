@@ -10,6 +10,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import Final, Literal, Self, TypeVar
 
+from jauspy.arguments import check_text
 from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
 from jauspy.component.shell import Shell
@@ -20,7 +21,7 @@ from jauspy.protocol.header import Broadcast, Priority
 from jauspy.schema.model import Schema
 from jauspy.services.core.complete import with_core
 from jauspy.services.host import Host
-from jauspy.services.service import Service
+from jauspy.services.service import Service, checked
 from jauspy.transport import LocalTransport, Transport
 from jauspy.transport.connect import DEFAULT_ROOT, transport_for
 
@@ -59,9 +60,11 @@ class Component:
         utc_now: Callable[[], datetime] = lambda: datetime.now(UTC),
     ) -> None:
         me = _usable(id)
+        check_text(name, "a component's name")
+        given = checked(services)
         self.host = Host(
             me,
-            with_core(services, name) if core else services,
+            with_core(given, name) if core else given,
             utc_now=utc_now,
             now=(clock or _loop_time)(),
             on_action_error=on_action_error,

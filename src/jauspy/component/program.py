@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import signal
 
+from jauspy.arguments import described
 from jauspy.component.component import Component
 
 _SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
@@ -15,6 +16,11 @@ def run(*components: Component) -> None:
 
     Raises `TransportError` when one cannot start. In a program with an event loop of its own use `component.run()`.
     """
+    for each in components:
+        if not isinstance(each, Component):
+            raise TypeError(
+                f"run() takes components, as in jauspy.Component('101.1.120', [...]), not {described(each)}"
+            )
     asyncio.run(_serve(components))
 
 

@@ -1,9 +1,8 @@
-"""What users hand in is looked at where they do: a value of a wrong type is one sentence, no surprise further down."""
+"""Messages and their classes as users hand them in: one for the other is a mistake that is easily made."""
 
 from __future__ import annotations
 
-from numbers import Integral, Real
-
+from jauspy.arguments import described
 from jauspy.codec.base import Message
 
 
@@ -22,20 +21,3 @@ def check_class(value: object, use: str) -> None:
         return
     what = f"a message; write {value.NAME} without brackets" if isinstance(value, Message) else described(value)
     raise TypeError(f"{use} takes the class of a message, as in ReportStatus, not {what}")
-
-
-def check_number(value: object, use: str, *, whole: bool = False, optional: bool = False) -> None:
-    """Raise `TypeError` unless it is a number, or, if it is `optional`, None; those of numpy are fine."""
-    if not isinstance(value, Integral if whole else Real) and not (optional and value is None):
-        raise TypeError(f"{use} is {'a whole number' if whole else 'a number'}, not {described(value)}")
-
-
-def check_text(value: object, use: str) -> None:
-    """Raise `TypeError` unless it is text."""
-    if not isinstance(value, str):
-        raise TypeError(f"{use} is text, not {described(value)}")
-
-
-def described(value: object) -> str:
-    """A value in a sentence."""
-    return "None" if value is None else f"the {type(value).__name__} {value!r}"

@@ -9,14 +9,15 @@ from datetime import UTC, datetime
 from types import TracebackType
 from typing import Any, Self, TypeVar, overload
 
+from jauspy.arguments import check_text, described
 from jauspy.codec.base import Message, Query
 from jauspy.codec.registry import Registry
 from jauspy.component import Shell
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.ocu import discovery
-from jauspy.ocu.arguments import check_text, described
-from jauspy.ocu.link import Link, Patience
+from jauspy.ocu.link import Link
+from jauspy.ocu.patience import Patience
 from jauspy.ocu.robot import Robot
 from jauspy.ocu.stats import Stats
 from jauspy.ocu.watch import News, watch

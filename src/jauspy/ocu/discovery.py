@@ -7,6 +7,7 @@ from __future__ import annotations
 import asyncio
 from typing import Final
 
+from jauspy.arguments import check_number
 from jauspy.codec.base import Message
 from jauspy.errors import ConfigError, ResponseTimeout
 from jauspy.ids import ANY_COMPONENT, ANY_NODE, ANY_SUBSYSTEM, EVERYONE, JausID
@@ -18,7 +19,6 @@ from jauspy.messages.core import (
     ReportIdentification,
     ReportServices,
 )
-from jauspy.ocu.arguments import check_number
 from jauspy.ocu.findings import Findings, Level
 from jauspy.ocu.link import Link
 from jauspy.ocu.model import Subsystem

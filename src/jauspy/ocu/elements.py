@@ -6,10 +6,11 @@ from collections.abc import AsyncIterator, Iterable, Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, Final, TypeAlias, overload
 
+from jauspy.arguments import check_number, described
 from jauspy.codec.base import Message
 from jauspy.errors import ConfigError, DecodeError, ElementRejected, JausError, RequestError
 from jauspy.messages.core import ElementRec, ReportElement, ReportStatus
-from jauspy.ocu.arguments import check_message, check_number, described
+from jauspy.ocu.arguments import check_message
 from jauspy.ocu.link import Link
 from jauspy.ocu.list_requests import BATCH, ListRequests
 from jauspy.ocu.progress import progress

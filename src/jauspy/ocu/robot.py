@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from jauspy.arguments import check_text
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
-from jauspy.ocu.arguments import check_text
 from jauspy.ocu.link import Link
 from jauspy.ocu.model import Component, Node, Subsystem
 from jauspy.ocu.service import ServiceClient

@@ -9,6 +9,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 from typing import Final, TypeAlias
 
+from jauspy.arguments import check_number
 from jauspy.codec.base import Message
 from jauspy.errors import ConfigError
 from jauspy.ids import ANY_SUBSYSTEM, EVERYONE, JausID
@@ -19,7 +20,6 @@ from jauspy.messages.core import (
     ReportIdentification,
     ReportServices,
 )
-from jauspy.ocu.arguments import check_number
 from jauspy.ocu.discovery import MAX_FOLLOW_UPS, all_services, ask_everybody
 from jauspy.ocu.findings import Level
 from jauspy.ocu.link import Link

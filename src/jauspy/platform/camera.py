@@ -51,8 +51,8 @@ class Eye(Protocol):
         """How it comes to its pictures, for the log; says so when it does worse than it could."""
         ...
 
-    def look(self, width: int, height: int) -> Frame:
-        """The robot's newest state as a picture of that size."""
+    def look(self, width: int, height: int, *, thoroughly: bool = False) -> Frame:
+        """The robot's newest state as a picture of that size; `thoroughly` may take a small machine half a second."""
         ...
 
     def measure(self, width: int, height: int) -> DepthFrame:

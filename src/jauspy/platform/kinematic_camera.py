@@ -67,7 +67,7 @@ class FloorEye:
         self._palette = numpy.array(_palette(), numpy.uint8)
         self._state = StateReader(camera.descriptor)
 
-    def look(self, width: int, height: int) -> Frame:
+    def look(self, width: int, height: int, *, thoroughly: bool = False) -> Frame:  # noqa: ARG002 - it always does
         """The floor in squares, darker where it is far."""
         taken, image, _ = self._see(width, height)
         return Frame(image, taken)

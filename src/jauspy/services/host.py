@@ -58,6 +58,8 @@ class Host:
         max_output: int = 1024,
         on_action_error: Literal["failure", "stay"] = "stay",
     ) -> None:
+        if on_action_error not in ("failure", "stay"):
+            raise ConfigError(f"on_action_error is {on_action_error!r}; it must be 'stay' or 'failure'")
         self.id = id
         self.utc_now = utc_now
         self.now = now

@@ -75,7 +75,7 @@ def _depth(urn: str, found: dict[str, Definition]) -> int:
 def _lookup(schema: Schema, urn: str, version: str | None, who: str) -> Definition:
     if not any(service.id == urn and version in (None, service.version) for service in schema.services):
         known = ", ".join(f"{service.version}" for service in schema.services if service.id == urn)
-        raise ConfigError(
-            f"{who}: no definition of {urn} {version or ''} is loaded (versions there: {known or 'none'})"
-        )
+        which = f"{urn} {version}" if version else urn
+        hint = f"versions there: {known}" if known else "one of your own is given by `definitions=jauspy.load(...)`"
+        raise ConfigError(f"{who}: no definition of {which} is loaded ({hint})")
     return schema.service(urn, version)

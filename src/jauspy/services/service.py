@@ -2,14 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, ClassVar
 
+from jauspy.arguments import described
 from jauspy.ids import JausID
 
 if TYPE_CHECKING:
     from jauspy.codec.registry import Registry
     from jauspy.services.host import Host
+
+
+def checked(services: object) -> list[Service]:
+    """Services as they were handed in; raises `TypeError` for what is none."""
+    if isinstance(services, Service) or not isinstance(services, Iterable) or isinstance(services, str):
+        raise TypeError(f"services are a list, as in [Battery()], not {described(services)}")
+    found = list(services)
+    for each in found:
+        if isinstance(each, type) and issubclass(each, Service):
+            raise TypeError(f"services are made from their classes: write {each.__name__}(), not {each.__name__}")
+        if not isinstance(each, Service):
+            raise TypeError(f"a service is made from a class that inherits from jauspy.Service, not {described(each)}")
+    return found
 
 
 class Service:

@@ -29,7 +29,7 @@ FINER: Final = 2
 """How many times as wide and high a still image is looked at, so that its edges are smooth."""
 
 SMOOTHED: Final = 1280 * 720
-"""Pixels of the largest image that is: four times as many take a small machine a quarter of a second."""
+"""Pixels of the largest image that is: four times as many take a small machine half a second."""
 
 
 class Studio:
@@ -104,7 +104,7 @@ class Studio:
     def _take(self, order: Take) -> None:
         width, height = order.settings.width, order.settings.height
         finer = FINER if width * height <= SMOOTHED else 1
-        frame = self._eye.look(finer * width, finer * height)
+        frame = self._eye.look(finer * width, finer * height, thoroughly=True)
         image = np.asarray(cv2.resize(frame.image, (width, height), interpolation=cv2.INTER_AREA), np.uint8)
         self._say(Taken(order.number, _file(image, order.settings.format.value), frame.taken))
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
+from jauspy.arguments import check_number
 from jauspy.codec.base import Message
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
@@ -33,6 +34,7 @@ class AccessControl(Service, urn="urn:jaus:jss:core:AccessControl"):
 
     def __init__(self, *, default_authority: int = 1, timeout: int = 5) -> None:
         for name, value in (("default_authority", default_authority), ("timeout", timeout)):
+            check_number(value, f"access control: {name}", whole=True)
             if not 0 <= value <= 255:
                 raise ConfigError(f"access control: {name} is {value}; it must be 0..255")
         self.default_authority = default_authority

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from jauspy.arguments import check_number
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages.core import (
@@ -49,8 +50,14 @@ class Events(EventReports, EventRequests, urn="urn:jaus:jss:core:Events", privat
         limit_per_client: int = 32,
         more_kinds: bool = False,
     ) -> None:
-        if not 0 <= timeout <= 255:
-            raise ConfigError(f"events: timeout is {timeout} minutes; it must be 0..255")
+        for name, value, most in (
+            ("timeout", timeout, 255),
+            ("limit", limit, 256),
+            ("limit_per_client", limit_per_client, 256),
+        ):
+            check_number(value, f"events: {name}", whole=True)
+            if not 0 <= value <= most:
+                raise ConfigError(f"events: {name} is {value}; it must be 0..{most}")
         self.rates = Rates(min_rate, max_rate, max_change_rate)
         self.timeout = timeout
         self.subscriptions = Subscriptions(limit, limit_per_client)

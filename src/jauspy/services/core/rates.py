@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Final
 
+from jauspy.arguments import check_number
 from jauspy.errors import ConfigError
 
 STEP: Final = 1092 / 65535
@@ -20,6 +21,8 @@ class Rates:
     change: float
 
     def __post_init__(self) -> None:
+        for name, value in (("min_rate", self.lowest), ("max_rate", self.highest), ("max_change_rate", self.change)):
+            check_number(value, f"events: {name}")
         if not 0 < self.lowest <= 1092 or not 0 <= self.highest <= 1092 or not 0 <= self.change <= 1092:
             raise ConfigError(
                 f"events: min_rate {self.lowest}, max_rate {self.highest} and max_change_rate {self.change} "
