@@ -40,22 +40,22 @@ class Arm:
 
 
 @pytest.mark.parametrize(
-    ("rise", "sinks", "width", "weight", "grasped", "lifted"),
+    ("felt", "grasped", "lifted"),
     [
-        (0.13, 0.001, 0.049, 1.05, True, True),
-        (0.08, 0.0, 0.049, 1.05, True, False),  # not high enough
-        (0.13, 0.05, 0.049, 1.05, True, False),  # it sinks
-        (0.13, 0.0, 0.0, 0.0, False, False),  # nothing is in the hand
-        (0.13, 0.0, 0.049, 0.1, True, False),  # the hand is as wide, and carries nothing
-        (0.13, 0.0, 0.08, 1.05, False, False),  # something else
+        ((0.13, 0.001, 0.049, 1.05), True, True),
+        ((0.08, 0.0, 0.049, 1.05), True, False),  # not high enough
+        ((0.13, 0.05, 0.049, 1.05), True, False),  # it sinks
+        ((0.13, 0.0, 0.0, 0.0), False, False),  # nothing is in the hand
+        ((0.13, 0.0, 0.049, 0.1), True, False),  # the hand is as wide, and carries nothing
+        ((0.13, 0.0, 0.08, 1.05), False, False),  # something else
     ],
 )
 async def test_a_lift_is_height_width_and_weight(
-    monkeypatch: pytest.MonkeyPatch, rise: float, sinks: float, width: float, weight: float, grasped: bool, lifted: bool
+    monkeypatch: pytest.MonkeyPatch, felt: tuple[float, float, float, float], grasped: bool, lifted: bool
 ) -> None:
     monkeypatch.setattr(plan, "HOLD", 0.0)
     camera = SimpleNamespace(service=lambda _: None)
-    grasp = Grasp(Arm(rise, sinks, width, weight), None, robot_model(load("inc1")), camera, (640, 480))
+    grasp = Grasp(Arm(*felt), None, robot_model(load("inc1")), camera, (640, 480))
     assert (await grasp.reach()).reached
     assert (await grasp.close()).reached is grasped
     assert (await grasp.lift()).reached is lifted
