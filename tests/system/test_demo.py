@@ -22,9 +22,8 @@ import yaml
 
 from jauspy.cli.demo import plan, sight
 from jauspy.cli.demo.arm import Arm
-from jauspy.cli.demo.film import filmed
 from jauspy.cli.demo.grasp import Grasp
-from jauspy.cli.demo.reach import LevelHand
+from jauspy.cli.demo.reach import Hand
 from jauspy.cli.demo.watch import Scene
 from jauspy.modules.description import robot_model
 from jauspy.modules.robot import RobotRunner
@@ -33,7 +32,6 @@ from jauspy.node import NodeConfig, NodeManager
 from jauspy.ocu import OCU
 from jauspy.ocu.frames import RobotFrames
 from jauspy.platform.contract import Robot
-from jauspy.services.environment_sensing.frame_sizes import FrameSize
 from jauspy.transport import LocalTransport
 
 INC1 = load("inc1")
@@ -88,11 +86,9 @@ async def test_the_can_is_really_lifted(root: Path, tmp_path: Path) -> None:
             management = module.service("Management")
             await stack.enter_async_context(management.control(plan.AUTHORITY))
             await management.resume(timeout=20.0)
-        arm = Arm(robot, arm_module, gripper_module, LevelHand(model), scene)
+        arm = Arm(robot, arm_module, gripper_module, Hand(model), scene)
         await stack.enter_async_context(arm.watched())
-        size = FrameSize.QVGA_320_X240
-        film = await stack.enter_async_context(filmed(ocu, robot.component(106), "arm", tmp_path / "arm.mp4", size))
-        grasp = Grasp(arm, RobotFrames(robot, model), model, film)
+        grasp = Grasp(arm, RobotFrames(robot, model), model, robot.component(106), (320, 240))
 
         can = simulated.data.body("can")
         before = can.xpos.copy()

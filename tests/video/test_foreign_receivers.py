@@ -1,13 +1,10 @@
-"""ffmpeg and GStreamer, which know nothing of jauspy, decode what is sent."""
+"""ffmpeg and GStreamer, which know nothing of jauspy, decode what is sent; for longer: `tools/bench/video.py`."""
 
 from __future__ import annotations
 
 import shutil
-import subprocess
 import threading
 import time
-from contextlib import contextmanager
-from pathlib import Path
 
 import pytest
 
@@ -20,9 +17,10 @@ from jauspy.platform.h264 import H264Settings, Preset, Profile
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.video.encoder import H264Encoder
 from jauspy.video.receiver import RtpReceiver
-from jauspy.video.sdp import session
 from jauspy.video.sender import RtpSender
 from jauspy.video.stamp import read
+
+from .players import PLAYERS, playing
 
 RATE = 15
 PICTURES = 3 * RATE
@@ -33,50 +31,6 @@ STREAMS = {
     "high": VideoSettings(coding=H264Settings(Profile.HIGH, level=9), rate=RATE),
     "gradual": VideoSettings(coding=H264Settings(gradual=True), rate=RATE),
 }
-
-
-def ffmpeg(folder: Path, port: int, _: VideoSettings) -> list[str]:
-    sdp = folder / "stream.sdp"
-    sdp.write_text(session("test", "127.0.0.1", port), newline="")
-    quick = ["-nostdin", "-loglevel", "error", "-fflags", "nobuffer", "-flags", "low_delay"]
-    source = ["-protocol_whitelist", "file,udp,rtp", "-i", str(sdp)]
-    return [
-        "ffmpeg",
-        *quick,
-        *source,
-        "-fps_mode",
-        "passthrough",
-        "-enc_time_base",
-        "1:90000",
-        "-f",
-        "rawvideo",
-        "-pix_fmt",
-        "gray",
-        "-",
-    ]
-
-
-def gstreamer(_: Path, port: int, settings: VideoSettings) -> list[str]:
-    caps = "application/x-rtp,media=video,clock-rate=90000,encoding-name=H264,payload=96"
-    raw = f"video/x-raw,format=GRAY8,width={settings.width},height={settings.height}"
-    source = ["udpsrc", f"port={port}", f"caps={caps}"]
-    stages = [["rtpjitterbuffer"], ["rtph264depay"], ["avdec_h264"], ["videoconvert"], [raw], ["fdsink", "fd=1"]]
-    return ["gst-launch-1.0", "-q", *source, *(word for stage in stages for word in ("!", *stage))]
-
-
-@contextmanager
-def playing(command: list[str], port: int):
-    """The player, once it listens."""
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as player:
-        try:
-            deadline = time.monotonic() + 20.0
-            while f":{port:04X} " not in Path("/proc/net/udp").read_text():
-                assert player.poll() is None, player.stderr.read().decode()
-                assert time.monotonic() < deadline, "the player does not listen"
-                time.sleep(0.02)
-            yield player
-        finally:
-            player.kill()
 
 
 def show(sender: RtpSender, settings: VideoSettings, scene, ending: threading.Event) -> None:
@@ -90,15 +44,16 @@ def show(sender: RtpSender, settings: VideoSettings, scene, ending: threading.Ev
         number += 1
 
 
-@pytest.mark.parametrize("player", [ffmpeg, gstreamer], ids=lambda player: player.__name__)
+@pytest.mark.parametrize("player", PLAYERS, ids=lambda player: player.__name__)
 @pytest.mark.parametrize("settings", STREAMS.values(), ids=STREAMS)
 def test_every_picture_arrives_without_an_error(player, settings, scene, tmp_path):
-    if shutil.which(player(tmp_path, 1, VideoSettings())[0]) is None:
-        pytest.skip(f"{player.__name__} is not installed")
     with RtpReceiver() as free:
         port = free.port
+    command, complaints = player(tmp_path, port, settings), tmp_path / "complaints"
+    if shutil.which(command[0]) is None:
+        pytest.skip(f"{command[0]} is not installed")
     ending = threading.Event()
-    with RtpSender() as sender, playing(player(tmp_path, port, settings), port) as process:
+    with RtpSender() as sender, playing(command, port, complaints) as process:
         sender.add(("127.0.0.1", port))
         showing = threading.Thread(target=show, args=(sender, settings, scene, ending))
         showing.start()
@@ -109,9 +64,8 @@ def test_every_picture_arrives_without_an_error(player, settings, scene, tmp_pat
             ending.set()
             showing.join()
         process.kill()  # asked to end, it would wait for a reader of its last pictures
-        complaints = process.stderr.read().decode()
     images = [np.frombuffer(data, np.uint8).reshape(settings.height, settings.width) for data in seen]
     first = read(images[0])[0]
     assert [read(image)[0] for image in images] == [(first + n) % PICTURES for n in range(PICTURES)]
     assert not sender.counters["dropped"]
-    assert complaints == ""
+    assert complaints.read_text() == ""

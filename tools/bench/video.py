@@ -1,15 +1,18 @@
 """Video of the whole robot, both cameras at once, as an ffmpeg, a GStreamer and jauspy itself receive it.
 
-python tools/bench/video.py [--seconds 30] [--size 640x480] [--rate 15] [--backend sim]
+python tools/bench/video.py [--seconds 30] [--sizes 640x480,1280x720] [--rate 15] [--backend sim]
 
 Each picture carries its number and the time of the state that it shows. From state to decoded pixels is what an
 operator waits for, but for the screen. Lost are numbers that were left out between the first and the last picture.
+`said` are lines of warnings and errors of the player and its decoder; the first is printed. ffmpeg's programs decode a
+picture when the next one begins, so their delay contains a picture's time (67 ms of 15 pictures per second).
 """
 
 from __future__ import annotations
 
 import argparse
 import asyncio
+import os
 import shutil
 import statistics
 import threading
@@ -18,7 +21,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import AbstractContextManager, ExitStack, contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
-from subprocess import DEVNULL, PIPE, Popen
+from subprocess import PIPE, Popen
 from tempfile import TemporaryDirectory
 
 import numpy as np
@@ -31,9 +34,13 @@ from jauspy.platform import backends
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.video.camera_process import CameraProcess
 from jauspy.video.decoder import H264Decoder
+from jauspy.video.players import ffmpeg_source, gstreamer_source
 from jauspy.video.receiver import RtpReceiver
 from jauspy.video.sdp import session
 from jauspy.video.stamp import read
+
+LOUD = {**os.environ, "GST_DEBUG": "2", "GST_DEBUG_NO_COLOR": "1"}
+"""Has GStreamer tell warnings of its decoder."""
 
 WARM_UP = 5.0
 """Seconds until the cameras are open and players have filled their buffers."""
@@ -48,6 +55,7 @@ class Seen:
 
     numbers: list[int] = field(default_factory=list)
     delays: list[float] = field(default_factory=list)
+    said: list[str] = field(default_factory=list)
 
     def take(self, image: np.ndarray) -> None:
         """A picture has been decoded now."""
@@ -62,37 +70,22 @@ class Seen:
             return f"{len(self.numbers):9} pictures: too few"
         lost = numbers[-1] - numbers[0] + 1 - len(numbers)
         p95 = sorted(delays)[int(0.95 * len(delays))]
-        return f"{len(numbers):9}{lost:6}{1e3 * statistics.median(delays):11.0f}{1e3 * p95:8.0f}"
+        return f"{len(numbers):9}{lost:6}{len(self.said):6}{1e3 * statistics.median(delays):11.0f}{1e3 * p95:8.0f}"
 
 
 def ffmpeg(folder: Path, port: int, _: VideoSettings) -> list[str]:
     """Decodes to grey pictures on standard output."""
     sdp = folder / f"{port}.sdp"
     sdp.write_text(session("bench", "127.0.0.1", port), newline="")
-    quick = ["-nostdin", "-loglevel", "error", "-fflags", "nobuffer", "-flags", "low_delay", "-threads", "1"]
-    source = ["-protocol_whitelist", "file,udp,rtp", "-i", str(sdp)]
-    return [
-        "ffmpeg",
-        *quick,
-        *source,
-        "-fps_mode",
-        "passthrough",
-        "-enc_time_base",
-        "1:90000",
-        "-f",
-        "rawvideo",
-        "-pix_fmt",
-        "gray",
-        "-",
-    ]
+    source = ["ffmpeg", "-nostdin", "-loglevel", "warning", *ffmpeg_source(sdp)]
+    raw = ["-f", "rawvideo", "-pix_fmt", "gray", "-threads", "1", "-"]  # with more threads it is one picture late
+    return [*source, "-fps_mode", "passthrough", "-enc_time_base", "1:90000", *raw]
 
 
 def gstreamer(_: Path, port: int, settings: VideoSettings) -> list[str]:
     """Decodes to grey pictures on standard output."""
-    caps = "application/x-rtp,media=video,clock-rate=90000,encoding-name=H264,payload=96"
     raw = f"video/x-raw,format=GRAY8,width={settings.width},height={settings.height}"
-    stages = [["rtph264depay"], ["avdec_h264", "max-threads=1"], ["videoconvert"], [raw], ["fdsink", "fd=1"]]
-    return ["gst-launch-1.0", "-q", "udpsrc", f"port={port}", f"caps={caps}", *(w for s in stages for w in ("!", *s))]
+    return ["gst-launch-1.0", "-q", *gstreamer_source(port), "!", "videoconvert", "!", raw, "!", "fdsink", "fd=1"]
 
 
 PLAYERS: dict[str, Callable[[Path, int, VideoSettings], list[str]]] = {"ffmpeg": ffmpeg, "gst-launch-1.0": gstreamer}
@@ -110,7 +103,11 @@ def foreign(player: str, folder: Path, settings: VideoSettings, seen: Seen) -> I
         while len(data := process.stdout.read(area)) == area:
             seen.take(np.frombuffer(data, np.uint8).reshape(settings.height, settings.width))
 
-    with Popen(PLAYERS[player](folder, port, settings), stdout=PIPE, stderr=DEVNULL) as process:
+    complaints = folder / f"{port}.log"
+    with (
+        complaints.open("wb") as errors,
+        Popen(PLAYERS[player](folder, port, settings), stdout=PIPE, stderr=errors, env=LOUD) as process,
+    ):
         while f":{port:04X} " not in Path("/proc/net/udp").read_text():
             time.sleep(0.02)
         puller = threading.Thread(target=pull, args=(process,))
@@ -118,6 +115,7 @@ def foreign(player: str, folder: Path, settings: VideoSettings, seen: Seen) -> I
         yield port
         process.kill()
         puller.join()
+    seen.said += complaints.read_text().splitlines()
 
 
 @contextmanager
@@ -162,20 +160,22 @@ async def film(config: RobotConfig, ports: Sequence[int], settings: VideoSetting
 def main() -> None:
     """A line for each receiver and camera."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--seconds", type=float, default=10.0)
-    parser.add_argument("--size", default="640x480")
+    parser.add_argument("--seconds", type=float, default=30.0)
+    parser.add_argument("--sizes", default="640x480,1280x720")
     parser.add_argument("--rate", type=int, default=15)
     parser.add_argument("--backend", default="sim")
     options = parser.parse_args()
-    width, height = map(int, options.size.split("x"))
-    settings = VideoSettings(width, height, options.rate)
     config = load("inc1").model_copy(update={"backend": options.backend})
-    print(f"{'receiver and camera':28}{'pictures':>9}{'lost':>6}{'median ms':>11}{'95 %':>8}{'robot time':>12}")
-    for name in ("jauspy", *PLAYERS):
-        if name != "jauspy" and shutil.which(name) is None:
-            print(f"{name:28} is not installed")
-            continue
-        _measure(name, config, settings, options.seconds)
+    print(
+        f"{'receiver and camera':36}{'pictures':>9}{'lost':>6}{'said':>6}{'median ms':>11}{'95 %':>8}{'robot time':>12}"
+    )
+    for size in options.sizes.split(","):
+        width, height = map(int, size.split("x"))
+        for name in ("jauspy", *PLAYERS):
+            if name != "jauspy" and shutil.which(name) is None:
+                print(f"{name:36} is not installed")
+                continue
+            _measure(name, config, VideoSettings(width, height, options.rate), options.seconds)
 
 
 def _receiving(name: str, folder: Path, settings: VideoSettings, seen: Seen) -> AbstractContextManager[int]:
@@ -188,7 +188,10 @@ def _measure(name: str, config: RobotConfig, settings: VideoSettings, seconds: f
         ports = [stack.enter_context(_receiving(name, Path(folder), settings, each)) for each in seen.values()]
         factor, how = asyncio.run(film(config, ports, settings, seconds))
     for camera, each in seen.items():
-        print(f"{name + ', ' + camera:28}{each.line(settings.rate)}{factor:12.3f}  {how}")
+        title = f"{name}, {camera}, {settings.width}x{settings.height}"
+        print(f"{title:36}{each.line(settings.rate)}{factor:12.3f}  {how}", flush=True)
+        for line in each.said[:1]:
+            print(f"    {line}")
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import os
+import shlex
 import shutil
 import subprocess
 from collections.abc import AsyncIterator
@@ -21,6 +22,7 @@ from jauspy.messages.environment_sensing import (
 )
 from jauspy.ocu import OCU
 from jauspy.services.environment_sensing.digital_resource_discovery import RTP
+from jauspy.video.players import ffmpeg_source, gstreamer_source
 from jauspy.video.sdp import session
 
 AGAIN: Final = 60.0
@@ -107,24 +109,27 @@ def players(file: Path, name: str, address: tuple[str, int], *, show: bool) -> N
         file.write_text(session(name, *address), newline="")
     except OSError as error:
         raise ConfigError(f"cannot write {file}: {error}; name another file with --sdp") from error
-    ffplay = f"ffplay -protocol_whitelist file,udp,rtp -fflags nobuffer -flags low_delay {file}"
-    caps = "application/x-rtp,media=video,clock-rate=90000,encoding-name=H264,payload=96"
-    print(f"wrote {file}; watch it with one of these, best started first:")
-    print(f"  {ffplay}")
-    print(f"  gst-launch-1.0 udpsrc port={address[1]} caps='{caps}' \\")
-    print("    ! rtpjitterbuffer latency=20 ! rtph264depay ! avdec_h264 ! autovideosink sync=false")
-    print(f"  vlc --network-caching=100 {file}", flush=True)
+    ffplay = ["ffplay", *ffmpeg_source(file)]
+    print(f"wrote {file}; watch it with one of these, best started first (GStreamer shows a picture soonest):")
+    print(f"  {shlex.join(ffplay)}")
+    print(f"  gst-launch-1.0 {_quoted(gstreamer_source(address[1]))} ! autovideosink sync=false")
+    print(f"  vlc --network-caching=100 {shlex.quote(str(file))}", flush=True)
     if show:
         _show(ffplay)
 
 
-def _show(command: str) -> None:
+def _quoted(words: list[str]) -> str:
+    """For a shell; exclamation marks between spaces need no quotes, and read better without."""
+    return " ".join(word if word == "!" else shlex.quote(word) for word in words)
+
+
+def _show(command: list[str]) -> None:
     if not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
         console.note("there is no screen here (neither DISPLAY nor WAYLAND_DISPLAY is set): no window is opened")
     elif shutil.which("ffplay") is None:
         console.note("ffplay is not installed (Debian: apt-get install ffmpeg): no window is opened")
     else:
-        subprocess.Popen([*command.split(" "), "-loglevel", "error"], stdin=subprocess.DEVNULL)  # noqa: S603
+        subprocess.Popen([*command, "-loglevel", "error"], stdin=subprocess.DEVNULL)  # noqa: S603
 
 
 async def _keep(ocu: OCU, camera: JausID, sensor: int, url: str) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import math
 from collections import Counter, deque
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Final
 
@@ -45,11 +46,15 @@ class _Seen:
 
 
 class LiveMapping:
-    """Maps with sensor `sensor` of a robot's RangeSensor, by its LocalPoseSensor as odometry."""
+    """Maps with sensor `sensor` of a robot's RangeSensor, by its LocalPoseSensor as odometry.
 
-    def __init__(self, robot: Robot, mapper: Mapper, sensor: int = 1) -> None:
+    A scan takes some 30 ms of work. `threaded` does it in a thread, for programs that have other things to do in time.
+    """
+
+    def __init__(self, robot: Robot, mapper: Mapper, sensor: int = 1, *, threaded: bool = False) -> None:
         self._robot = robot
         self._sensor = sensor
+        self._threaded = threaded
         self.mapper = mapper
         self.counters: Counter[str] = Counter()
         """`scans` used; and of others why not: `tilted`, `no pose in time`, `sensor not active`."""
@@ -108,8 +113,20 @@ class LiveMapping:
                 continue
             points = found.range_sensor_data_point_list
             ranges = [point.range if point.range_validity else math.inf for point in points]
-            self.mapper.add(seen.pose, lidar, [-point.bearing for point in points], ranges)
+            await self._add(seen.pose, lidar, [-point.bearing for point in points], ranges)
             self.counters["scans"] += 1
+
+    async def _add(self, pose: PlanarPose, lidar: PlanarPose, angles: Sequence[float], ranges: Sequence[float]) -> None:
+        """Who cancels this finds the map whole."""
+        if not self._threaded:
+            self.mapper.add(pose, lidar, angles, ranges)
+            return
+        adding = asyncio.create_task(asyncio.to_thread(self.mapper.add, pose, lidar, angles, ranges))
+        try:
+            await asyncio.shield(adding)
+        except asyncio.CancelledError:
+            await adding
+            raise
 
     async def _at(self, time: float) -> _Seen | None:
         """Where the robot was at that time of the day; None when no poses around it come."""

@@ -15,7 +15,10 @@ from jauspy.services.host import Host
 from jauspy.services.manipulator import (
     ActuatorForceTorqueDriver,
     Arm,
+    EndEffectorPoseDriver,
+    EndEffectorPoseListDriver,
     EndEffectorPoseSensor,
+    EndEffectorVelocityStateDriver,
     EndEffectorVelocityStateSensor,
     JointForceTorqueSensor,
     JointMotionProfile,
@@ -43,10 +46,16 @@ CHOICE: Final[Mapping[str, Callable[[Arm], Service]]] = {
     "ManipulatorJointMotionProfile": JointMotionProfile,
     "ManipulatorJointPositionListDriver": JointPositionListDriver,
     "ManipulatorEndEffectorPoseSensor": EndEffectorPoseSensor,
+    "ManipulatorEndEffectorPoseDriver": EndEffectorPoseDriver,
+    "ManipulatorEndEffectorPoseListDriver": EndEffectorPoseListDriver,
     "ManipulatorEndEffectorVelocityStateSensor": EndEffectorVelocityStateSensor,
+    "ManipulatorEndEffectorVelocityStateDriver": EndEffectorVelocityStateDriver,
     "ManipulatorToolOffsetService": ToolOffset,
 }
 """What a configuration may choose from, beside the core services."""
+
+LISTS: Final = ("ManipulatorJointPositionListDriver", "ManipulatorEndEffectorPoseListDriver")
+"""Those that carry out the component's list."""
 
 
 def cm_man(
@@ -61,6 +70,6 @@ def cm_man(
     """The component's host, with a watchdog on the arm."""
     arm = Arm(joints)
     services: list[Service] = [make(arm) for name, make in CHOICE.items() if config.offers(name)]
-    if config.offers("ManipulatorJointPositionListDriver"):
+    if any(config.offers(name) for name in LISTS):
         services.append(ManipulatorListDriver(arm))
     return capability(id, config, services, arm, identities=identities, utc_now=utc_now, now=now)

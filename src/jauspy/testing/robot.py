@@ -18,7 +18,7 @@ class VirtualTime(RealTime):
     """As `RealTime`, with a task of the event loop in place of the thread."""
 
     def __init__(self, robot: Robot) -> None:
-        super().__init__(robot, clock=loop_time)
+        super().__init__(robot, step=STEP, clock=loop_time)
         self._stop: Final[Callable[[], None]] = robot.drive.stop
         self._task: asyncio.Task[None] | None = None
 

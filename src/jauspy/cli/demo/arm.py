@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import asyncio
+import math
 from collections.abc import AsyncIterator, Sequence
 from contextlib import asynccontextmanager
 from statistics import fmean
 from typing import Final
 
 from jauspy.cli.demo import plan
-from jauspy.cli.demo.reach import LevelHand
+from jauspy.cli.demo.patience import within
+from jauspy.cli.demo.reach import Hand
 from jauspy.cli.demo.watch import Scene
-from jauspy.errors import RequestError
 from jauspy.messages.environment_sensing.v2_0.force_torque_sensor import QueryForceTorque, ReportForceTorque
 from jauspy.messages.manipulator import (
     QueryEndEffectorPose,
@@ -29,7 +30,9 @@ RATE: Final = 20.0
 EXACT: Final = 0.015
 """Radians by which each joint may be off."""
 SETTLED: Final = 4
-"""Reports in a row in which all are there."""
+"""Reports in a row in which all are there, and rest."""
+RESTS_AT: Final = 1e-3
+"""Radians that a joint at rest moves at most from one report to the next."""
 GRIP: Final = 60.0
 """Percent of the gripper's effort."""
 RESTS: Final = 8
@@ -44,9 +47,7 @@ WEIGHINGS: Final = 25
 class Arm:
     """The arm of a robot whose CM-MAN and CM-EEF are in our control."""
 
-    def __init__(
-        self, robot: Robot, arm: ComponentClient, gripper: ComponentClient, hand: LevelHand, scene: Scene
-    ) -> None:
+    def __init__(self, robot: Robot, arm: ComponentClient, gripper: ComponentClient, hand: Hand, scene: Scene) -> None:
         self.hand = hand
         self._driver = arm.service("ManipulatorJointPositionDriver")
         self._sensor = arm.service("ManipulatorJointPositionSensor")
@@ -67,21 +68,14 @@ class Arm:
             self._following.cancel()
             await asyncio.wait({self._following})
 
-    async def go(self, turn: float, distance: float, height: float) -> float:
+    async def go(self, turn: float, distance: float, height: float, pitch: float = 0.0) -> float:
         """Bring the tool there; returns by how much the joint that is farthest off is off, radians."""
-        wanted = self.hand.joints(turn, distance, height)
+        wanted = self.hand.joints(turn, distance, height, pitch)
         self._scene.commanded(wanted)
         await self._driver.send(SetJointPositions(positions(wanted, self.hand.geometry.links)), ack=True)
-        try:
-            async with asyncio.timeout(plan.MOVE_TIME) as limit:
-                await self._arrive(wanted)
-        except TimeoutError:
-            if not limit.expired():
-                raise
-            off = self._off(wanted)
-            raise RequestError(
-                f"the arm is {off:.3f} rad off after {plan.MOVE_TIME:g} s; it may touch something"
-            ) from None
+        late = f"rad off after {plan.MOVE_TIME:g} s, or does not rest; it may touch something"
+        async with within(plan.MOVE_TIME, lambda: f"the arm is {self._off(wanted):.3f} {late}"):
+            await self._arrive(wanted)
         return self._off(wanted)
 
     async def tool(self) -> tuple[float, float, float]:
@@ -119,7 +113,7 @@ class Arm:
         await self._gripper.send(SetEndEffectorEffort(effort), ack=True)
         await asyncio.sleep(0.5)  # until the fingers move
         width, still = await self.width(), 0
-        async with asyncio.timeout(plan.GRIP_TIME):
+        async with within(plan.GRIP_TIME, lambda: f"the fingers do not rest after {plan.GRIP_TIME:g} s"):
             while still < RESTS:
                 await asyncio.sleep(1.0 / RATE)
                 before, width = width, await self.width()
@@ -135,12 +129,20 @@ class Arm:
                 self._scene.moved([float(each.joint_position.value) for each in report.joint_position_list])
 
     async def _arrive(self, wanted: Sequence[float]) -> None:
-        there = 0
-        while there < SETTLED:
+        settled, before = 0, self._scene.joints
+        while settled < SETTLED:
             await asyncio.sleep(1.0 / RATE)
-            there = there + 1 if self._off(wanted) <= EXACT else 0
             if self._following is not None and self._following.done():
                 self._following.result()  # raises why nothing is heard of the joints any more
+            if self._scene.joints is not before:
+                rests = farthest(self._scene.joints, before) <= RESTS_AT
+                settled = settled + 1 if rests and self._off(wanted) <= EXACT else 0
+                before = self._scene.joints
 
     def _off(self, wanted: Sequence[float]) -> float:
-        return max((abs(a - b) for a, b in zip(self._scene.joints, wanted, strict=True)), default=float("inf"))
+        return farthest(self._scene.joints, wanted) if self._scene.joints else math.inf
+
+
+def farthest(these: Sequence[float], those: Sequence[float]) -> float:
+    """The largest difference of two joints of the same number."""
+    return max((abs(a - b) for a, b in zip(these, those, strict=False)), default=math.inf)

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import asyncio
 import math
 from typing import Final
 
 from jauspy.cli.demo import plan
+from jauspy.cli.demo.patience import within
 from jauspy.cli.demo.report import Finding
 from jauspy.cli.demo.watch import Scene
-from jauspy.errors import RequestError
 from jauspy.messages.mobility import QueryLocalPose, ReportLocalPose, SetLocalWaypoint, SetTravelSpeed
 from jauspy.ocu import Control
 from jauspy.ocu.robot import Robot
@@ -35,17 +34,8 @@ async def to_the_table(robot: Robot, control: Control, scene: Scene) -> Finding:
     ) as poses:
         await driver.send(SetLocalWaypoint(x=x, y=-y, yaw=-plan.HEADING, waypoint_tolerance=plan.NEAR[0]))
         await driver.send(SetTravelSpeed(plan.SPEED))
-        try:
-            async with asyncio.timeout(plan.DRIVE_TIME) as limit:
-                await _arrive(poses, control, scene)
-        except TimeoutError:
-            if not limit.expired():
-                raise
-            left, turn = left_to_go(scene)
-            raise RequestError(
-                f"the drive took longer than {plan.DRIVE_TIME:g} s, with {left:.2f} m and {math.degrees(turn):.0f}° "
-                "to go; see whether something blocks the robot"
-            ) from None
+        async with within(plan.DRIVE_TIME, lambda: _late(scene)):
+            await _arrive(poses, control, scene)
     left, turn = left_to_go(scene)
     seconds = scene.elapsed - began
     return Finding(
@@ -64,6 +54,12 @@ def left_to_go(scene: Scene) -> tuple[float, float]:
         return math.inf, math.inf
     x, y, yaw = scene.pose
     return math.dist((x, y), plan.STAND), math.remainder(yaw - plan.HEADING, math.tau)
+
+
+def _late(scene: Scene) -> str:
+    left, turn = left_to_go(scene)
+    to_go = f"{left:.2f} m and {math.degrees(turn):.0f}°"
+    return f"the drive took longer than {plan.DRIVE_TIME:g} s, with {to_go} to go; see whether something is in its way"
 
 
 async def _arrive(poses: Subscription[ReportLocalPose], control: Control, scene: Scene) -> None:

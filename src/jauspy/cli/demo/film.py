@@ -10,9 +10,10 @@ from contextlib import asynccontextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from statistics import median
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from jauspy.cli.demo import plan
+from jauspy.cli.demo.patience import within
 from jauspy.cli.demo.report import Finding
 from jauspy.cli.video_watch import entered, url_of
 from jauspy.errors import RequestError
@@ -21,19 +22,12 @@ from jauspy.messages.environment_sensing.v2_0.visual_sensor import ConfirmSensor
 from jauspy.ocu import OCU
 from jauspy.ocu.robot import ComponentClient
 from jauspy.services.environment_sensing.frame_sizes import FrameSize
-from jauspy.video.decoder import H264Decoder
-from jauspy.video.depacketiser import Picture
 from jauspy.video.receiver import RtpReceiver
 from jauspy.video.recorder import Recorder
-
-if TYPE_CHECKING:
-    from jauspy.platform.camera import Image
 
 HERE: Final = "127.0.0.1"
 SENSOR: Final = 1
 LATENCIES: Final = 3000
-GOP: Final = 256
-"""Pictures since the last whole one, at most, that the newest is decoded from."""
 
 
 @dataclass(slots=True)
@@ -44,7 +38,6 @@ class Film:
     receiver: RtpReceiver
     recorder: Recorder
     latencies: deque[float] = field(default_factory=lambda: deque(maxlen=LATENCIES))
-    recent: deque[Picture] = field(default_factory=lambda: deque(maxlen=GOP))
     began: float = field(default_factory=time.monotonic)
     ended: float = 0.0
 
@@ -53,38 +46,22 @@ class Film:
         now = time.time()
         for picture in self.receiver.take():
             self.recorder.add(picture)
-            if picture.is_idr:
-                self.recent.clear()
-            self.recent.append(picture)
             if (taken := self.receiver.taken(picture)) is not None:
                 self.latencies.append(now - taken)
 
     async def begins(self) -> None:
         """Wait for the first picture; `RequestError` when it stays out."""
-        try:
-            async with asyncio.timeout(plan.CAMERA_TIME) as limit:
-                while not self.recorder.pictures:  # noqa: ASYNC110 - the socket's reader adds them
-                    await asyncio.sleep(0.05)
-        except TimeoutError:
-            if not limit.expired():
-                raise
-            raise RequestError(f"camera {self.name}: no picture came within {plan.CAMERA_TIME:g} s") from None
+        async with within(plan.CAMERA_TIME, lambda: f"camera {self.name}: no picture in {plan.CAMERA_TIME:g} s"):
+            while not self.recorder.pictures:  # noqa: ASYNC110 - the socket's reader adds them
+                await asyncio.sleep(0.05)
         self.began = time.monotonic()
-
-    def newest(self) -> Image:
-        """The last picture; `RequestError` when none has come."""
-        decoder = H264Decoder()
-        images = [image for picture in list(self.recent) if (image := decoder.decode(picture)) is not None]
-        if not images:
-            raise RequestError(f"camera {self.name}: no picture has come; see whether its process runs")
-        return images[-1]
 
     def finding(self) -> Finding:
         """How well it came: nothing may be lost."""
         pictures, counters = self.recorder.pictures, self.receiver.counters
         lost, damaged = counters.get("lost", 0), counters.get("damaged", 0)
         rate = pictures / max(self.ended - self.began, 1e-3)
-        late = median(self.latencies) if self.latencies else float("nan")
+        late = median(self.latencies) if self.latencies else 0.0
         return Finding(
             f"{self.name} video",
             f"{pictures} pictures ({rate:.1f} Hz), {lost or 'no'} packets lost, {damaged or 'none'} damaged; "
@@ -96,7 +73,7 @@ class Film:
 
 @asynccontextmanager
 async def filmed(ocu: OCU, camera: ComponentClient, name: str, file: Path, size: FrameSize) -> AsyncIterator[Film]:
-    """The camera's video goes to the file as long as this lasts, in that size."""
+    """The camera's video goes to the file as long as this lasts, in that size; wait until it begins."""
     await _resize(camera, size)
     loop = asyncio.get_running_loop()
     with RtpReceiver(HERE) as receiver, Recorder(file) as recorder:
@@ -104,7 +81,6 @@ async def filmed(ocu: OCU, camera: ComponentClient, name: str, file: Path, size:
         loop.add_reader(receiver.fileno(), film.take)
         try:
             async with entered(ocu, camera.id, SENSOR, url_of((HERE, receiver.port))):
-                await film.begins()
                 yield film
                 film.ended = time.monotonic()
         finally:

@@ -7,14 +7,12 @@ import math
 from pathlib import Path
 from typing import Final
 
-import cv2
-
 from jauspy.cli.demo import plan, sight
 from jauspy.cli.demo.arm import Arm
-from jauspy.cli.demo.film import Film
 from jauspy.cli.demo.report import Finding
 from jauspy.errors import RequestError
 from jauspy.ocu.frames import LOCAL, RobotFrames
+from jauspy.ocu.robot import ComponentClient
 from jauspy.platform.description import RobotModel
 from jauspy.platform.vectors import Vector
 
@@ -31,8 +29,12 @@ SINKS: Final = 0.005
 class Grasp:
     """The can on the table, the arm that takes it, and the camera that sees both."""
 
-    def __init__(self, arm: Arm, frames: RobotFrames, model: RobotModel, film: Film) -> None:
-        self._arm, self._frames, self._film = arm, frames, film
+    def __init__(
+        self, arm: Arm, frames: RobotFrames, model: RobotModel, camera: ComponentClient, size: tuple[int, int]
+    ) -> None:
+        """`camera` is the module of the arm's, and `size` that of its pictures."""
+        self._arm, self._frames = arm, frames
+        self._camera, self._size = camera.service("StillImage"), size
         self._setup = next(camera for camera in model.cameras if camera.name == CAMERA)
         self._can: Vector = plan.CAN
         self._around = (0.0, 0.0, 0.0)
@@ -42,11 +44,11 @@ class Grasp:
     async def look(self, folder: Path) -> Finding:
         """Find the can in the arm camera's picture, and with the arm's pose where it stands."""
         await self._arm.go(0.0, *plan.LOOKS_FROM)
-        await asyncio.sleep(0.5)  # pictures are some way behind
-        image = await asyncio.to_thread(self._film.newest)
+        await asyncio.sleep(plan.SETTLING)
+        photo = await self._camera.still(size=self._size, format="jpeg", timeout=plan.CAMERA_TIME)
+        (folder / STILL).write_bytes(photo.content)
         frames = await self._frames.look()
-        cv2.imwrite(str(folder / STILL), cv2.cvtColor(image, cv2.COLOR_RGB2BGR))
-        spot = sight.red_spot(image)
+        spot = sight.red_spot(sight.picture(photo.content))
         camera = frames.pose(self._setup.link, LOCAL)
         seen = spot and sight.at_height(camera, sight.ray(spot, self._setup.fov), plan.CAN[2])
         if seen is None:

@@ -55,7 +55,7 @@ class ScanKeeper(Mapper):
             return 0.0
         taken = np.pad(self.grid.occupancy() == 100, 1)
         near = np.logical_or.reduce([np.roll(taken, (dy, dx), (0, 1)) for dy in (-1, 0, 1) for dx in (-1, 0, 1)])
-        columns, rows = np.rint(self.grid.at(np.concatenate(self.others))).astype(int).T + 1
+        columns, rows = np.rint(self.grid.at(np.concatenate(list(self.others)))).astype(int).T + 1
         inside = (columns > 0) & (rows > 0) & (columns <= self.grid.cells) & (rows <= self.grid.cells)
         return float(near[rows[inside], columns[inside]].mean()) if inside.any() else 0.0
 
@@ -65,7 +65,7 @@ class DriveMap:
 
     def __init__(self, robot: Robot, scene: Scene) -> None:
         self._mapper = ScanKeeper(OccupancyGrid(SIDE))
-        self._live = LiveMapping(robot, self._mapper)
+        self._live = LiveMapping(robot, self._mapper, threaded=True)
         self._scene = scene
         self._task: asyncio.Task[None] | None = None
 

@@ -29,9 +29,10 @@ WIDTH: Final = 0.05
 WEIGHT: Final = 1.0
 """Kilograms."""
 
-# --- the hand, level; metres that it is farther out and higher than in the grasp
-LOOKS_FROM: Final = (0.43, 0.52)
-"""From the arm's first axis, and above the ground: here the camera sees the table over the gripper."""
+# --- the hand; metres that it is farther out and higher than in the grasp, where it is level
+LOOKS_FROM: Final = (0.43, 0.62, -0.5)
+"""From the arm's first axis, above the ground, and how far up it points, in radians: from here the camera sees all of
+the can over the gripper, wherever it is searched."""
 HIGH: Final = (-0.25, 0.28)
 """On the way from there."""
 OVER: Final = (-0.05, 0.13)
@@ -42,6 +43,9 @@ LIFT: Final = 0.10
 """Metres that the can must be lifted at least."""
 HOLD: Final = 2.0
 """Seconds that it must be held."""
+
+SETTLING: Final = 0.7
+"""Seconds that the arm is given to come to rest before it looks: a hundredth of a radian is a centimetre over there."""
 
 # --- patience, seconds
 SILENCE: Final = 10.0

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 from jauspy.cli.children import Child, ChildFailed
 from jauspy.cli.demo import plan
+from jauspy.cli.demo.patience import within
 from jauspy.cli.demo.report import Finding, Report
 from jauspy.cli.demo.tour import Tour
 from jauspy.cli.demo.view import View
@@ -76,7 +77,7 @@ class Heard:
 
     async def counters(self) -> dict[str, int]:
         """How well it kept time, once it has told; counters that are zero are left out."""
-        async with asyncio.timeout(COUNTED):
+        async with within(COUNTED, lambda: "the robot's process does not tell its counters"):
             while "realtime.steps" not in self._counted:  # noqa: ASYNC110 - lines come when they come
                 await asyncio.sleep(0.05)
         return self._counted

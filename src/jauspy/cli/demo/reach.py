@@ -1,4 +1,4 @@
-"""Where the joints of an arm like inc1's must be for its hand to be somewhere, level: one turn and three hinges."""
+"""Where the joints of an arm like inc1's must be for its hand to be somewhere: one turn and three hinges."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from jauspy.platform.vectors import Vector
 from jauspy.services.manipulator.denavit_hartenberg import geometry
 
 
-class LevelHand:
+class Hand:
     """The arm of the description, group `arm`: turn, shoulder, elbow, wrist, roll. Metres and radians."""
 
     def __init__(self, model: RobotModel) -> None:
@@ -31,13 +31,17 @@ class LevelHand:
         x, y, z = target
         return math.atan2(y, x - self.axis), math.hypot(x - self.axis, y), z
 
-    def joints(self, turn: float, distance: float, height: float) -> Sequence[float]:
-        """The joints' positions, as the specification counts them; `RequestError` when the arm is too short."""
-        x, z = distance - self._hand, height - self._height
+    def joints(self, turn: float, distance: float, height: float, pitch: float = 0.0) -> Sequence[float]:
+        """The joints' positions, as the specification counts them, with the hand pointing up by `pitch`.
+
+        Raises `RequestError` when the arm is too short.
+        """
+        x = distance - self._hand * math.cos(pitch)
+        z = height - self._height - self._hand * math.sin(pitch)
         upper, fore = self._upper, self._fore
         bend = (x * x + z * z - upper**2 - fore**2) / (2.0 * upper * fore)
         if abs(bend) > 1.0:
             raise RequestError(f"the arm cannot reach {distance:.2f} m from its axis at a height of {height:.2f} m")
         elbow = -math.acos(bend)
         shoulder = math.atan2(z, x) + math.atan2(fore * math.sin(-elbow), upper + fore * math.cos(elbow))
-        return self.geometry.standard((turn, shoulder, elbow, -shoulder - elbow, 0.0))
+        return self.geometry.standard((turn, shoulder, elbow, pitch - shoulder - elbow, 0.0))

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Final
 import cv2
 import numpy as np
 
+from jauspy.errors import RequestError
 from jauspy.platform.vectors import Transform, Vector, difference
 
 if TYPE_CHECKING:
@@ -17,6 +18,14 @@ REDS: Final = (((0, 140, 40), (8, 255, 255)), ((172, 140, 40), (180, 255, 255)))
 """Hue (in OpenCV's 180 steps), saturation and value, from and to: red is at both ends. Bricks are less saturated."""
 LEAST: Final = 2e-4
 """Share of the picture that a spot must have."""
+
+
+def picture(file: bytes) -> Image:
+    """The picture in a JPEG or PNG: red, green and blue."""
+    read = cv2.imdecode(np.frombuffer(file, np.uint8), cv2.IMREAD_COLOR)
+    if read is None:
+        raise RequestError(f"{len(file)} bytes came as a still image, and they are none")
+    return cv2.cvtColor(read, cv2.COLOR_BGR2RGB).astype(np.uint8)
 
 
 def red_spot(image: Image) -> tuple[float, float] | None:

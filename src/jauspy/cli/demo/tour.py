@@ -9,7 +9,7 @@ from typing import Final
 from jauspy.cli.demo import plan
 from jauspy.cli.demo.arm import Arm
 from jauspy.cli.demo.drive import to_the_table
-from jauspy.cli.demo.reach import LevelHand
+from jauspy.cli.demo.reach import Hand
 from jauspy.cli.demo.report import Finding, Report
 from jauspy.cli.demo.watch import Watcher
 from jauspy.modules.config import RobotConfig
@@ -59,7 +59,7 @@ class Tour:
             self._scene.controlled = True
             await management.resume()
         _, arm_id, gripper_id = ids
-        hand = LevelHand(self._model)
+        hand = Hand(self._model)
         arm = Arm(robot, robot.component(arm_id.component), robot.component(gripper_id.component), hand, self._scene)
         await stack.enter_async_context(arm.watched())
         return controls[0], arm

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 from contextlib import AsyncExitStack
 from pathlib import Path
 
@@ -18,7 +19,7 @@ from jauspy.modules.config import RobotConfig
 from jauspy.ocu import OCU, Control
 from jauspy.ocu.frames import RobotFrames
 from jauspy.ocu.robot import Robot
-from jauspy.services.environment_sensing.frame_sizes import FrameSize
+from jauspy.services.environment_sensing.frame_sizes import SIZES, FrameSize
 
 
 class WholeTour(Tour):
@@ -38,7 +39,9 @@ class WholeTour(Tour):
             driving, arm = await self._begin(stack, robot)
             films = await self._film(stack, robot)
             await self._drive(robot, driving)
-            grasp = Grasp(arm, RobotFrames(robot, self._model), self._model, films[CAMERA])
+            camera = next(module for module in self._config.modules if module.camera == CAMERA)
+            frames, eye = RobotFrames(robot, self._model), robot.component(camera.component)
+            grasp = Grasp(arm, frames, self._model, eye, SIZES[self._size])
             self._step("look", "Look for the can with the arm's camera")
             self._found(await grasp.look(self._folder))
             self._step("reach", "Reach for the can")
@@ -62,6 +65,7 @@ class WholeTour(Tour):
                 films[module.camera] = await stack.enter_async_context(film)
                 self._scene.films[module.camera] = films[module.camera]
                 self._report.files.append(file.name)
+        await asyncio.gather(*(film.begins() for film in films.values()))
         return films
 
     async def _drive(self, robot: Robot, driving: Control) -> None:

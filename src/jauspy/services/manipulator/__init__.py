@@ -1,7 +1,10 @@
 """Services of the manipulator set (AS6057)."""
 
 from jauspy.services.manipulator.arm import Arm
+from jauspy.services.manipulator.end_effector_pose_driver import EndEffectorPoseDriver
+from jauspy.services.manipulator.end_effector_pose_list_driver import EndEffectorPoseListDriver
 from jauspy.services.manipulator.end_effector_sensors import EndEffectorPoseSensor, EndEffectorVelocityStateSensor
+from jauspy.services.manipulator.end_effector_velocity_state_driver import EndEffectorVelocityStateDriver
 from jauspy.services.manipulator.joint_drivers import (
     ActuatorForceTorqueDriver,
     JointPositionDriver,
@@ -28,7 +31,10 @@ from jauspy.services.manipulator.tool_offset import ToolOffset
 __all__ = [
     "ActuatorForceTorqueDriver",
     "Arm",
+    "EndEffectorPoseDriver",
+    "EndEffectorPoseListDriver",
     "EndEffectorPoseSensor",
+    "EndEffectorVelocityStateDriver",
     "EndEffectorVelocityStateSensor",
     "JointForceTorqueSensor",
     "JointMotionProfile",

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import operator
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from itertools import accumulate
 from typing import TYPE_CHECKING, Final
 
 from jauspy.platform.description import Joint
 from jauspy.platform.joints import ControlMode, JointGroup, JointState, Target
 from jauspy.platform.motion import ACCELERATION_TIME
-from jauspy.platform.vectors import Transform
 from jauspy.services.manipulator.denavit_hartenberg import Link, geometry
+from jauspy.services.manipulator.kinematics import Stance, stance
 
 if TYPE_CHECKING:
     from jauspy.services.manipulator.driver import ArmDriver
@@ -44,6 +42,10 @@ class Arm:
         self.geometry = geometry(joints.chain)
         self.tool = self.geometry.tool
         """The tool point in the last joint's frame, metres."""
+        self.limits = tuple(
+            (link.joint.lower + link.zero, link.joint.upper + link.zero) for link in self.geometry.links
+        )
+        """The least and the greatest position of each joint, in the standard's terms."""
         self.profiles = tuple(Profile.of(joint) for joint in joints.joints)
         self.driver: ArmDriver | None = None
         """Whose command the joints follow; None while they just hold."""
@@ -53,10 +55,15 @@ class Arm:
         state = self.joints.state()
         return JointState(self.geometry.standard(state.positions), state.velocities, state.efforts)
 
-    def frames(self) -> list[Transform]:
-        """The joints' frames in the manipulator's coordinate system, base to tip."""
-        rows = zip(self.geometry.links, self.state().positions, strict=True)
-        return list(accumulate((link.frame(position) for link, position in rows), operator.matmul))
+    def stance(self) -> Stance:
+        """The tool, and how the joints move it, after the last step."""
+        return stance(self.geometry.links, self.state().positions, self.tool)
+
+    def take(self, driver: ArmDriver) -> None:
+        """Follow this driver from now on; hold until it says what to do, unless it is the one that says so already."""
+        if self.driver is not driver:
+            self.stop()
+            self.driver = driver
 
     def move(self, driver: ArmDriver, targets: Sequence[Target]) -> None:
         """Do as a driver says, base to tip; positions in the standard's terms. The newest command counts."""
@@ -77,8 +84,7 @@ class Arm:
 
     def limited(self, positions: Sequence[float]) -> list[float]:
         """The positions nearest to these that the joints can have."""
-        rows = zip(positions, self.geometry.links, strict=True)
-        return [min(link.joint.upper + link.zero, max(link.joint.lower + link.zero, p)) for p, link in rows]
+        return [min(high, max(low, p)) for p, (low, high) in zip(positions, self.limits, strict=True)]
 
     def is_at(self, positions: Sequence[float]) -> bool:
         """True when all joints are there, or as near as their limits let them."""

@@ -1,0 +1,56 @@
+"""The demo on a robot in memory and on virtual time: all that needs no physics, and what goes wrong."""
+
+from __future__ import annotations
+
+import asyncio
+from pathlib import Path
+
+import pytest
+
+from jauspy.cli.demo import plan
+from jauspy.cli.demo.report import Report
+from jauspy.cli.demo.tour import Tour
+from jauspy.cli.demo.view import View
+from jauspy.errors import ControlRejected, RequestError
+from jauspy.modules.robot import RobotRunner
+from jauspy.modules.robots import load
+from jauspy.ocu import OCU
+from jauspy.testing import Place
+
+
+@pytest.fixture
+def tour(ocu: OCU, tmp_path: Path) -> Tour:
+    return Tour(ocu, load("inc1"), View(), Report(), tmp_path)
+
+
+def holders(robot: RobotRunner) -> set[object]:
+    return {each.host.controller for each in robot.components}
+
+
+async def test_it_drives_moves_the_arm_and_gives_back_control(robot: RobotRunner, tour: Tour) -> None:
+    await tour.run()
+    assert [(each.stage, each.reached) for each in tour._report.findings] == [("drive", True), ("arm", True)]
+    assert robot.snapshot is not None
+    where = robot.snapshot.pose
+    assert (where.x, where.y, where.yaw) == pytest.approx((*plan.STAND, plan.HEADING), abs=0.15)
+    assert holders(robot) == {None}
+
+
+async def test_a_robot_that_does_not_get_there_is_given_up(
+    robot: RobotRunner, tour: Tour, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(plan, "DRIVE_TIME", 1.0)
+    with pytest.raises(RequestError, match=r"longer than 1 s, with 1\.\d+ m .* see whether something is in its way"):
+        await tour.run()
+    assert holders(robot) == {None}
+
+
+async def test_who_takes_the_robot_ends_the_drive(robot: RobotRunner, tour: Tour, place: Place) -> None:
+    touring = asyncio.create_task(tour.run())
+    while robot.snapshot is None or robot.snapshot.pose.x < 0.1:
+        await asyncio.sleep(0.05)
+    async with place.ocu("43.1.1") as other:
+        driver = (await other.discover(101)).service("LocalWaypointDriver")
+        async with driver.control(authority=plan.AUTHORITY + 1):
+            with pytest.raises(ControlRejected, match="was lost"):
+                await touring

@@ -1,0 +1,86 @@
+"""A robot of a backend on virtual time, the component of one of its modules, and a client in control of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from datetime import UTC, datetime, timedelta
+from importlib.util import find_spec
+from typing import Any
+
+import pytest
+
+from jauspy.codec.base import Message
+from jauspy.ids import JausID
+from jauspy.messages import manipulator as m, registry
+from jauspy.messages.core import CommandEvent, RequestControl, Resume
+from jauspy.modules import robots
+from jauspy.modules.config import AccessControlConfig
+from jauspy.modules.description import robot_model
+from jauspy.modules.hosts import host_of
+from jauspy.platform.backends import find
+
+CLIENT, OTHER = JausID(42, 1, 1), JausID(42, 2, 1)
+STEP = 0.01
+START = datetime(2026, 1, 1, tzinfo=UTC)
+
+
+class Workcell:
+    """A robot, and the component of one of its modules."""
+
+    def __init__(self, backend: str, robot: str, component: int) -> None:
+        config = robots.load(robot)
+        model = robot_model(config)
+        self.robot = find(backend).open(model, "empty")
+        self.now = 0.0
+        (module,) = (each for each in config.modules if each.component == component)
+        module = module.model_copy(update={"access_control": AccessControlConfig(timeout=0)})
+        self.host = host_of(
+            config, module, model, self.robot, {}, utc_now=lambda: START + timedelta(seconds=self.now), now=0.0
+        )
+
+    def tell(self, *messages: Message, client: JausID = CLIENT) -> list[Message]:
+        for message in messages:
+            self.host.receive(message.encode(), client, self.now)
+        return [
+            registry.decode(each.payload, service=_service(each.payload)) for each in self.host.poll_output(self.now)
+        ]
+
+    def ask(self, query: Message) -> Any:
+        (answer,) = self.tell(query)
+        return answer
+
+    def take_control(self) -> None:
+        self.tell(RequestControl(200), Resume())
+
+    def run(self, seconds: float, each: Callable[[], None] | None = None) -> None:
+        for _ in range(round(seconds / STEP)):
+            self.robot.advance(STEP)
+            self.now += STEP
+            while (due := self.host.next_timeout()) is not None and due <= self.now:
+                self.host.handle_timeout(self.now)
+            if each is not None:
+                each()
+
+    def positions(self) -> list[float]:
+        return [r.joint_position.value for r in self.ask(m.QueryJointPositions()).joint_position_list]
+
+    def velocities(self) -> list[float]:
+        return [r.joint_velocity.value for r in self.ask(m.QueryJointVelocity()).joint_velocity_list]
+
+
+def _service(payload: bytes) -> str | None:
+    """Ids of the manipulator set have other meanings in its old version and in other sets."""
+    found = registry.by_code(int.from_bytes(payload[:2], "little"))
+    newest = [cls for cls in found if ":manipulator:" in cls.SERVICE and cls.VERSION == "2.0"]
+    return newest[0].SERVICE if newest else None
+
+
+BACKENDS = [
+    "kinematic",
+    pytest.param("sim", marks=pytest.mark.skipif(find_spec("mujoco") is None, reason="MuJoCo is not installed")),
+]
+
+
+def told(cell: Workcell, *messages: Message) -> list[int]:
+    """How commands ended, of which command events tell now: 0 is carried out."""
+    return [int(each.command_result) for each in cell.tell(*messages) if isinstance(each, CommandEvent)]

@@ -1,0 +1,45 @@
+"""Arms on the kinematic backend, and poses that they can reach."""
+
+from __future__ import annotations
+
+import random
+from dataclasses import replace
+
+from jauspy.modules.description import robot_model
+from jauspy.modules.robots import load
+from jauspy.platform.kinematic_joints import KinematicJoints
+from jauspy.platform.vectors import Transform
+from jauspy.services.manipulator.arm import Arm
+from jauspy.services.manipulator.kinematics import stance
+from jauspy.services.manipulator.pose_search import Found, PoseSearch
+
+ROBOTS = ("inc1", "inc1_pprm")
+
+
+def arm_of(robot: str, start: tuple[float, ...] | None = None) -> Arm:
+    """Its arm; `start` as its URDF counts."""
+    model = robot_model(load(robot))
+    setup = model.groups["arm"]
+    return Arm(KinematicJoints(model.description, replace(setup, start=start or setup.start)))
+
+
+def random_positions(arm: Arm, rng: random.Random) -> list[float]:
+    return [rng.uniform(low, high) for low, high in arm.limits]
+
+
+def tool_at(arm: Arm, positions: list[float]) -> Transform:
+    return stance(arm.geometry.links, positions, arm.tool).tool
+
+
+def search_for(arm: Arm, goal: Transform) -> PoseSearch:
+    return PoseSearch(arm.geometry.links, arm.tool, goal, arm.state().positions, arm.limits)
+
+
+def whole(search: PoseSearch) -> Found:
+    while (found := search.work(100)) is None:
+        pass
+    return found
+
+
+def found_by(arm: Arm, goal: Transform) -> Found:
+    return whole(search_for(arm, goal))
