@@ -4,15 +4,33 @@ from __future__ import annotations
 
 from typing import Final
 
-from tests.conformance.injectors import Fault, Injector, deaf_to, field, instead, patched, says, short, without
+from tests.conformance.injectors import (
+    Fault,
+    Injector,
+    deaf_to,
+    field,
+    instead,
+    patched,
+    repacked,
+    says,
+    short,
+    without,
+    works,
+)
 from tests.conformance.mistakes import (
     ACCEPTED,
     anybody,
+    big_endian,
     chatty,
     clears_all,
+    elsewhere,
     idle,
     not_told,
     reports_pass,
+    sixty_hertz,
+    skipping,
+    swapped_bits,
+    to_winner,
     unmasked,
 )
 
@@ -24,10 +42,10 @@ READY, STANDBY = "Controlled.Available.Ready", "Controlled.Available.Standby"
 EMERGENCY, FREE = "Controlled.NotAvailable.Emergency", "NotControlled.Available.Standby"
 
 
-def core_fault(name: str, trips: str, inject: Injector, only: str = "", profile: str = "core-1.1") -> Fault:
-    """`only`: beginnings of the steps that are run; by default those that are to be tripped."""
+def core_fault(name: str, trips: str, inject: Injector, profile: str = "core-1.1") -> Fault:
+    """Only the steps that are to be tripped are run."""
     steps = tuple(trips.split())
-    return Fault(name, profile, steps, inject, timeout=5, only=tuple(only.split()) or steps)
+    return Fault(name, profile, steps, inject, timeout=5, motion=profile != "core-1.1", only=steps)
 
 
 GENERATED: Final = (
@@ -122,6 +140,60 @@ GENERATED: Final = (
         "waypoints are answered",
         f"{STANDBY}/SetLocalWaypoint/pilot",
         chatty(mobility.SetLocalWaypoint),
+        profile="mobility-1.1",
+    ),
+    core_fault(
+        "events come faster than was confirmed",
+        f"{FREE}/EventOccurred/rival/an-event-is-due",
+        patched(Events, _set_rate=sixty_hertz),
+    ),
+    core_fault("events are numbered by twos", f"{FREE}/EventOccurred/rival/an-event-is-due", skipping()),
+    core_fault(
+        "answers come from another component",
+        f"{FREE}/QueryTime/rival/all-fields",
+        works(repacked(elsewhere(9, core.ReportTime))),
+    ),
+    core_fault("the winner is told instead of the loser", f"{READY}/RequestControl/rival/more-authority", to_winner()),
+    core_fault(
+        "control ends earlier than the timeout says",
+        f"{READY}/Timedout/pilot/the-client-is-silent",
+        field(core.ReportTimeout, timeout=10),
+    ),
+    core_fault(
+        "control ends later than the timeout says",
+        f"{READY}/Timedout/pilot/the-client-is-silent",
+        field(core.ReportTimeout, timeout=2),
+    ),
+    core_fault(
+        "the end of a command is not told", f"{FREE}/CreateCommandEvent/rival/a-new-one", without(core.CommandEvent)
+    ),
+    core_fault(
+        "an ignored command has succeeded",
+        f"{FREE}/CreateCommandEvent/rival/a-new-one",
+        field(core.CommandEvent, command_result=core.CommandEvent.CommandResult.SUCCESSFUL),
+    ),
+    core_fault(
+        "presence bits are mixed up",
+        f"{FREE}/QueryLocalPose/rival/some-fields",
+        swapped_bits(mobility.QueryLocalPose),
+        profile="mobility-1.1",
+    ),
+    core_fault(
+        "efforts and poses are taken from anybody",
+        f"{READY}/SetWrenchEffort/rival {READY}/SetLocalPose/rival",
+        patched(AccessControl, is_controlling_client=anybody),
+        profile="mobility-1.1",
+    ),
+    core_fault(
+        "efforts are taken and not used",
+        f"{READY}/SetWrenchEffort/pilot",
+        deaf_to(mobility.SetWrenchEffort),
+        profile="mobility-1.1",
+    ),
+    core_fault(
+        "efforts have the wrong byte order",
+        f"{READY}/SetWrenchEffort/pilot",
+        big_endian(mobility.ReportWrenchEffort, 4),
         profile="mobility-1.1",
     ),
 )

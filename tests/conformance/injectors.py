@@ -157,15 +157,21 @@ def slow(*kinds: type[Message], seconds: float = 2.0, where: Callable[[Any], boo
     """These are said late; everything, when none is named."""
     by_code = {code(each): each for each in kinds}
 
-    def is_late(payload: bytes) -> bool:
-        kind = by_code.get(payload[:2])
-        return not kinds or (kind is not None and where(kind.decode(payload)))
+    def is_late(outgoing: Any) -> bool:
+        kind = by_code.get(outgoing.payload[:2])
+        return not kinds or (kind is not None and where(kind.decode(outgoing.payload)))
+
+    return delayed(is_late, seconds)
+
+
+def delayed(is_late: Callable[[Any], bool], seconds: float) -> Injector:
+    """What is chosen among the outgoing messages is said late."""
 
     class Slow(Part):
         late: tuple[tuple[float, Any], ...] = ()
 
         def say(self, outgoing: Any, now: float) -> None:
-            if is_late(outgoing.payload):
+            if is_late(outgoing):
                 self.late += ((now + seconds, outgoing),)
             else:
                 super().say(outgoing, now)

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from dataclasses import replace
 from typing import Any
 from unittest.mock import patch
 
-from tests.conformance.injectors import Injector, _spoilt, code, instead, packets
+from tests.conformance.injectors import Injector, _spoilt, code, hears, instead, packets, says
 
 from jauspy.codec.base import Message
 from jauspy.conformance import Bench, Part, drive
 from jauspy.ids import JausID
 from jauspy.messages import core, mobility
+from jauspy.protocol.header import Packet
 from jauspy.services import host
 from jauspy.services.core import Events
 from jauspy.services.core.subscriptions import Subscriptions
@@ -172,6 +174,60 @@ def confirmed(request: int, **values: object) -> Injector:
 def short_inside(event: Any) -> None:
     report = event.report_message
     event.report_message = _spoilt(report.encode() if isinstance(report, Message) else report)
+
+
+def skipping() -> Injector:
+    """Events are numbered by twos."""
+
+    def change(event: Any) -> None:
+        event.sequence_number = event.sequence_number * 2 & 0xFF
+
+    return instead(core.Event, change)
+
+
+def to_winner() -> Injector:
+    """Who has lost control is not told, but who has won it."""
+
+    class Confused(Part):
+        winner: Any = None
+
+        def hear(self, payload: bytes, source: JausID, now: float) -> None:
+            self.winner = source if payload[:2] == code(core.RequestControl) else self.winner
+            super().hear(payload, source, now)
+
+        def say(self, outgoing: Any, now: float) -> None:
+            astray = self.winner is not None and outgoing.payload[:2] == code(core.RejectControl)
+            super().say(outgoing._replace(destination=self.winner) if astray else outgoing, now)
+
+    return lambda: (Confused, Bench, [])
+
+
+def elsewhere(number: int, kind: type[Message]) -> Callable[[Packet], Packet]:
+    """Messages of this kind come from another component."""
+    return lambda packet: (
+        replace(packet, source=replace(packet.source, component=number)) if packet.payload[:2] == code(kind) else packet
+    )
+
+
+def swapped_bits(kind: type[Message]) -> Injector:
+    """The first two bits of a presence vector are mixed up."""
+
+    def change(payload: bytes, source: JausID) -> bytes:
+        if payload[:2] != code(kind):
+            return payload
+        asked = payload[2]
+        return payload[:2] + bytes([asked & ~3 | (asked & 1) << 1 | (asked & 2) >> 1]) + payload[3:]
+
+    return hears(change)
+
+
+def big_endian(kind: type[Message], at: int) -> Injector:
+    """Two bytes of a report are in the order of another processor."""
+    return says(
+        lambda payload, _: (
+            [payload[:at] + payload[at : at + 2][::-1] + payload[at + 2 :]] if payload[:2] == code(kind) else [payload]
+        )
+    )
 
 
 def reports_pass() -> Injector:

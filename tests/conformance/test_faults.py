@@ -15,7 +15,7 @@ from tests.conformance.simulated import examined, robot
 
 from jauspy.conformance import Bench, Part, Report
 
-MEASURED = re.compile(r"has (x|y|event_id) \S+")
+MEASURED = re.compile(r"has (x|y|event_id|propulsive_linear_effort_x|left_side_propulsive_effort) \S+")
 """Names of checks that have what the robot said in them."""
 
 

@@ -53,7 +53,15 @@ def test_with_a_wildcard_one_right_answer_is_enough():
 
 
 def test_answers_of_others_do_not_count():
-    assert outcome((0.1, READY), target="101.1.2").results[0].verdict is Verdict.SILENT
+    (result,) = outcome((0.1, READY), target="101.1.2").results
+    assert result.verdict is Verdict.SILENT
+    assert result.reason == "no ReportStatus 4002h came from 101.1.2 to 42.1.1, but one from 101.1.1 to 42.1.1"
+
+
+def test_of_a_target_with_several_components_the_one_that_was_asked_must_answer():
+    asked = ask("42.1.1", QueryStatus(), ReportStatus, to=JausID(101, 1, 2))
+    (result,) = outcome((0.1, READY), step=Step("1", "x", asked), target="101.1.255").results
+    assert result.reason == "no ReportStatus 4002h came from 101.1.2 to 42.1.1, but one from 101.1.1 to 42.1.1"
 
 
 def test_a_command_has_no_answer():

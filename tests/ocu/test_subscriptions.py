@@ -19,6 +19,7 @@ from jauspy.messages.core import (
 )
 from jauspy.messages.mobility import QueryLocalPose, QueryVelocityState, ReportLocalPose, ReportVelocityState
 from jauspy.ocu import subscription as module
+from jauspy.ocu.event_requests import EventRequests
 from jauspy.protocol.header import Packet
 from jauspy.protocol.judp import pack
 from jauspy.services.core import Events
@@ -211,7 +212,7 @@ async def test_a_vanished_component_ends_a_subscription_to_changes(world, monkey
 
 
 async def test_events_are_renewed_and_made_anew_after_a_restart(world, monkeypatch):
-    monkeypatch.setattr(module.Subscription, "_lifetime", lambda _: asyncio.sleep(0, 0.3))
+    monkeypatch.setattr(EventRequests, "lifetime", lambda _: asyncio.sleep(0, 0.3))
     robot = await world.robot()
     sensor = await sensor_of(await world.ocu())
     async with sensor.subscribe(POSE, rate=20.0, silence=5.0) as poses:
@@ -265,7 +266,7 @@ async def test_a_subscription_to_changes_is_made_anew_after_a_restart(world, mon
 
 
 async def test_reports_go_on_when_a_renewal_is_not_answered(world, monkeypatch):
-    monkeypatch.setattr(module.Subscription, "_lifetime", lambda _: asyncio.sleep(0, 0.3))
+    monkeypatch.setattr(EventRequests, "lifetime", lambda _: asyncio.sleep(0, 0.3))
     await world.robot()
     sensor = await sensor_of(await world.ocu(timeout=0.03, retries=1))
     async with sensor.subscribe(POSE, rate=50.0) as poses:

@@ -48,7 +48,7 @@ def test_drives_looks_reaches_grasps_and_lifts(free_port: int, tmp_path: Path) -
     assert not psutil.Process().children()
 
     found = {each["stage"]: each for each in json.loads((folder / "summary.json").read_text())["findings"]}
-    goals = ["drive", "map", "look", "reach", "grasp", "lift", "arm video", "chassis video"]
+    goals = ["drive", "map", "aim", "look", "reach", "grasp", "lift", "arm video", "chassis video"]
     assert [stage for stage, each in found.items() if each["reached"]] == goals
     assert found["lift"]["figures"]["lifted"] >= 0.1
     assert found["lift"]["figures"]["weight"] == pytest.approx(1.0, abs=0.2)

@@ -11,15 +11,16 @@ from types import TracebackType
 from typing import Final, Self
 
 from jauspy.codec.base import Message
+from jauspy.component.alarm import Alarm
 from jauspy.component.deliveries import Deliveries
 from jauspy.component.guard import Guard
+from jauspy.component.outlet import Outlet
 from jauspy.errors import ProtocolError, TransportError
 from jauspy.ids import JausID
 from jauspy.protocol.delivery import Delivery
 from jauspy.protocol.endpoint import Endpoint
 from jauspy.protocol.header import Ack, Broadcast, Packet, Priority
 from jauspy.services.host import Host
-from jauspy.services.outbox import Outgoing
 from jauspy.transport.base import Transport
 
 _LOG: Final = logging.getLogger("jauspy.component")
@@ -65,8 +66,8 @@ class Shell:
         self._deliveries = Deliveries(self._endpoint, self._unreachable)
         self._errors: Counter[str] = Counter()
         self._guard = Guard(f"component {host.id}", self._errors)
-        self._timer: asyncio.TimerHandle | None = None
-        self._timer_at: float | None = None
+        self._outlet = Outlet(self._endpoint, transport, self._deliveries, self._errors)
+        self._alarm = Alarm(self._timeout, clock)
         self._continuation: asyncio.Handle | None = None
         self._loop: asyncio.AbstractEventLoop | None = None
         self._closed = asyncio.Event()
@@ -178,10 +179,9 @@ class Shell:
     def _send(
         self, destination: JausID, message: Message, priority: Priority, broadcast: Broadcast, ack: Ack
     ) -> int | None:
-        payload = message.encode()
-        now = self._clock()
+        payload, now = message.encode(), self._clock()
         ticket = self._endpoint.send(destination, payload, now=now, priority=priority, broadcast=broadcast, ack=ack)
-        self._transmit()
+        self._outlet.transmit()
         if self._loop is not None:
             self._schedule(self._loop)
         return ticket
@@ -227,9 +227,7 @@ class Shell:
 
     def _flush_output(self) -> None:
         now = self._clock()
-        for each in self.host.poll_output(now):
-            self._pack(each, now)
-        self._transmit()
+        self._outlet.flush(self.host.poll_output(now), now)
 
     def _move(self) -> TransportError | None:
         """Take the id that the host wants, after goodbyes under the old one; returns why that is not possible."""
@@ -249,21 +247,6 @@ class Shell:
         self._flush_output()
         return None
 
-    def _pack(self, outgoing: Outgoing, now: float) -> None:
-        destination, payload, priority, broadcast = outgoing
-        try:
-            self._endpoint.send(destination, payload, now=now, priority=priority, broadcast=broadcast)
-        except ProtocolError as error:
-            reason = f"unsendable.{error.reason}"
-            if not self._errors[reason]:
-                _LOG.warning("%s: cannot send %04Xh to %s: %s", self.id, _code(payload), destination, error)
-            self._errors[reason] += 1
-
-    def _transmit(self) -> None:
-        for datagram in self._endpoint.poll_output():
-            self.transport.send(datagram)
-        self._deliveries.settle()
-
     def _unreachable(self, client: JausID) -> None:
         """Somebody did not acknowledge: what is done for it ends; what services say to that goes out next turn."""
         self.host.unreachable(client, self._clock())
@@ -274,20 +257,13 @@ class Shell:
         """Set the one timer anew; most datagrams change nothing about it."""
         services, delivery = self.host.next_timeout(), self._endpoint.next_timeout()
         at = services if delivery is None or (services is not None and services < delivery) else delivery
-        if self._timer is not None:
-            if at == self._timer_at:
-                return
-            self._timer.cancel()
-            self._timer = None
-        if at is not None:
-            self._timer, self._timer_at = loop.call_later(max(0.0, at - self._clock()), self._timeout), at
+        self._alarm.set(loop, at)
 
     def _prompted(self) -> None:
         if self._loop is not None:
             self._schedule(self._loop)
 
     def _timeout(self) -> None:
-        self._timer = None
         with self._guard:
             self._endpoint.handle_timeout(self._clock())
             self.host.handle_timeout(self._clock())
@@ -301,10 +277,4 @@ class Shell:
             self._continuation = None
         while self._endpoint.next_event() is not None:
             pass  # a command from before must not act when it is opened again
-        if self._timer is not None:
-            self._timer.cancel()
-            self._timer = None
-
-
-def _code(payload: bytes) -> int:
-    return int.from_bytes(payload[:2], "little")
+        self._alarm.cancel()

@@ -11,10 +11,11 @@ from jauspy.conformance.outcome import Failed, Late, Malformed, Outcome, Silent
 from jauspy.conformance.results import Looked
 from jauspy.conformance.trace import Heard, named
 from jauspy.errors import DecodeError
+from jauspy.ids import JausID
 from jauspy.messages.core import ConfirmControl, RejectControl
 
 if TYPE_CHECKING:
-    from jauspy.conformance.tester import Client
+    from jauspy.conformance.client import Client
 
 M = TypeVar("M", bound=Message)
 
@@ -22,15 +23,24 @@ M = TypeVar("M", bound=Message)
 class Expectation(Generic[M]):
     """One message of a kind that passes all checks.
 
-    With a wildcard as target one component that answers right is enough; else the first answer decides.
+    With a wildcard as source one component that answers right is enough; else the first answer decides. `source` is
+    the target, unless one component of it was asked.
     """
 
-    def __init__(self, client: Client, kind: type[M], checks: Sequence[Check], where: Callable[[M], bool]) -> None:
+    def __init__(
+        self,
+        client: Client,
+        kind: type[M],
+        checks: Sequence[Check],
+        where: Callable[[M], bool],
+        source: JausID | None = None,
+    ) -> None:
         self._client = client
         self._tester = client.tester
         self._kind = kind
         self._checks = checks
         self._where = where
+        self._source = source or client.tester.target
         self._seconds = 0.0
         self._outcome: Outcome | None = None
         self._looked: list[Looked] = []
@@ -42,7 +52,7 @@ class Expectation(Generic[M]):
         tester, deadline = self._tester, self._tester.now + seconds
         tester.expected.append(" and ".join((named(self._kind), *(each.name for each in self._checks))))
         tester.pump(deadline, self._look)
-        if self._found is None and (self._outcome is None or tester.target.is_wildcard):
+        if self._found is None and (self._outcome is None or self._source.is_wildcard):
             tester.pump(deadline + seconds, self._look)
         comes = f"{named(self._kind)} comes"
         if self._found is None and self._outcome is None:
@@ -63,7 +73,7 @@ class Expectation(Generic[M]):
 
     def readable(self, heard: Heard) -> M | None:
         """The message, when it is one of this kind, from the target, strictly as defined."""
-        if heard.code != self._kind.CODE or not self._tester.target.matches(heard.source):
+        if heard.code != self._kind.CODE or not self._source.matches(heard.source):
             return None
         try:
             message = self._tester.registry.decode_as(self._kind, heard.payload)
@@ -74,11 +84,11 @@ class Expectation(Generic[M]):
     def _look(self) -> bool:
         """Take the messages of this kind that wait; true when one of them settles it."""
         for heard in list(self._client.pending):
-            if heard.code == self._kind.CODE and self._tester.target.matches(heard.source):
+            if heard.code == self._kind.CODE and self._source.matches(heard.source):
                 self._judge(heard)
                 if self._found is not None:
                     return True
-        return self._outcome is not None and not self._tester.target.is_wildcard
+        return self._outcome is not None and not self._source.is_wildcard
 
     def _judge(self, heard: Heard) -> None:
         reads = f"{named(self._kind)} is as its definition says"
@@ -105,8 +115,20 @@ class Expectation(Generic[M]):
             self._outcome, self._looked = outcome, looked
 
     def _absence(self) -> Outcome:
+        wanted = named(self._kind)
+        if astray := self._astray():
+            return Silent(f"no {wanted} came from {self._source} to {self._client.id}, but {astray}")
         # Control that ends by itself is told to the client at any time.
         others = self._client.unasked(() if self._kind is ConfirmControl else (RejectControl.CODE,))
         if others:
-            return Failed(f"no {named(self._kind)} came, but {', '.join(others[:4])}")
-        return Silent(f"no {named(self._kind)} came in {2 * self._seconds:g} s")
+            return Failed(f"no {wanted} came, but {', '.join(others[:4])}")
+        return Silent(f"no {wanted} came in {2 * self._seconds:g} s")
+
+    def _astray(self) -> str:
+        """Where the message came from or went to instead."""
+        for client in self._tester.clients:
+            for heard in client.pending:
+                ours = self._source.matches(heard.source)
+                if heard.code == self._kind.CODE and (not ours or client is not self._client):
+                    return f"one from {heard.source} to {client.id}"
+        return ""

@@ -8,8 +8,9 @@ from functools import partial
 from typing import Any, Final
 
 from jauspy.codec.base import Message
+from jauspy.conformance.client import Client, is_answer
 from jauspy.conformance.outcome import Silent
-from jauspy.conformance.tester import Client, Tester, is_answer
+from jauspy.conformance.tester import Tester
 from jauspy.conformance.trace import Direction
 from jauspy.ids import JausID
 from jauspy.messages.core import (
@@ -20,7 +21,7 @@ from jauspy.messages.core import (
     QueryIdentification,
     QueryStatus,
 )
-from jauspy.ocu.link import REPORT_OFFSET
+from jauspy.ocu.answers import REPORT_OFFSET
 from jauspy.protocol import header
 from jauspy.protocol.header import Ack, DataFlag, Packet
 

@@ -8,7 +8,8 @@ from typing import Final
 
 from jauspy.codec.base import Message
 from jauspy.conformance.checks import has, near
-from jauspy.conformance.tester import Client, Tester
+from jauspy.conformance.client import Client
+from jauspy.conformance.tester import Tester
 from jauspy.errors import DecodeError
 from jauspy.ids import JausID
 from jauspy.messages.core import CancelEvent, ConfirmEventRequest, CreateEvent, Event
@@ -22,6 +23,10 @@ TOLERANCE: Final = 0.25
 """Part of the period that an interval may be off, for networks and schedulers."""
 PERIODS: Final = 4
 """Of a stream that are watched."""
+COUNTED: Final = 12
+"""Events of a fast stream, whose single intervals say less about the robot than about its network."""
+LONGEST: Final = 20.0
+"""s."""
 
 Arrivals = Sequence[tuple[float, Event]]
 
@@ -57,6 +62,27 @@ def judge(tester: Tester, arrivals: Arrivals, rate: float, report: type[Message]
     name = f"{report.NAME} at {rate:.2g} Hz"
     tester.expected.append(f"Event 41F1h with {name}")
     tester.check(f"the stream of {name} keeps its rate", pace(arrivals, rate))
+    _events_are_right(tester, arrivals, name, report)
+
+
+def look(client: Client, event: int, rate: float, report: type[Message]) -> None:
+    """A stream has the rate that was confirmed, in the mean, and every event of this client belongs to it."""
+    tester = client.tester
+    tester.expected.append(f"Event 41F1h with {report.NAME} at {rate:.3g} Hz")
+    tester.check("a rate is confirmed", "" if rate > 0 else f"it is {rate:g} Hz")
+    seconds = min(COUNTED / rate, LONGEST)
+    arrivals = client.collect(Event, seconds)
+    strange = {each.event_id for _, each in arrivals} - {event}
+    tester.check(
+        "the events have the id that was confirmed", f"they have {sorted(strange)}, not {event}" if strange else ""
+    )
+    wrong = abs(len(arrivals) - seconds * rate) > COUNTED * TOLERANCE
+    tester.check("they come at the confirmed rate", f"{len(arrivals)} came in {seconds:.3g} s" if wrong else "")
+    _events_are_right(tester, arrivals, report.NAME, report)
+
+
+def _events_are_right(tester: Tester, arrivals: Arrivals, name: str, report: type[Message]) -> None:
+    """They count, and carry the report."""
     numbers = [event.sequence_number for _, event in arrivals]
     steps = {after - before & 0xFF for before, after in pairwise(numbers)}
     tester.check(

@@ -6,6 +6,7 @@ import asyncio
 import socket
 from collections.abc import Mapping
 from contextlib import AsyncExitStack
+from functools import partial
 from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Final, Self
@@ -15,13 +16,12 @@ from jauspy.node import keys, operations, policy, sweep
 from jauspy.node.config import NodeConfig
 from jauspy.node.ingress import Ingress
 from jauspy.node.links import Links
-from jauspy.node.mailbox import Mailbox
+from jauspy.node.mailboxes import Mailboxes, is_dead
 from jauspy.node.network import Network
 from jauspy.node.shortcuts import Send, Shortcuts
 from jauspy.node.state import NodeState
 from jauspy.node.sweep import Sweep
 from jauspy.protocol import junior
-from jauspy.protocol.directory import ComponentPort
 from jauspy.protocol.node import NodeCore
 from jauspy.protocol.ports import GroupPort, LocalPort, Port, SerialPort, TcpPort, UdpPort
 from jauspy.protocol.sources import Sources
@@ -47,13 +47,14 @@ class NodeManager:
     def __init__(self, config: NodeConfig | None = None) -> None:
         self.config = config or NodeConfig()
         self._known = self.config.known_addresses()
+        dead = partial(is_dead, self.config.local_root)
         self._core = NodeCore(
             str(self.config.local_root),
             addresses=self._known,
             address_lifetime=self.config.address_lifetime,
             local_udp=self.config.local_udp,
             compression=self.config.header_compression,
-            is_dead=self._is_dead,
+            is_dead=dead,
             networks=[network.name for network in self.config.all_networks],
             gateway=policy.gateway(self.config),
             sources=Sources(policy.limits(self.config)),
@@ -63,14 +64,14 @@ class NodeManager:
         self._networks: dict[str, Network] = {}
         self._local: socket.socket | None = None
         self._ingress: Ingress | None = None
-        self._mailboxes: dict[str, Mailbox] = {}
+        self._mailboxes = Mailboxes(self.config.local_root, self._core)
         self._senders: dict[str | bytes | None, LocalPort] = {}
         self._mirror: Mirror | None = None
         self._mirrored: Port = LocalPort("")
         self._links = Links(self._core.counters, self.config.name, self._take, self._core.disconnected)
         self._timer: asyncio.TimerHandle | None = None
         self._watch: asyncio.TimerHandle | None = None
-        self._sweep = Sweep(self._core.components, self._is_dead, self._buried)
+        self._sweep = Sweep(self._core.components, dead, self._mailboxes.buried)
         self._sweeping: asyncio.TimerHandle | None = None
         self._extras = AsyncExitStack()
         self._closed = asyncio.Event()
@@ -118,9 +119,8 @@ class NodeManager:
     @property
     def state(self) -> NodeState:
         """What the status and the metrics are made from."""
-        waiting = {path: len(mailbox) for path, mailbox in self._mailboxes.items()}
         ingress = len(self._ingress or ())
-        return NodeState(self.config, self._core, self._networks, waiting, ingress, self._loop.time())
+        return NodeState(self.config, self._core, self._networks, self._mailboxes.waiting, ingress, self._loop.time())
 
     async def open(self) -> None:
         """Bind everything, or nothing."""
@@ -162,9 +162,7 @@ class NodeManager:
         if self._ingress is not None:
             self._ingress.close()
         await self._links.close()
-        for mailbox in self._mailboxes.values():
-            mailbox.close()
-        self._mailboxes.clear()
+        self._mailboxes.close()
         self._shortcuts.clear()
         for network in self._networks.values():
             network.close()
@@ -234,7 +232,7 @@ class NodeManager:
     def _flush(self) -> None:
         for port, datagram in self._core.poll_output():
             if isinstance(port, LocalPort):
-                self._send_local(port.path, datagram)
+                self._mailboxes.send(port.path, datagram)
             elif (network := self._networks.get(port.network)) is None:
                 self._core.counters.drop("closed")
             elif isinstance(port, GroupPort):
@@ -254,49 +252,9 @@ class NodeManager:
         if self._mirror is not None:
             return None
         if isinstance(port, LocalPort):
-            return self._mailbox(port.path).send
+            return self._mailboxes.of(port.path).send
         network = self._networks.get(port.network)
         return None if network is None else network.way_to(port.host, port.port)
-
-    def _send_local(self, path: str, datagram: bytes) -> None:
-        mailbox = self._mailbox(path)
-        if datagram[0] == junior.VERSION:
-            mailbox.refresh()
-        mailbox.send(datagram)
-
-    def _mailbox(self, path: str) -> Mailbox:
-        mailbox = self._mailboxes.get(path)
-        if mailbox is None:
-            self._forget_cancelled()
-            mailbox = self._mailboxes[path] = Mailbox(path, self._core.counters, self._gone)
-        return mailbox
-
-    def _gone(self, path: str) -> None:
-        self._mailboxes.pop(path, None)
-        self._core.unreachable(LocalPort(path))
-        self._bury(path)
-
-    def _buried(self, port: ComponentPort) -> None:
-        if isinstance(port, LocalPort) and (mailbox := self._mailboxes.pop(port.path, None)) is not None:
-            mailbox.close()
-        self._core.unreachable(port)
-
-    def _is_dead(self, path: str) -> bool:
-        if not local_socket.is_dead(Path(path)):
-            return False
-        self._bury(path)
-        return True
-
-    def _bury(self, path: str) -> None:
-        """Remove the socket that a component has left behind, when its name says that it is one's."""
-        socket_path = Path(path)
-        if socket_path.parent == self.config.local_root and socket_path.name.isdecimal():
-            local_socket.clean_up(socket_path)
-
-    def _forget_cancelled(self) -> None:
-        alive = {port.path for _, port in self._core.components if isinstance(port, LocalPort)}
-        for path in [path for path in self._mailboxes if path not in alive]:
-            self._mailboxes.pop(path).close()
 
     def _watch_interfaces(self) -> None:
         self._watch = self._loop.call_later(memberships.WATCH_INTERVAL, self._watch_interfaces)

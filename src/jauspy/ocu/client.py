@@ -16,7 +16,8 @@ from jauspy.component import Shell
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.ocu import discovery
-from jauspy.ocu.link import Link, Patience
+from jauspy.ocu.link import Link
+from jauspy.ocu.patience import Patience
 from jauspy.ocu.robot import Robot
 from jauspy.ocu.stats import Stats
 from jauspy.ocu.watch import News, watch

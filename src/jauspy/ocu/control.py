@@ -13,16 +13,12 @@ from jauspy.errors import ConfigError, ControlRejected, ResponseTimeout, Transpo
 from jauspy.ids import JausID
 from jauspy.messages.core import (
     ConfirmControl,
-    QueryAuthority,
     QueryControl,
     QueryStatus,
-    QueryTimeout,
     RejectControl,
     ReleaseControl,
-    ReportAuthority,
     ReportControl,
     ReportStatus,
-    ReportTimeout,
     RequestControl,
     Reset,
     Resume,
@@ -30,19 +26,16 @@ from jauspy.messages.core import (
     Shutdown,
     Standby,
 )
-from jauspy.ocu.link import Link, Patience
+from jauspy.ocu.link import Link
+from jauspy.ocu.patience import Patience
+from jauspy.ocu.standing import NOBODY, Standing, holder, status_name
 
 LEAVE: Final = Patience(timeout=0.3, retries=2)
 """How long leaving the block waits for the component to say that control is released."""
-ASSUMED_TIMEOUT: Final = 3.0
-"""Seconds, of a component that does not say after how long it takes control back."""
-ASK_TIMEOUT: Final = Patience(timeout=0.3, retries=3)
-"""For asking it that: the time is running already."""
 LOOK: Final = 2.0
 """Seconds, at most, between two looks at whether the component still knows of us and does what it was told."""
 REQUESTS: Final = 4
 """Renewals of control that are sent at most each time, until one is confirmed."""
-_NOBODY: Final = JausID(0, 0, 0)
 _CALMING: Final = tuple(each.CODE for each in (Standby, SetEmergency, Reset, Shutdown))
 """After one of these from us it is no wonder that the component leaves Ready."""
 
@@ -66,7 +59,7 @@ class Control:
         self.lost = ""
         """Why control was lost; empty while it is held."""
         self._taken = False
-        self._other: tuple[JausID | None, int | None] = (None, None)
+        self._standing = Standing(link, id, patience)
         self._gone = asyncio.Event()
         self._ready = False
         self._calmed = False
@@ -85,7 +78,7 @@ class Control:
     def check(self) -> None:
         """Raise `ControlRejected` when control was lost."""
         if self.lost:
-            raise self._rejected(f"control of {self.id} was lost: {self.lost}")
+            raise self._standing.rejected(f"control of {self.id} was lost: {self.lost}")
 
     async def until_lost(self) -> None:
         """Wait until control is lost; `lost` then says why."""
@@ -97,11 +90,11 @@ class Control:
             self._ready, self._calmed = False, message.CODE != Resume.CODE
 
     async def __aenter__(self) -> Self:
-        self._link.take_control(self.id, self)
+        self._link.controls.take(self.id, self)
         try:
             await self._acquire()
         except BaseException as error:
-            self._link.drop_control(self.id, self)
+            self._link.controls.drop(self.id, self)
             if not isinstance(error, ControlRejected):
                 self._quietly(ReleaseControl())  # it may have been granted, and nobody is there to use it
             raise
@@ -120,7 +113,7 @@ class Control:
                 self._quietly(Standby())
                 await self._release()
         finally:
-            self._link.drop_control(self.id, self)
+            self._link.controls.drop(self.id, self)
             if tasks := {each for each in (keeper, self._asker) if each is not None}:
                 for each in tasks:
                     each.cancel()
@@ -133,29 +126,9 @@ class Control:
         answer = await self._link.request(self.id, request, ConfirmControl, patience=self._patience)
         assert isinstance(answer, ConfirmControl)
         if answer.response_code != ConfirmControl.ResponseCode.CONTROL_ACCEPTED:
-            raise self._rejected(await self._explain(answer.response_code))
+            raise self._standing.rejected(await self._standing.explain(answer.response_code, self.authority))
         self._confirmed_at = asyncio.get_running_loop().time()
-        report = await self._ask(QueryTimeout(), ASK_TIMEOUT)
-        self.timeout = float(report.timeout) if isinstance(report, ReportTimeout) else ASSUMED_TIMEOUT
-
-    async def _explain(self, code: int) -> str:
-        asked = f"you asked with {self.authority}"
-        if code == ConfirmControl.ResponseCode.NOT_AVAILABLE:
-            status = await self._ask(QueryStatus())
-            now = f" (its status is {_status(status)})" if isinstance(status, ReportStatus) else ""
-            return f"{self.id} is not available for control{now}; clear an emergency, or wait until it is ready"
-        if isinstance(control := await self._ask(QueryControl()), ReportControl) and self._is_elsewhere(control):
-            return f"{self.id} {self._held_by()}; {asked}"
-        least = await self._ask(QueryAuthority())
-        if isinstance(least, ReportAuthority):
-            return f"{self.id} gives control to authority {least.authority_code} and above; {asked}"
-        return f"{self.id} refused control (code {code}); {asked}"
-
-    async def _ask(self, query: Message, patience: Patience | None = None) -> Message | None:
-        try:
-            return await self._link.query(self.id, query, patience=patience or self._patience)
-        except (ResponseTimeout, TransportError):
-            return None
+        self.timeout = await self._standing.timeout()
 
     # --- keeping --------------------------------------------------------------------------------------------------
 
@@ -189,18 +162,20 @@ class Control:
 
     async def _look(self, patience: Patience) -> None:
         """See whether the component still holds us for its controller, and is as we left it; silence says nothing."""
-        control, status = await asyncio.gather(self._ask(QueryControl(), patience), self._ask(QueryStatus(), patience))
+        control, status = await asyncio.gather(
+            self._standing.ask(QueryControl(), patience), self._standing.ask(QueryStatus(), patience)
+        )
         if isinstance(control, ReportControl) and not self.lost:
-            if self._is_elsewhere(control):
+            if self._standing.is_elsewhere(control):
                 self._taken = True
-                self._lose(f"{self.id} {self._held_by()}")
-            elif _holder(control) == _NOBODY:
+                self._lose(f"{self.id} {self._standing.held_by()}")
+            elif holder(control) == NOBODY:
                 self._lose(f"{self.id} says that nobody is in control; it was started anew, or did not hear us in time")
         if isinstance(status, ReportStatus) and not self._calmed:
             if status.status == ReportStatus.Status.READY:
                 self._ready = True
             elif self._ready:
-                self._lose(f"{self.id} went from READY to {_status(status)} without being told to by this OCU")
+                self._lose(f"{self.id} went from READY to {status_name(status)} without being told to by this OCU")
 
     def _heard(self, message: Message, source: JausID) -> None:
         """A confirmation keeps it; anything else says that it is gone."""
@@ -222,26 +197,11 @@ class Control:
 
     async def _ask_who(self) -> None:
         try:
-            control = await self._ask(QueryControl(), LEAVE)
-            if isinstance(control, ReportControl) and self._is_elsewhere(control):
-                self.lost = f"{self.id} took it back, and {self._held_by()}; you had {self.authority}"
+            control = await self._standing.ask(QueryControl(), LEAVE)
+            if isinstance(control, ReportControl) and self._standing.is_elsewhere(control):
+                self.lost = f"{self.id} took it back, and {self._standing.held_by()}; you had {self.authority}"
         finally:
             self._gone.set()
-
-    def _is_elsewhere(self, control: ReportControl) -> bool:
-        """True when another client has control; remembers which."""
-        holder = _holder(control)
-        if holder in (_NOBODY, self._link.id):
-            return False
-        self._other = (holder, control.authority_code)
-        return True
-
-    def _held_by(self) -> str:
-        return "is held by {} with authority {}".format(*self._other)
-
-    def _rejected(self, why: str) -> ControlRejected:
-        holder, authority = self._other
-        return ControlRejected(why, holder=holder, authority=authority)
 
     def _lose(self, why: str) -> None:
         self.lost = self.lost or why
@@ -260,11 +220,3 @@ class Control:
             self._link.send(self.id, message)
         except TransportError:
             self._lose("the OCU was closed")
-
-
-def _holder(control: ReportControl) -> JausID:
-    return JausID(control.subsystem_id, control.node_id, control.component_id)
-
-
-def _status(report: ReportStatus) -> str:
-    return getattr(report.status, "name", str(report.status))

@@ -6,18 +6,21 @@ import asyncio
 import logging
 from collections import Counter
 from collections.abc import AsyncIterator, Callable
-from dataclasses import dataclass
-from typing import Final, Protocol
+from typing import Final
 
 from jauspy.arguments import check_number
 from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
 from jauspy.component import Shell
-from jauspy.errors import ConfigError, ControlRejected, ResponseTimeout, TransportError
+from jauspy.errors import ResponseTimeout, TransportError
 from jauspy.ids import JausID
-from jauspy.ocu.arguments import check_class, check_message
+from jauspy.ocu.answers import answer_to
+from jauspy.ocu.arguments import check_message
+from jauspy.ocu.controls import Controls
 from jauspy.ocu.lanes import Lanes
+from jauspy.ocu.patience import Patience
 from jauspy.ocu.replies import Arrival, Replies
+from jauspy.ocu.shared_events import SharedEvents
 from jauspy.ocu.stats import Recorder
 from jauspy.protocol.header import Ack, Broadcast, Packet, Priority
 
@@ -27,42 +30,6 @@ ASK_AGAIN: Final = 0.5
 """Seconds between two questions to all that a wildcard reaches."""
 MAX_ANSWERS: Final = 4096
 """Different components that one question may be answered by."""
-REPORT_OFFSET: Final = 0x2000
-"""From the code of a query (2000h to 3FFFh) to that of its report (AS5710)."""
-REPORTS: Final = range(0x4000, 0x6000)
-
-
-@dataclass(frozen=True, slots=True)
-class Patience:
-    """How long to wait for one answer (seconds), and how often to ask again."""
-
-    timeout: float = 1.0
-    retries: int = 2
-
-    def __post_init__(self) -> None:
-        check_number(self.timeout, "timeout")
-        check_number(self.retries, "retries", whole=True)
-        if not self.timeout > 0 or self.retries < 0:
-            raise ConfigError(f"timeout {self.timeout} s must be above 0, retries {self.retries} must be 0 or more")
-
-    @property
-    def total(self) -> float:
-        """Seconds until it is given up."""
-        return self.timeout * (self.retries + 1)
-
-    def changed(self, timeout: float | None, retries: int | None) -> Patience:
-        """With what is given."""
-        return Patience(self.timeout if timeout is None else timeout, self.retries if retries is None else retries)
-
-
-class Held(Protocol):
-    """Control of a component, as others see it."""
-
-    def check(self) -> None:
-        """Raise `ControlRejected` when it was lost."""
-
-    def sent(self, message: Message) -> None:
-        """Hear of a message that was sent to the component."""
 
 
 class Link:
@@ -74,10 +41,10 @@ class Link:
         self.recorder = Recorder()
         self.replies = Replies(registry, self.malformed)
         self.requests: Counter[JausID] = Counter()
+        self.controls = Controls()
+        self.events = SharedEvents()
         self._component: Shell | None = None
         self._lanes = Lanes()
-        self._controls: dict[JausID, Held] = {}
-        self._events: dict[tuple[JausID, int], set[object]] = {}
 
     def attach(self, component: Shell | None) -> None:
         """Use this component for sending; None when the OCU is closed."""
@@ -136,7 +103,7 @@ class Link:
         report does not say which query it answers.
         """
         patience = patience or self.patience
-        kind = self.answer_to(message, expects)
+        kind = answer_to(self.registry, message, expects)
         try:
             async with asyncio.timeout(patience.total) as deadline:
                 async with self._lanes.enter((destination, kind.CODE), message.encode()):
@@ -152,7 +119,7 @@ class Link:
     ) -> AsyncIterator[Arrival]:
         """Every answer within `seconds`, with who gave it, as they come; one of each component."""
         check_number(seconds, "within")
-        kind, myself = self.answer_to(message, expects, "query_each()"), self.id
+        kind, myself = answer_to(self.registry, message, expects, "query_each()"), self.id
         answers: asyncio.Queue[Arrival] = asyncio.Queue()
         seen: set[JausID] = set()
 
@@ -211,69 +178,6 @@ class Link:
         self.recorder.timeouts += 1
         return ResponseTimeout(_no_answer(destination, message, patience, problem))
 
-    def answer_to(self, message: Message, expects: type[Message] | None, use: str = "query()") -> type[Message]:
-        """What answers this message: `expects`, else the report of the query that it is."""
-        check_message(message, use)
-        check_class(expects, "expects")
-        return expects or self.report_of(message)
-
-    def report_of(self, query: Message) -> type[Message]:
-        """The class of the report that answers a query, of the same service and version."""
-        if not query.IS_QUERY:
-            raise ConfigError(f"{query.NAME} is no query; say with `expects` which message answers it, or send it")
-        if (report := getattr(query, "REPORT", None)) is not None:
-            return report  # type: ignore[no-any-return]  # queries whose report is of the same service have it
-        code = query.CODE + REPORT_OFFSET
-        found = self.registry.by_code(code) if code in REPORTS else self._named_report(query)
-        for each in found:
-            if (each.SERVICE, each.VERSION) == (query.SERVICE, query.VERSION):
-                return each
-        if not found:
-            what = f"with id {code:04X}" if code in REPORTS else f"called {report_name(query)} of {query.SERVICE}"
-            raise ConfigError(f"no message {what} is known to answer {query.NAME}; say with `expects` which one does")
-        return found[0]
-
-    def _named_report(self, query: Message) -> tuple[type[Message], ...]:
-        """What answers a query whose id says nothing, as those of users do."""
-        try:
-            return (self.registry.by_name(report_name(query), service=query.SERVICE, version=query.VERSION),)
-        except ConfigError:
-            return ()
-
-    def take_control(self, id: JausID, control: Held) -> None:
-        """Remember who controls a component; `ControlRejected` when something else here does."""
-        if id in self._controls:
-            raise ControlRejected(f"this OCU already controls {id}; one `async with` block serves all of its services")
-        self._controls[id] = control
-
-    def has_control(self, id: JausID) -> bool:
-        """True when something here controls the component."""
-        return id in self._controls
-
-    def drop_control(self, id: JausID, control: Held) -> None:
-        """Forget it; fine when another one is there."""
-        if self._controls.get(id) is control:
-            del self._controls[id]
-
-    def check_control(self, id: JausID) -> None:
-        """Raise `ControlRejected` when control of the component was taken and is lost."""
-        if id in self._controls:
-            self._controls[id].check()
-
-    def join_event(self, id: JausID, event: int, user: object) -> None:
-        """`user` listens to this event; a component has one event for equal subscriptions of one client."""
-        self._events.setdefault((id, event), set()).add(user)
-
-    def leave_event(self, id: JausID, event: int | None, user: object) -> bool:
-        """`user` does not any more; true when it was the last, so that the event can be cancelled."""
-        users = self._events.get((id, event)) if event is not None else None
-        if event is None or users is None:
-            return False
-        users.discard(user)
-        if not users:
-            del self._events[id, event]
-        return not users
-
     def next_request_id(self, destination: JausID) -> int:
         """A number for the next event request, 0..255 and round again."""
         self.requests[destination] += 1
@@ -286,19 +190,12 @@ class Link:
 
     def _sent(self, destination: JausID, message: Message) -> None:
         self.recorder.sent += 1
-        for id, control in self._controls.items():
-            if destination.matches(id):
-                control.sent(message)
+        self.controls.sent(destination, message)
 
     def _open(self) -> Shell:
         if self._component is None:
             raise TransportError("the OCU is not open; use it inside `async with jauspy.OCU(...) as ocu:`")
         return self._component
-
-
-def report_name(query: Message) -> str:
-    """`ReportLamp` of `QueryLamp`."""
-    return f"Report{query.NAME.removeprefix('Query')}"
 
 
 def _no_answer(destination: JausID, message: Message, patience: Patience, problem: str) -> str:

@@ -14,13 +14,16 @@ from jauspy.codec.base import Message, Query
 from jauspy.errors import ConfigError, RequestError, ResponseTimeout
 from jauspy.ids import JausID
 from jauspy.messages.core import ClearEmergency, QueryStatus, ReportStatus, Resume, SetEmergency, Standby
+from jauspy.ocu.answers import answer_to
 from jauspy.ocu.arguments import check_message
 from jauspy.ocu.control import Control
 from jauspy.ocu.elements import Elements
-from jauspy.ocu.link import Link, Patience
+from jauspy.ocu.event_requests import Request
+from jauspy.ocu.link import Link
 from jauspy.ocu.model import ServiceInfo
+from jauspy.ocu.patience import Patience
 from jauspy.ocu.stills import Photo, configuration, photograph
-from jauspy.ocu.subscription import Request, Subscription
+from jauspy.ocu.subscription import Subscription
 
 R = TypeVar("R", bound=Message)
 
@@ -103,7 +106,7 @@ class ServiceClient:
         """
         check_message(message, "send()", "Resume()")
         if message.IS_COMMAND and message.CODE not in _FREE_FOR_ALL:
-            self._link.check_control(self.id)
+            self._link.controls.check(self.id)
         if ack:
             await self._link.deliver(self.id, message)
             return
@@ -165,7 +168,7 @@ class ServiceClient:
         check_number(rate, "rate", optional=True)
         if silence is None and rate:
             silence = max(2.0, 10.0 / rate)
-        kind = self._link.answer_to(query, expects, "subscribe()")
+        kind = answer_to(self._link.registry, query, expects, "subscribe()")
         return Subscription(self._link, Request(self.id, query, rate, silence, buffer), kind, self._link.patience)
 
     async def still(

@@ -52,7 +52,7 @@ async def photograph(link: Link, service: ServiceClient, wanted: Configuration, 
     before = await _configuration(service, sensor)
     if all(getattr(wanted, name) in (None, getattr(before, name)) for name in ("frame_size", "still_image_format")):
         return await _taken(service, sensor, timeout)
-    control: AbstractAsyncContextManager[Any] = nullcontext() if link.has_control(service.id) else service.control()
+    control: AbstractAsyncContextManager[Any] = nullcontext() if service.id in link.controls else service.control()
     async with control:
         await _set(service, wanted)
         try:

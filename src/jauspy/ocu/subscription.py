@@ -5,65 +5,23 @@ from __future__ import annotations
 import asyncio
 import math
 from collections import deque
-from collections.abc import AsyncIterator, Mapping
+from collections.abc import AsyncIterator
 from contextlib import ExitStack
-from dataclasses import dataclass
 from types import TracebackType
 from typing import Final, Generic, Self, TypeVar
 
-from jauspy.arguments import check_number
 from jauspy.codec.base import Message
 from jauspy.errors import ConfigError, DecodeError, EventRejected, ResponseTimeout, TransportError
 from jauspy.ids import JausID
-from jauspy.messages.core import (
-    CancelEvent,
-    ConfirmEventRequest,
-    CreateEvent,
-    Event,
-    QueryEvents,
-    QueryEventTimeout,
-    RejectEventRequest,
-    ReportEvents,
-    ReportEventTimeout,
-    UpdateEvent,
-)
-from jauspy.ocu.link import Link, Patience
+from jauspy.messages.core import ConfirmEventRequest, Event
+from jauspy.ocu.event_requests import EventRequests, Request
+from jauspy.ocu.link import Link
+from jauspy.ocu.patience import Patience
 
 R = TypeVar("R", bound=Message)
 
-MAX_RATE: Final = 1092.0
-"""Hz; what fits the message."""
 CHECK_INTERVAL: Final = 5.0
 """Seconds between looking whether the component still has the event."""
-_MEANINGS: Final[Mapping[int, str]] = {
-    RejectEventRequest.ResponseCode.PERIODIC_NOT_SUPPORTED: "it has no periodic events; subscribe with rate=None",
-    RejectEventRequest.ResponseCode.EVERY_CHANGE_NOT_SUPPORTED: "it has no every-change events; subscribe with a rate",
-    RejectEventRequest.ResponseCode.CONNECTION_REFUSED: "it refused; it may have as many events as it can hold",
-    RejectEventRequest.ResponseCode.INVALID_EVENT_SETUP: "it cannot set the event up like this; try another rate",
-    RejectEventRequest.ResponseCode.MESSAGE_NOT_SUPPORTED: "it does not answer this query",
-    RejectEventRequest.ResponseCode.INVALID_EVENT_ID: "it does not know the event any more",
-}
-
-
-@dataclass(frozen=True, slots=True)
-class Request:
-    """What is subscribed to: `rate` in Hz, None for every change; `silence` in seconds, None for any time."""
-
-    id: JausID
-    query: Message
-    rate: float | None
-    silence: float | None
-    buffer: int
-
-    def __post_init__(self) -> None:
-        if self.rate is not None and not 0 < self.rate <= MAX_RATE:
-            raise ConfigError(f"rate {self.rate} is outside 0..{MAX_RATE:g} Hz; leave it out to hear of every change")
-        check_number(self.silence, "silence", optional=True)
-        if self.silence is not None and not self.silence > 0:
-            raise ConfigError(f"silence {self.silence} s must be above 0; leave it out for any time")
-        check_number(self.buffer, "buffer", whole=True)
-        if self.buffer < 1:
-            raise ConfigError(f"a buffer of {self.buffer} reports holds nothing; use 1 or more")
 
 
 class Subscription(Generic[R]):
@@ -90,8 +48,7 @@ class Subscription(Generic[R]):
         self.event_id: int | None = None
         self._link = link
         self._kind = kind
-        self._patience = patience
-        self._number = 0
+        self._wire = EventRequests(link, request, patience)
         self._next: int | None = None
         self._buffer: deque[R] = deque(maxlen=request.buffer)
         self._news = asyncio.Event()
@@ -105,8 +62,8 @@ class Subscription(Generic[R]):
         tap = self._link.replies.tapped(self.request.id, self._heard, ConfirmEventRequest, Event)
         self._stack.enter_context(tap)
         try:
-            await self._create()
-            lifetime = await self._lifetime()
+            await self._wire.create()
+            lifetime = await self._wire.lifetime()
         except BaseException:
             self._leave()
             raise
@@ -149,17 +106,17 @@ class Subscription(Generic[R]):
 
     def _heard(self, message: Message, source: JausID) -> None:  # noqa: ARG002 - the tap hears one source
         if isinstance(message, ConfirmEventRequest):
-            if message.request_id == self._number:
+            if message.request_id == self._wire.number:
                 self._confirmed(message)
         elif isinstance(message, Event) and message.event_id == self.event_id:
             self._arrived(message)
 
     def _confirmed(self, message: ConfirmEventRequest) -> None:
-        """Here and not in `_create`: the first report may come in the same wake-up as the confirmation."""
+        """Here and not when it was asked for: the first report may come in the same wake-up as the confirmation."""
         if message.event_id != self.event_id:
-            self._link.leave_event(self.request.id, self.event_id, self)
+            self._link.events.leave(self.request.id, self.event_id, self)
             self.event_id, self._next = message.event_id, None
-            self._link.join_event(self.request.id, self.event_id, self)
+            self._link.events.join(self.request.id, self.event_id, self)
         self.confirmed_rate = message.confirmed_periodic_rate
 
     def _arrived(self, message: Event) -> None:
@@ -187,56 +144,14 @@ class Subscription(Generic[R]):
 
     # --- the event's life -----------------------------------------------------------------------------------------
 
-    async def _create(self) -> None:
-        request = self.request
-        self._number = self._link.next_request_id(request.id)
-        await self._ask(
-            CreateEvent(
-                request_id=self._number,
-                event_type=_event_type(request),
-                requested_periodic_rate=request.rate or 0.0,
-                query_message=request.query,
-            )
-        )
-
     async def _renew(self) -> None:
         """Give it its full time again; an event that is gone, as after a restart, is made anew."""
-        request = self.request
         assert self.event_id is not None
-        self._number = self._link.next_request_id(request.id)
-        update = UpdateEvent(
-            request_id=self._number,
-            event_type=_event_type(request),
-            requested_periodic_rate=request.rate or 0.0,
-            event_id=self.event_id,
-            query_message=request.query,
-        )
         try:
-            await self._ask(update)
+            await self._wire.update(self.event_id)
         except EventRejected:
             self._next = None
-            await self._create()
-
-    async def _ask(self, message: CreateEvent | UpdateEvent) -> None:
-        number = message.request_id
-        answer = await self._link.request(
-            self.request.id,
-            message,
-            ConfirmEventRequest,
-            RejectEventRequest,
-            accept=lambda each: getattr(each, "request_id", None) == number,
-            patience=self._patience,
-        )
-        if isinstance(answer, RejectEventRequest):
-            raise EventRejected(self._refusal(answer))
-
-    async def _lifetime(self) -> float:
-        """Seconds after which the component forgets the event; 0 when it never does."""
-        try:
-            report = await self._link.query(self.request.id, QueryEventTimeout(), patience=self._patience)
-        except ResponseTimeout:
-            return 60.0  # the shortest that can be
-        return report.timeout * 60.0 if isinstance(report, ReportEventTimeout) else 60.0
+            await self._wire.create()
 
     async def _keep(self, lifetime: float) -> None:
         """Renew at a third of the lifetime; when reports stay out, or the component has no event of ours, anew."""
@@ -275,37 +190,21 @@ class Subscription(Generic[R]):
         """True while the component has our every-change event; with a rate the reports themselves say so."""
         if self.request.rate is not None or self.event_id is None:
             return True
-        mine = QueryEvents(query_events_var=QueryEvents.EventIDRec(event_id=self.event_id))
-        report = await self._link.query(self.request.id, mine, patience=self._patience, expects=ReportEvents)
-        assert isinstance(report, ReportEvents)
-        return any(each.event_id == self.event_id for each in report.event_list)
+        return await self._wire.is_known(self.event_id)
 
     def _leave(self) -> None:
         self._stack.close()
-        if self.event_id is None or not self._link.leave_event(self.request.id, self.event_id, self):
+        if self.event_id is None or not self._link.events.leave(self.request.id, self.event_id, self):
             return
-        number = self._link.next_request_id(self.request.id)
         try:
-            self._link.send(self.request.id, CancelEvent(request_id=number, event_id=self.event_id))
+            self._wire.cancel(self.event_id)
         except TransportError:
             return  # the OCU is closed; the event ends by its timeout
         finally:
             self.event_id = None
-
-    # --- words ----------------------------------------------------------------------------------------------------
-
-    def _refusal(self, answer: RejectEventRequest) -> str:
-        code = answer.response_code
-        why = _MEANINGS.get(code, f"code {code}") if code is not None else "no reason given"
-        more = f" ({answer.error_message})" if answer.error_message else ""
-        return f"{self.request.id} rejected the event for {self.request.query.NAME}: {why}{more}"
 
     def _silence(self) -> str:
         return (
             f"no event with a report on {self.request.query.NAME} came from {self.request.id} for "
             f"{self.request.silence:g} s; check that it still runs, or subscribe with a longer `silence`"
         )
-
-
-def _event_type(request: Request) -> CreateEvent.EventType:
-    return CreateEvent.EventType.PERIODIC if request.rate is not None else CreateEvent.EventType.EVERY_CHANGE

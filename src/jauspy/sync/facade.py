@@ -8,11 +8,12 @@ from jauspy.codec.registry import Registry
 from jauspy.ids import JausID
 from jauspy.messages.core import ReportStatus
 from jauspy.ocu.elements import Element
+from jauspy.ocu.event_requests import Request
 from jauspy.ocu.model import Component, Node, ServiceInfo, Subsystem
 from jauspy.ocu.service import DEFAULT_AUTHORITY
 from jauspy.ocu.stats import Stats
 from jauspy.ocu.stills import Photo
-from jauspy.ocu.subscription import R, Request
+from jauspy.ocu.subscription import R
 from jauspy.ocu.watch import News
 from jauspy.protocol.delivery import Delivery
 from jauspy.sync.base import Facade, OpensPortal

@@ -19,6 +19,9 @@ SPEED: Final = 0.6
 NEAR: Final = (0.15, math.radians(3.0))
 """How exactly it must stand there."""
 
+AIM: Final = (0.0, 0.2)
+"""Pan and tilt of the camera on the chassis, radians to the right and up: there it sees the hand lift the can."""
+
 # --- what stands on the table, in the local frame
 CAN: Final = (2.0, 0.9, 0.41)
 """The middle of the can, as one was told; where it really is, the camera tells."""

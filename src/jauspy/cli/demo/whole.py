@@ -5,8 +5,10 @@ from __future__ import annotations
 import asyncio
 from contextlib import AsyncExitStack
 from pathlib import Path
+from typing import Final
 
 from jauspy.cli.demo import plan
+from jauspy.cli.demo.aim import look_up
 from jauspy.cli.demo.chart import draw
 from jauspy.cli.demo.drive import to_the_table
 from jauspy.cli.demo.film import Film, filmed
@@ -18,8 +20,11 @@ from jauspy.cli.demo.watch import Watcher
 from jauspy.modules.config import RobotConfig
 from jauspy.ocu import OCU, Control
 from jauspy.ocu.frames import RobotFrames
-from jauspy.ocu.robot import Robot
+from jauspy.ocu.robot import ComponentClient, Robot
 from jauspy.services.environment_sensing.frame_sizes import SIZES, FrameSize
+
+AIMED: Final = "chassis"
+"""The camera that a mount turns."""
 
 
 class WholeTour(Tour):
@@ -39,8 +44,8 @@ class WholeTour(Tour):
             driving, arm = await self._begin(stack, robot)
             films = await self._film(stack, robot)
             await self._drive(robot, driving)
-            camera = next(module for module in self._config.modules if module.camera == CAMERA)
-            frames, eye = RobotFrames(robot, self._model), robot.component(camera.component)
+            await self._aim(stack, robot)
+            frames, eye = RobotFrames(robot, self._model), self._camera(robot, CAMERA)
             grasp = Grasp(arm, frames, self._model, eye, SIZES[self._size])
             self._step("look", "Look for the can with the arm's camera")
             self._found(await grasp.look(self._folder))
@@ -76,6 +81,13 @@ class WholeTour(Tour):
             found, files = await mapping.finish(self._folder)
         self._found(found)
         self._report.files += files
+
+    async def _aim(self, stack: AsyncExitStack, robot: Robot) -> None:
+        self._step("aim", "Point the camera on the chassis up")
+        self._found(await look_up(stack, self._camera(robot, AIMED)))
+
+    def _camera(self, robot: Robot, name: str) -> ComponentClient:
+        return robot.component(next(each.component for each in self._config.modules if each.camera == name))
 
     def _draw(self) -> None:
         draw(self._scene, self._folder / "joints.png")

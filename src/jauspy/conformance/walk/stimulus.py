@@ -8,7 +8,7 @@ from typing import Final, TypeAlias
 
 from jauspy.codec.base import Message
 from jauspy.conformance.checks import Check
-from jauspy.conformance.walk.machine import Judge, Situation, Truth
+from jauspy.conformance.walk.machine import Judge, Prediction, Situation, Truth
 from jauspy.conformance.walk.walker import Walker
 from jauspy.schema import guards
 
@@ -21,8 +21,24 @@ SETTER: Final = frozenset({"isIDStored"})
 """Predicates about who sends."""
 
 
+LONGEST: Final = 70.0
+"""Seconds that a step may wait for a timer of the component: the default of events is a minute."""
+EARLIEST: Final = 0.8
+"""Of a timer: the part of its time that must have passed."""
+
+
 def nothing(walker: Walker, role: str) -> None:
     """The usual preparation."""
+
+
+@dataclass(frozen=True, slots=True)
+class Aftermath:
+    """What is known when an input has been answered: who sent it, where that was, and the outcome that fits."""
+
+    walker: Walker
+    role: str
+    before: Situation
+    outcome: Prediction
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,12 +54,16 @@ class Stimulus:
     after: Prepare = nothing
     checks: Mapping[str, tuple[Check, ...]] = field(default_factory=dict)
     """What to look at in outputs, by message name."""
-    verify: Callable[[Walker, bool], None] | None = None
-    """Looks at the effect; hears whether the input was taken."""
+    verify: Callable[[Aftermath], None] | None = None
+    """Looks at the effect."""
     by_controller: bool = False
     """Can only be prepared by the client in control."""
     seconds: Callable[[Walker], float] | None = None
     """How long to wait: for an event that comes by itself, or an answer that takes its time."""
+    earliest: float = 0.0
+    """The part of that time before which it must not come."""
+    once: bool = False
+    """Tried in the first state alone: the others would show nothing more."""
 
     def judge(self, role: str) -> Judge:
         """Decides predicates for this input from this sender."""
@@ -57,8 +77,3 @@ class Stimulus:
             return self.truths.get(name)
 
         return decide
-
-
-def cases(message: str, *variants: Stimulus) -> tuple[str, tuple[Stimulus, ...]]:
-    """A row of a table."""
-    return message, variants

@@ -6,45 +6,16 @@ from collections import Counter
 from dataclasses import dataclass
 
 from jauspy.codec.base import Message
-from jauspy.codec.registry import Registry
 from jauspy.conformance.checks import Check, has
+from jauspy.conformance.client import EVENTS
 from jauspy.conformance.outcome import Failed
-from jauspy.conformance.tester import EVENTS, Tester
+from jauspy.conformance.tester import Tester
 from jauspy.conformance.trace import Heard, named
-from jauspy.conformance.walk.machine import Machine, Output, Prediction, Situation
-from jauspy.conformance.walk.stimulus import Stimulus
+from jauspy.conformance.walk.machine import Output, Prediction, Situation
+from jauspy.conformance.walk.stimulus import Aftermath, Stimulus
+from jauspy.conformance.walk.subject import Subject
 from jauspy.conformance.walk.walker import CLIENTS, Walker
 from jauspy.errors import DecodeError
-from jauspy.ids import JausID
-from jauspy.schema import model
-
-
-@dataclass(frozen=True)
-class Subject:
-    """The component under test, as its definitions say it is."""
-
-    component: JausID
-    definitions: tuple[model.Service, ...]
-    machine: Machine
-    registry: Registry
-
-    def walker(self, tester: Tester) -> Walker:
-        """The one walker of this component in this run."""
-        known: dict[JausID, Walker] = tester.memory.setdefault("walkers", {})
-        if self.component not in known:
-            services = frozenset(each.id for each in self.definitions)
-            known[self.component] = Walker(tester, self.component, services, self.machine.start)
-        return known[self.component]
-
-    def kind(self, name: str) -> type[Message]:
-        """The class of an output, of the version that the component runs."""
-        for definition in self.definitions:
-            for message in (*definition.outputs, *definition.inputs):
-                if message.name == name:
-                    for kind in self.registry.by_code(message.code):
-                        if definition.key == (kind.SERVICE, kind.VERSION):
-                            return kind
-        return self.registry.by_name(name)
 
 
 @dataclass(frozen=True)
@@ -73,15 +44,18 @@ class Trial:
         walker.quiet()
         nothing = f"{self.situation}: nothing takes {self.stimulus.message}"
         tester.why += [each.rule or nothing for each in self.predictions]
-        if made is not None:
-            walker.client(self.role).send(made, to=self.subject.component)
         try:
-            walker.where = self._look(walker, seconds)
+            walker.where = self.attempt(walker, made, seconds)
         finally:
             self.stimulus.after(walker, self.role)
 
+    def attempt(self, walker: Walker, made: Message | None, seconds: float) -> Situation | None:
+        """Send the input, if it is one that is sent, and look; where the component is then, when that is known."""
+        if made is not None:
+            walker.client(self.role).send(made, to=self.subject.component)
+        return self._look(walker, seconds)
+
     def _look(self, walker: Walker, seconds: float) -> Situation | None:
-        """Where the component is afterwards, when that is known."""
         predictions = self.predictions
         if len(predictions) == 1:
             self._expect(walker, predictions[0], seconds)
@@ -89,17 +63,22 @@ class Trial:
         else:
             walker.look()
             fitting = self._compare(walker)
-        self._end(walker, fitting, seconds)
+        self._end(walker, fitting)
         return fitting[0].after if len(fitting) == 1 else None
 
     def _expect(self, walker: Walker, prediction: Prediction, seconds: float) -> None:
         """The outputs that were declared, and no others."""
+        tester, began = walker.tester, walker.tester.now
         if not prediction.outputs and seconds:
-            walker.tester.wait(seconds * 1.05)
-        within = 1.0 + seconds / walker.tester.timeout
+            tester.wait(seconds * 1.05)
+        within = 1.0 + seconds / tester.timeout
         for output in prediction.outputs:
             kind = self.subject.kind(output.message)
-            walker.client(output.to).expect(kind, self._checks(kind, output), within=within)
+            client, component = walker.client(output.to), self.subject.component
+            client.expect(kind, self._checks(kind, output), within=within, source=component)
+        if prediction.outputs and self.stimulus.earliest:
+            early = tester.now - began < self.stimulus.earliest * seconds
+            tester.check("it does not come early", f"it came after {tester.now - began:.1f} s" if early else "")
         walker.look()
         extra = [name for role in CLIENTS for name in walker.client(role).unasked()]
         rule = "nothing else comes" if prediction.outputs else "there is no answer"
@@ -155,7 +134,7 @@ class Trial:
             if each.source == self.subject.component and each.code not in EVENTS
         ]
 
-    def _end(self, walker: Walker, fitting: list[Prediction], seconds: float) -> None:
+    def _end(self, walker: Walker, fitting: list[Prediction]) -> None:
         """The state afterwards; and the effect, where it can be seen."""
         after = [each.after for each in fitting]
         seen = walker.settle(after[0])
@@ -163,6 +142,5 @@ class Trial:
         walker.tester.expected.append(name)
         right = any(walker.agrees(seen, each) for each in after)
         walker.tester.check(name, "" if right else f"afterwards the component reports {seen}; {name} was expected")
-        still_there = self.situation.controller and after[0].controller == self.situation.controller
-        if self.stimulus.verify is not None and still_there and not seconds:
-            self.stimulus.verify(walker, fitting[0].acts)
+        if self.stimulus.verify is not None:
+            self.stimulus.verify(Aftermath(walker, self.role, self.situation, fitting[0]))

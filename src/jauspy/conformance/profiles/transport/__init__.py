@@ -1,0 +1,1 @@
+"""What is sent packet by packet, and the table of all steps."""

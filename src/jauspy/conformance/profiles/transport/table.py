@@ -1,0 +1,28 @@
+"""AS5669A as seen from outside: packing, wildcards, broadcast, ACK, pieces, duplicates, garbage, ports.
+
+Every step sends packets made by hand to one component, with a query that changes nothing. A target is its component and
+its node manager together; what the two do with a packet cannot be told apart from outside.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from jauspy.conformance.packets import alive
+from jauspy.conformance.profile import Profile
+from jauspy.conformance.profiles.transport import acknowledging, addresses, garbage, packing, pieces, ports
+from jauspy.conformance.profiles.transport.making import step
+
+PROFILE: Final = Profile(
+    "transport",
+    "AS5669A: packing, wildcards, broadcast, ACK, pieces, duplicates, garbage, source ports",
+    (
+        *addresses.STEPS,
+        *packing.STEPS,
+        *acknowledging.STEPS,
+        *pieces.STEPS,
+        *garbage.STEPS,
+        *ports.STEPS,
+        step("alive", "after all this a query is answered", alive),
+    ),
+)

@@ -1,0 +1,76 @@
+"""Commands whose effect a report shows: taken they must have it, and ignored they must not."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Final
+
+from jauspy.codec.base import Message
+from jauspy.conformance.checks import near
+from jauspy.conformance.outcome import Skipped
+from jauspy.conformance.walk.stimulus import Aftermath, Stimulus
+from jauspy.conformance.walk.walker import OBSERVER, Walker
+from jauspy.messages.mobility import (
+    QueryLocalPose,
+    QueryWrenchEffort,
+    ReportLocalPose,
+    ReportWrenchEffort,
+    SetLocalPose,
+    SetWrenchEffort,
+)
+from jauspy.messages.ugv import QuerySkidSteerEffort, ReportSkidSteerEffort, SetSkidSteerEffort
+
+BEFORE: Final = "before the command"
+
+
+def effect(
+    command: Callable[[float], Message], query: Message, report: type[Message], field: str, change: float
+) -> Stimulus:
+    """A command that changes one number by a little; afterwards the client takes the change back."""
+
+    def reported(walker: Walker) -> float:
+        found = getattr(walker.client(OBSERVER).ask(query, report, to=walker.component), field)
+        if found is None:
+            raise Skipped(f"{report.NAME} has no {field}, which would show what the command does")
+        return float(found)
+
+    def before(walker: Walker, role: str) -> None:  # noqa: ARG001 - a Prepare
+        walker.tester.memory[BEFORE] = reported(walker)
+
+    def verify(then: Aftermath) -> None:
+        walker = then.walker
+        wanted = walker.tester.memory[BEFORE] + (change if then.outcome.acts else 0.0)
+        right = near(abs(change) / 4, **{field: wanted})
+        walker.client(OBSERVER).ask(query, report, right, to=walker.component)
+
+    def after(walker: Walker, role: str) -> None:
+        walker.client(role).send(command(walker.tester.memory[BEFORE]), to=walker.component)
+        walker.look()
+
+    return Stimulus(
+        command(0.0).NAME,
+        lambda walker: command(walker.tester.memory[BEFORE] + change),
+        before=before,
+        after=after,
+        verify=verify,
+    )
+
+
+EFFECTS: Final = (
+    effect(
+        lambda percent: SetWrenchEffort(propulsive_linear_effort_x=percent),
+        QueryWrenchEffort(1),
+        ReportWrenchEffort,
+        "propulsive_linear_effort_x",
+        1.0,
+    ),
+    effect(
+        lambda percent: SetSkidSteerEffort(percent, percent),
+        QuerySkidSteerEffort(),
+        ReportSkidSteerEffort,
+        "left_side_propulsive_effort",
+        1.0,
+    ),
+    effect(lambda x: SetLocalPose(x=x), QueryLocalPose(1), ReportLocalPose, "x", 2.0),
+)
+"""So little effort moves no robot."""

@@ -1,0 +1,141 @@
+"""What a client asks of a component about one of its events, and how it is refused."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Final
+
+from jauspy.arguments import check_number
+from jauspy.codec.base import Message
+from jauspy.errors import ConfigError, EventRejected, ResponseTimeout
+from jauspy.ids import JausID
+from jauspy.messages.core import (
+    CancelEvent,
+    ConfirmEventRequest,
+    CreateEvent,
+    QueryEvents,
+    QueryEventTimeout,
+    RejectEventRequest,
+    ReportEvents,
+    ReportEventTimeout,
+    UpdateEvent,
+)
+from jauspy.ocu.link import Link
+from jauspy.ocu.patience import Patience
+
+MAX_RATE: Final = 1092.0
+"""Hz; what fits the message."""
+_MEANINGS: Final[Mapping[int, str]] = {
+    RejectEventRequest.ResponseCode.PERIODIC_NOT_SUPPORTED: "it has no periodic events; subscribe with rate=None",
+    RejectEventRequest.ResponseCode.EVERY_CHANGE_NOT_SUPPORTED: "it has no every-change events; subscribe with a rate",
+    RejectEventRequest.ResponseCode.CONNECTION_REFUSED: "it refused; it may have as many events as it can hold",
+    RejectEventRequest.ResponseCode.INVALID_EVENT_SETUP: "it cannot set the event up like this; try another rate",
+    RejectEventRequest.ResponseCode.MESSAGE_NOT_SUPPORTED: "it does not answer this query",
+    RejectEventRequest.ResponseCode.INVALID_EVENT_ID: "it does not know the event any more",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Request:
+    """What is subscribed to: `rate` in Hz, None for every change; `silence` in seconds, None for any time."""
+
+    id: JausID
+    query: Message
+    rate: float | None
+    silence: float | None
+    buffer: int
+
+    def __post_init__(self) -> None:
+        if self.rate is not None and not 0 < self.rate <= MAX_RATE:
+            raise ConfigError(f"rate {self.rate} is outside 0..{MAX_RATE:g} Hz; leave it out to hear of every change")
+        check_number(self.silence, "silence", optional=True)
+        if self.silence is not None and not self.silence > 0:
+            raise ConfigError(f"silence {self.silence} s must be above 0; leave it out for any time")
+        check_number(self.buffer, "buffer", whole=True)
+        if self.buffer < 1:
+            raise ConfigError(f"a buffer of {self.buffer} reports holds nothing; use 1 or more")
+
+    @property
+    def kind(self) -> CreateEvent.EventType:
+        """The type of the event."""
+        kinds = CreateEvent.EventType
+        return kinds.EVERY_CHANGE if self.rate is None else kinds.PERIODIC
+
+
+class EventRequests:
+    """Raise `EventRejected` with the reason, or `ResponseTimeout`. `number` is that of the last one."""
+
+    def __init__(self, link: Link, request: Request, patience: Patience) -> None:
+        self.number = 0
+        self._link = link
+        self._request = request
+        self._patience = patience
+
+    async def create(self) -> None:
+        """A new event, or the one that is there for the same query."""
+        request = self._request
+        await self._ask(
+            CreateEvent(
+                request_id=self._next(),
+                event_type=request.kind,
+                requested_periodic_rate=request.rate or 0.0,
+                query_message=request.query,
+            )
+        )
+
+    async def update(self, event: int) -> None:
+        """Give it its full time again."""
+        request = self._request
+        await self._ask(
+            UpdateEvent(
+                request_id=self._next(),
+                event_type=request.kind,
+                requested_periodic_rate=request.rate or 0.0,
+                event_id=event,
+                query_message=request.query,
+            )
+        )
+
+    def cancel(self, event: int) -> None:
+        """End it, whether that arrives or not; raises `TransportError` when the OCU is closed."""
+        number = self._link.next_request_id(self._request.id)
+        self._link.send(self._request.id, CancelEvent(request_id=number, event_id=event))
+
+    async def lifetime(self) -> float:
+        """Seconds after which the component forgets the event; 0 when it never does."""
+        try:
+            report = await self._link.query(self._request.id, QueryEventTimeout(), patience=self._patience)
+        except ResponseTimeout:
+            return 60.0  # the shortest that can be
+        return report.timeout * 60.0 if isinstance(report, ReportEventTimeout) else 60.0
+
+    async def is_known(self, event: int) -> bool:
+        """True while the component has it."""
+        mine = QueryEvents(query_events_var=QueryEvents.EventIDRec(event_id=event))
+        report = await self._link.query(self._request.id, mine, patience=self._patience, expects=ReportEvents)
+        assert isinstance(report, ReportEvents)
+        return any(each.event_id == event for each in report.event_list)
+
+    def _next(self) -> int:
+        self.number = self._link.next_request_id(self._request.id)
+        return self.number
+
+    async def _ask(self, message: CreateEvent | UpdateEvent) -> None:
+        number = message.request_id
+        answer = await self._link.request(
+            self._request.id,
+            message,
+            ConfirmEventRequest,
+            RejectEventRequest,
+            accept=lambda each: getattr(each, "request_id", None) == number,
+            patience=self._patience,
+        )
+        if isinstance(answer, RejectEventRequest):
+            raise EventRejected(self._refusal(answer))
+
+    def _refusal(self, answer: RejectEventRequest) -> str:
+        code = answer.response_code
+        why = _MEANINGS.get(code, f"code {code}") if code is not None else "no reason given"
+        more = f" ({answer.error_message})" if answer.error_message else ""
+        return f"{self._request.id} rejected the event for {self._request.query.NAME}: {why}{more}"

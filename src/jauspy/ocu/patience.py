@@ -1,0 +1,31 @@
+"""How long a client waits for answers."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from jauspy.arguments import check_number
+from jauspy.errors import ConfigError
+
+
+@dataclass(frozen=True, slots=True)
+class Patience:
+    """How long to wait for one answer (seconds), and how often to ask again."""
+
+    timeout: float = 1.0
+    retries: int = 2
+
+    def __post_init__(self) -> None:
+        check_number(self.timeout, "timeout")
+        check_number(self.retries, "retries", whole=True)
+        if not self.timeout > 0 or self.retries < 0:
+            raise ConfigError(f"timeout {self.timeout} s must be above 0, retries {self.retries} must be 0 or more")
+
+    @property
+    def total(self) -> float:
+        """Seconds until it is given up."""
+        return self.timeout * (self.retries + 1)
+
+    def changed(self, timeout: float | None, retries: int | None) -> Patience:
+        """With what is given."""
+        return Patience(self.timeout if timeout is None else timeout, self.retries if retries is None else retries)

@@ -1,0 +1,26 @@
+"""Who of an OCU listens to which event: a component has one event for equal subscriptions of one client."""
+
+from __future__ import annotations
+
+from jauspy.ids import JausID
+
+
+class SharedEvents:
+    """By component and number of the event."""
+
+    def __init__(self) -> None:
+        self._users: dict[tuple[JausID, int], set[object]] = {}
+
+    def join(self, id: JausID, event: int, user: object) -> None:
+        """`user` listens to this event."""
+        self._users.setdefault((id, event), set()).add(user)
+
+    def leave(self, id: JausID, event: int | None, user: object) -> bool:
+        """`user` does not any more; true when it was the last, so that the event can be cancelled."""
+        users = self._users.get((id, event)) if event is not None else None
+        if event is None or users is None:
+            return False
+        users.discard(user)
+        if not users:
+            del self._users[id, event]
+        return not users

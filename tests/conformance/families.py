@@ -1,0 +1,243 @@
+"""Mistakes of a whole kind, made only while a step looks: how every check that is made from JSIDL can be tripped.
+
+A robot that says everything wrong cannot be led from state to state, and its steps are skipped. So these robots behave
+until the input of a step is sent, and again once the step has seen enough.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import Any, Final
+from unittest.mock import patch
+
+from tests.conformance.injectors import Injector, _spoilt, code, delayed, field, instead, patched, says
+from tests.conformance.mistakes import stuck, wrong_report
+
+from jauspy.codec.base import Message, Struct
+from jauspy.codec.items import Composite
+from jauspy.conformance import Bench, Part
+from jauspy.conformance.walk import neutral
+from jauspy.conformance.walk.pictures import PATIENCE as PICTURE_PATIENCE
+from jauspy.conformance.walk.trial import Trial
+from jauspy.conformance.walk.walker import CLIENTS, OBSERVER
+from jauspy.ids import JausID
+from jauspy.messages import core, registry
+from jauspy.services.host import Host
+
+WATCHING = JausID.parse(CLIENTS[OBSERVER])
+ROLES = {JausID.parse(id) for id in CLIENTS.values()} - {WATCHING}
+NONSENSE: Final = bytes.fromhex("ff4f")
+"""An answer that nobody has defined."""
+
+
+class Moment:
+    """True while a step looks at what its input has done."""
+
+    now = False
+
+
+@contextmanager
+def armed() -> Iterator[None]:
+    """Make `Moment` follow the steps."""
+    attempt = Trial.attempt
+
+    def watched(self: Trial, *arguments: Any) -> Any:
+        Moment.now = True
+        try:
+            return attempt(self, *arguments)
+        finally:
+            Moment.now = False
+
+    with patch.object(Trial, "attempt", watched):
+        yield
+
+
+def answers(change: Callable[[bytes], Iterable[bytes]], *only: type[Message]) -> Injector:
+    """What is said to those who act, or of it these kinds; the observer is told the truth."""
+    return says(lambda payload, to: change(payload) if Moment.now and to in ROLES and _is(payload, only) else [payload])
+
+
+def shown(change: Callable[[bytes], Iterable[bytes]]) -> Injector:
+    """What the observer is told of effects, not of states."""
+    return says(lambda payload, to: change(payload) if _shows(payload, to) else [payload])
+
+
+def _is(payload: bytes, kinds: tuple[type[Message], ...]) -> bool:
+    return not kinds or any(payload[:2] == code(each) for each in kinds)
+
+
+def _shows(payload: bytes, to: JausID) -> bool:
+    return Moment.now and to == WATCHING and not _is(payload, STATES)
+
+
+def delays(condition: Callable[[bytes, JausID], bool], seconds: float = 2.9) -> Injector:
+    """Said after the deadline, but so that it still counts as late."""
+    return delayed(lambda outgoing: Moment.now and condition(outgoing.payload, outgoing.destination), seconds)
+
+
+def talks_back() -> Injector:
+    """Those who act are told something that nobody has asked for, before the observer is answered."""
+
+    class Chatty(Part):
+        def say(self, outgoing: Any, now: float) -> None:
+            if Moment.now and outgoing.destination == WATCHING:
+                for id in ROLES:
+                    super().say(outgoing._replace(payload=NONSENSE, destination=id), now)
+            super().say(outgoing, now)
+
+    return lambda: (Chatty, Bench, [])
+
+
+def silence(payload: bytes) -> list[bytes]:
+    return []
+
+
+def spoilt(payload: bytes) -> list[bytes]:
+    return [_spoilt(payload)]
+
+
+def changed(change: Callable[[Any], None]) -> Callable[[bytes], list[bytes]]:
+    """The message, read, changed and written again."""
+
+    def made(payload: bytes) -> list[bytes]:
+        message, _ = registry.decode(payload, strict=False)
+        change(message)
+        return [message.encode(strict=False)]
+
+    return made
+
+
+def fails(report: Any) -> None:
+    report.status = core.ReportStatus.Status.FAILURE
+
+
+def other_codes(message: Any) -> None:
+    """Ids and codes are other ones that exist."""
+    for name in ("request_id", "response_code", "query_type", "command_result", "authority_code"):
+        if (value := getattr(message, name, None)) is not None:
+            others = list(type(value)) if isinstance(value, IntEnum) else [value ^ 1]
+            setattr(message, name, next(each for each in others if each != value))
+
+
+def other_numbers(message: Any) -> None:
+    """Every number is half a unit more."""
+    for slot in message.layout().slots:
+        if isinstance(value := getattr(message, slot.name), float):
+            setattr(message, slot.name, value + 0.5)
+
+
+def another_event(event: Any) -> None:
+    event.event_id ^= 64
+
+
+def empty(message: Any) -> None:
+    """Nothing optional is in it."""
+    for part in (message, *(getattr(message, slot.name) for slot in message.layout().slots)):
+        for slot in getattr(part.layout(), "slots", ()) if isinstance(part, Struct) else ():
+            if slot.optional:
+                setattr(part, slot.name, None)
+
+
+def full(payload: bytes) -> list[bytes]:
+    """The report with every optional field in it, each of them zero."""
+    kind = type(registry.decode(payload, strict=False)[0])
+    out = bytearray(payload[:2])
+    _fill(kind.layout(), out)
+    return [bytes(out)]
+
+
+def _fill(item: Any, out: bytearray) -> None:
+    if not isinstance(item, Composite):
+        neutral._write(item, out)
+        return
+    optional = sum(slot.optional for slot in item.slots)
+    out += neutral._packed(item.presence, (1 << optional) - 1) if item.presence else b""
+    for slot in item.slots:
+        _fill(slot.item, out)
+
+
+def impatient() -> Injector:
+    """Timers of control and of events are half as long as is said."""
+
+    def hurried(self: Host, name: Any, at: float, action: Any) -> None:
+        SET_TIMER(self, name, self.now + (at - self.now) / 2, action)
+
+    return patched(Host, set_timer=hurried)
+
+
+def no_pictures(report: Any) -> None:
+    report.still_image_data_list = []
+
+
+def faster(confirmation: Any) -> None:
+    confirmation.confirmed_periodic_rate *= 10
+
+
+SET_TIMER: Final = Host.set_timer
+STATES: Final[tuple[type[Message], ...]] = (core.ReportStatus, core.ReportControl, core.ReportEvents)
+"""What the observer asks for in every step."""
+SECOND: Final[tuple[type[Message], ...]] = (core.ConfirmControl, core.CommandEvent)
+"""What comes after another answer."""
+STREAM: Final = (core.Event,)
+
+
+@dataclass(frozen=True)
+class Family:
+    """`trips`: the names of checks that it is for. Some need the `whole` profile, since a step lives from others."""
+
+    name: str
+    trips: str
+    inject: Injector
+    whole: bool = False
+
+
+def _second(name: str, inject: Injector) -> Family:
+    return Family(name, f"^({'|'.join(each.NAME for each in SECOND)}) ", inject)
+
+
+def _effects(name: str, inject: Injector) -> Family:
+    return Family(name, "^Report", inject)
+
+
+def _stream(name: str, inject: Injector) -> Family:
+    return Family(name, "^(a rate|they come at|the events|the sequence number)", inject)
+
+
+LIES: Final = says(
+    lambda payload, to: (
+        changed(fails)(payload) if Moment.now and to == WATCHING and _is(payload, STATES[:1]) else [payload]
+    )
+)
+FAMILIES: Final = (
+    Family("talks back", "nothing else comes|there is no answer|what comes is", talks_back(), whole=True),
+    Family("is in another state", "^the state is", LIES, whole=True),
+    Family("sends all fields", "and nothing else$", answers(full), whole=True),
+    Family("is silent", " comes$", answers(silence)),
+    Family("is short", "^[A-Z].* is as its definition says", answers(spoilt)),
+    Family("is late", "in time$", delays(lambda payload, to: to in ROLES)),
+    Family("has other ids and codes", "has (request_id|response_code|query_type)", answers(changed(other_codes))),
+    Family("takes its time for a picture", "in time$", delays(lambda payload, to: to in ROLES, PICTURE_PATIENCE * 1.5)),
+    Family("has no pictures", "has a picture", answers(changed(no_pictures))),
+    _second("gives no second answer", answers(silence, *SECOND)),
+    _second("gives a short second answer", answers(spoilt, *SECOND)),
+    _second("gives a late second answer", delays(lambda payload, to: _is(payload, SECOND))),
+    _second("gives another second answer", answers(changed(other_codes), *SECOND)),
+    _effects("does not show effects", shown(silence)),
+    _effects("shows effects in short", shown(spoilt)),
+    _effects("shows effects late", delays(_shows)),
+    _effects("shows other effects", shown(changed(other_numbers))),
+    _effects("shows another authority", shown(changed(other_codes))),
+    _effects("shows nothing", shown(changed(empty))),
+    _effects("shows everything", shown(full)),
+    _stream("confirms a rate of zero", field(core.ConfirmEventRequest, confirmed_periodic_rate=0.0)),
+    _stream("confirms ten times the rate", instead(core.ConfirmEventRequest, faster)),
+    _stream("events have another id", answers(changed(another_event), *STREAM)),
+    _stream("events do not count", answers(changed(stuck), *STREAM)),
+    _stream("events carry another report", answers(changed(wrong_report), *STREAM)),
+    Family("is impatient", "come early$", impatient()),
+    Family("is late after others were", "in time$", delays(lambda payload, to: to in ROLES)),
+)
+"""Late answers to one step may spoil the next; so the last one takes those once more."""
