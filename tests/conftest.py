@@ -1,4 +1,4 @@
-"""Fixtures that many tests share: short socket folders, free ports, and two hosts on one cable."""
+"""What many tests share: short socket folders, free ports, two hosts on one cable, and patience with slow machines."""
 
 import contextlib
 import os
@@ -10,7 +10,11 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
+from hypothesis import HealthCheck, settings
 from tests.node.hosts.switch import Switch
+
+settings.register_profile("any machine", deadline=None, suppress_health_check=[HealthCheck.too_slow])
+settings.load_profile("any machine")
 
 
 @pytest.fixture

@@ -114,6 +114,8 @@ class SimulatedRobot:
         before = self._drive.twist()
         self._run(steps)
         self._drive.moved(before, steps * TIMESTEP)
+        for lidar in self._lidars.values():
+            lidar.wait(self.time)
         self._cameras.show()
 
     def close(self) -> None:

@@ -7,7 +7,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from jauspy.cli.up import _tell
+from jauspy.cli.up_tell import tell
 from jauspy.modules.config import AccessControlConfig
 from jauspy.modules.robots import load
 
@@ -18,7 +18,7 @@ def test_says_how_to_drive_only_what_can_be_driven(capsys, services, drives) -> 
     module = config.modules[0].model_copy(update={"services": services})
     config = config.model_copy(update={"modules": (module,)})
     runner = SimpleNamespace(config=config, components=[SimpleNamespace(id=config.id_of(module))])
-    _tell(runner, "running", Path("/tmp/elsewhere"))
+    tell(runner, "running", Path("/tmp/elsewhere"))
     text = capsys.readouterr().out
     assert ("drive it:  jauspy send 101.1.102 SetWrenchEffort" in text) == drives
     assert "ask it:    jauspy query 101.1.102 QueryStatus --connect local:/tmp/elsewhere" in text
@@ -38,6 +38,6 @@ def test_says_that_a_robot_goes_on_without_its_client(capsys, robot, timeout, ca
         access = AccessControlConfig(timeout=timeout)
         modules = tuple(each.model_copy(update={"access_control": access}) for each in config.modules)
         config = config.model_copy(update={"modules": modules})
-    _tell(SimpleNamespace(config=config, components=[SimpleNamespace(id="105.1.1")] * len(config.modules)), "", Path())
+    tell(SimpleNamespace(config=config, components=[SimpleNamespace(id="105.1.1")] * len(config.modules)), "", Path())
     lines = [line for line in capsys.readouterr().out.splitlines() if line.startswith("careful")]
     assert lines[:1] == [caution] * bool(caution)

@@ -223,6 +223,17 @@ def test_does_not_move_without_control(arm: Handler) -> None:
     assert arm.positions() == pytest.approx(before, abs=0.003)
 
 
+def test_poses_in_close_succession_are_followed_though_no_search_ends(arm: Handler) -> None:
+    attitude = arm.pose_at((-0.4, 1.2, -0.9, 0.3, 0.9)).rotation  # which the arm cannot have: a long search for each
+    x, y, z = arm.pose().position
+    for number in range(1, 51):
+        arm.tell(command(Transform(attitude, (x - 0.002 * number, y, z))))
+        arm.run(0.03)
+    assert arm.pose().position[0] < x - 0.05
+    arm.run(6.0)
+    assert arm.pose().position == pytest.approx((x - 0.1, y, z), abs=0.002)
+
+
 # --- lists
 
 
@@ -297,6 +308,16 @@ def test_the_tool_moves_along_a_straight_line_and_stops(backend: str, robot: str
     driver = arm.host.service(EndEffectorVelocityStateDriver)
     assert driver is not None
     assert not driver.moves, "the joints just hold"
+
+
+def test_commands_that_are_sent_again_and_again_keep_to_the_motion_profile(arm: Handler) -> None:
+    record = m.SetJointMotionProfile.RevoluteJointMotionProfileRec
+    arm.tell(m.SetJointMotionProfile([record(0.4, 0.2, 0.2)] * 5))
+    for _ in range(50):
+        for _ in range(5):
+            arm.tell(moving(0.0, 0.0, 0.0, -0.3, 0.0, 0.0))
+        arm.run(0.01)
+    assert max(map(abs, arm.velocities())) < 0.2 * 0.5 + 0.02, "what half a second of acceleration gives"
 
 
 def test_the_commanded_velocity_holds_until_another_service_commands(arm: Handler) -> None:

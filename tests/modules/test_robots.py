@@ -36,6 +36,7 @@ def test_inc1_comes_with_jauspy():
     assert "inc1" in known()
     assert [str(config.id_of(module)) for module in config.modules] == [
         "101.1.102",
+        "101.1.103",
         "101.1.104",
         "101.1.105",
         "101.1.108",

@@ -4,11 +4,20 @@ from __future__ import annotations
 
 import asyncio
 import math
+from collections.abc import Callable
+from contextlib import AsyncExitStack
 
 import pytest
 
 from jauspy.errors import ConfigError
-from jauspy.messages.manipulator import JointVelocityRec, SetJointVelocity
+from jauspy.messages.manipulator import (
+    JointPositionRec,
+    JointVelocityRec,
+    SetEndEffectorEffort,
+    SetJointPositions,
+    SetJointVelocity,
+    SetPanTiltJointPositions,
+)
 from jauspy.messages.mobility import SetWrenchEffort
 from jauspy.modules.description import robot_model
 from jauspy.modules.robot import RobotRunner
@@ -18,14 +27,21 @@ from jauspy.ocu.frames import RobotFrames
 from jauspy.platform.transforms import FrameTree
 from jauspy.platform.vectors import Transform
 
-MODEL = robot_model(load("inc1"))
+CONFIG = load("inc1")
+MODEL = robot_model(CONFIG)
 RATE = JointVelocityRec.JointVelocity(JointVelocityRec.JointVelocityChoice(1), 0.2)
+GOAL = JointPositionRec.JointPosition(JointPositionRec.JointPositionChoice(1), 1.5)
+LEAST = 0.01
+"""Radians or metres that each joint has to move, so that a frame that did not follow shows."""
 
 
-def has_moved(robot: RobotRunner) -> bool:
-    """So far that a frame that did not follow shows."""
+def moved(robot: RobotRunner) -> bool:
+    """The chassis has turned, and every joint is somewhere else than at the start."""
     seen = robot.snapshot
-    return seen is not None and abs(seen.pose.yaw) > 0.2 and abs(seen.joints["arm"].positions[0]) > 0.1
+    if seen is None or abs(seen.pose.yaw) < 0.2:
+        return False
+    rows = [zip(seen.joints[name].positions, group.start, strict=True) for name, group in MODEL.groups.items()]
+    return all(abs(now - start) > LEAST for row in rows for now, start in row)
 
 
 def stands(robot: RobotRunner) -> bool:
@@ -36,28 +52,38 @@ def stands(robot: RobotRunner) -> bool:
     )
 
 
-async def drive_and_reach(robot: RobotRunner, found: Robot) -> None:
-    """Turn on the spot, and move all joints of the arm."""
+async def until(robot: RobotRunner, condition: Callable[[RobotRunner], bool]) -> None:
+    async with asyncio.timeout(20.0):
+        while not condition(robot):
+            await asyncio.sleep(0.02)
+
+
+async def move_everything(robot: RobotRunner, found: Robot) -> None:
+    """Turn on the spot, and move all joints; then everything stands still."""
     driver = found.service("mobility:PrimitiveDriver")
     arm = found.service("ManipulatorJointVelocityDriver")
-    async with driver.control(authority=200), arm.control(authority=200):
-        await driver.resume()
-        await arm.resume()
+    gripper = found.service("PrimitiveEndEffector")
+    flippers = found.component(103).service("ManipulatorJointPositionDriver")
+    camera = found.service("PanTiltJointPositionDriver")
+    async with AsyncExitStack() as stack:
+        for each in (driver, arm, gripper, flippers, camera):
+            await stack.enter_async_context(each.control(authority=200))
+            await each.resume()
         await driver.send(SetWrenchEffort(propulsive_linear_effort_x=30.0, propulsive_rotational_effort_z=40.0))
         await arm.send(SetJointVelocity([JointVelocityRec(joint_velocity=RATE)] * 5))
-        async with asyncio.timeout(20.0):
-            while not has_moved(robot):
-                await asyncio.sleep(0.02)
-    async with asyncio.timeout(20.0):
-        while not stands(robot):
-            await asyncio.sleep(0.02)
+        await gripper.send(SetEndEffectorEffort(-20.0))
+        await flippers.send(SetJointPositions([JointPositionRec(joint_position=GOAL)]))
+        await camera.send(SetPanTiltJointPositions(0.9, 0.4))
+        await until(robot, moved)
+    await until(robot, stands)
 
 
 async def test_all_frames_are_where_they_really_are(robot: RobotRunner, ocu: OCU) -> None:
     found = await ocu.discover(101)
-    await drive_and_reach(robot, found)
-    reader = RobotFrames(found, MODEL)
+    await move_everything(robot, found)
+    reader = RobotFrames(found, MODEL, CONFIG.movers)
     frames = await reader.look()
+    assert reader.assumed == []
     seen = robot.snapshot
     assert seen is not None
     positions: dict[str, float] = {}
@@ -67,8 +93,30 @@ async def test_all_frames_are_where_they_really_are(robot: RobotRunner, ocu: OCU
         expected = Transform.of(seen.pose) @ pose
         # as exact as fields of pose and positions are on the wire
         assert math.dist(frames.pose(link, "local").position, expected.position) < 1e-3, link
-        assert frames.pose(link, "local").rotation[0] == pytest.approx(expected.rotation[0], abs=2e-3), link
-    assert set(reader.assumed) & {"base_link_to_arm_link_1", "arm_link_4_to_arm_link_5"} == set()
+        for row, wanted in zip(frames.pose(link, "local").rotation, expected.rotation, strict=True):
+            assert row == pytest.approx(wanted, abs=2e-3), link
+
+
+async def test_what_nobody_reports_is_assumed_to_be_where_it_starts(robot: RobotRunner, ocu: OCU) -> None:
+    found = await ocu.discover(101)
+    nameless = RobotFrames(found, MODEL)
+    frames = await nameless.look()
+    pan, tilt = MODEL.groups["pan_tilt"].joints
+    assert set(nameless.assumed) == {"gripper_link_to_left_finger", pan, tilt}, "only their component could tell"
+    assert nameless.assumed_between("chassis_camera_link", "local") == [pan, tilt]
+    assert nameless.assumed_between("chassis_camera_link", "tilt_link") == []
+    assert nameless.assumed_between("right_finger", "gripper_link") == ["gripper_link_to_left_finger"]
+    assert nameless.assumed_between("tool_link", "flippers") == [], "arm and flippers name their joints"
+    left, right = (frames.pose(f"{side}_finger", "gripper_link").position[1] for side in ("left", "right"))
+    assert (left, right) == pytest.approx((0.03, -0.03))
+
+
+async def test_another_robot_than_the_description_says(robot: RobotRunner, ocu: OCU) -> None:
+    found = await ocu.discover(101)
+    with pytest.raises(
+        ConfigError, match=r"101\.1\.105 reports 1 joints, and the description has 2 there: base_link_to_pan"
+    ):
+        await RobotFrames(found, MODEL, {105: "pan_tilt"}).look()
 
 
 async def test_a_robot_that_tells_no_pose(robot: RobotRunner, ocu: OCU) -> None:

@@ -175,7 +175,7 @@ def test_everything_is_bounded() -> None:
         peer = UdpPort(f"10.1.{number % 100}.1", 3794)
         head = bytes.fromhex("02 401200") + bytes([number & 0xFF, 9, 1]) + bytes.fromhex("02016400")
         receive(core, head + chance.randbytes(4) + b"\x02\x20\x07\x00", peer, number / 1000)
-    used = core._compression
+    used = core._out.compression
     assert used is not None
     assert len(used._templates._known) == templates.MAX_TEMPLATES
     assert len(used._partners) == compression.MAX_PARTNERS

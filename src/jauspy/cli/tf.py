@@ -9,7 +9,9 @@ import typer
 from jauspy.cli.options import Connect, Json, OwnId, Timeout
 
 if TYPE_CHECKING:
-    from jauspy.platform.description import RobotModel
+    from collections.abc import Callable
+
+    from jauspy.modules.config import RobotConfig
     from jauspy.platform.transforms import Frames
     from jauspy.platform.vectors import Transform
 
@@ -30,9 +32,9 @@ def tf(
     """Show where the frames of a running robot are: all in their parents, or TO as FROM has it.
 
     Frames are the links of the robot's description, and `local`, in which its pose sensor reports. What moves is asked
-    for over JAUS, so it works with any robot that has the services: LocalPoseSensor, and of each arm the
-    specification and the positions of its joints. Joints that no service reports are taken to be where they start;
-    it says which. Metres and radians, x forward, y left, z up; quaternions are w, x, y, z.
+    for over JAUS, so it works with any robot that has the services: LocalPoseSensor, and the sensors of joint
+    positions of arms, grippers and pan-tilt units. Joints that no service reports are taken to be where they start;
+    each line says which of them it depends on. Metres and radians, x forward, y left, z up; quaternions are w, x, y, z.
 
     Examples:
       jauspy tf
@@ -41,39 +43,36 @@ def tf(
     """
     import json
 
-    from jauspy.cli import addresses, console
+    from jauspy.cli import addresses
     from jauspy.cli.run import run
     from jauspy.errors import ConfigError
     from jauspy.modules import robots
-    from jauspy.modules.description import robot_model
 
     if (source is None) != (target is None):
         raise ConfigError(f"{source} alone is not enough: give the frame to start from and the one that is wanted")
     config = robots.load(robot)
-    model = robot_model(config)
-    found = run(_look(addresses.own_id(own_id, connect), connect, config.subsystem, model, timeout))
+    found = run(_look(addresses.own_id(own_id, connect), connect, config, timeout))
     if found is None:
         return
     frames, assumed = found
-    if source is not None and target is not None:
-        rows = [_row(target, source, frames.pose(target, source))]
-    else:
-        rows = [_row(name, parent, frames.in_parent(name)) for name, parent in frames.parents.items()]
-    for row in rows:
+    pairs = [(target, source)] if source is not None and target is not None else list(frames.parents.items())
+    for name, parent in pairs:
+        row = _row(name, parent, frames.pose(name, parent)) | {"assumed": assumed(name, parent)}
         print(json.dumps(row) if as_json else _line(row))
-    if assumed:
-        console.note(f"where they start, for no service reports them: {', '.join(assumed)}")
 
 
 async def _look(
-    own_id: str, connect: str | None, subsystem: int, model: RobotModel, patience: float
-) -> tuple[Frames, list[str]]:
+    own_id: str, connect: str | None, config: RobotConfig, patience: float
+) -> tuple[Frames, Callable[[str, str], list[str]]]:
+    """All frames, and what tells on which joints that nobody reports the pose of one in another one depends."""
+    from jauspy.modules.description import robot_model
     from jauspy.ocu import OCU
     from jauspy.ocu.frames import RobotFrames
 
+    model = robot_model(config)
     async with OCU(own_id, connect, timeout=patience / 3, retries=2) as ocu:
-        reader = RobotFrames(await ocu.discover(subsystem, timeout=patience), model)
-        return await reader.look(), reader.assumed
+        reader = RobotFrames(await ocu.discover(config.subsystem, timeout=patience), model, config.movers)
+        return await reader.look(), reader.assumed_between
 
 
 def _row(frame: str, parent: str, pose: Transform) -> dict[str, Any]:
@@ -92,7 +91,8 @@ def _row(frame: str, parent: str, pose: Transform) -> dict[str, Any]:
 def _line(row: dict[str, Any]) -> str:
     x, y, z = row["position"]
     roll, pitch, yaw = row["roll_pitch_yaw"]
-    return (
+    line = (
         f"{row['frame']:24} in {row['in']:24}"
         f"  x {x:8.4f}  y {y:8.4f}  z {z:8.4f} m  roll {roll:7.4f}  pitch {pitch:7.4f}  yaw {yaw:7.4f} rad"
     )
+    return f"{line}  assumed: {', '.join(row['assumed'])}" if row["assumed"] else line

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from contextlib import AbstractAsyncContextManager, AsyncExitStack
 from enum import StrEnum
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Final
+from typing import Annotated
 
 import typer
 
@@ -25,18 +24,6 @@ from jauspy.cli.options import (
     Verbose,
     WithParent,
 )
-
-if TYPE_CHECKING:
-    from jauspy.cli.local_node import Keeper
-    from jauspy.modules.cloud import Clouds
-    from jauspy.modules.config import RobotConfig
-    from jauspy.modules.robot import RobotRunner
-
-
-_DRIVE: Final = "jauspy send {} SetWrenchEffort propulsive_linear_effort_x=40 --control 200 --hold 2"
-
-LONG: Final = 30
-"""Seconds after which a robot whose client has died should stand still; one that may go on longer says so."""
 
 
 class BackendName(StrEnum):
@@ -110,6 +97,7 @@ def up(
     from jauspy.cli.node_manager import mode_of
     from jauspy.cli.node_serve import log_everything
     from jauspy.cli.run import end_with_parent, remove_if_empty, run
+    from jauspy.cli.up_run import run_robot
     from jauspy.errors import ConfigError
     from jauspy.modules import robots
     from jauspy.modules.cloud import Clouds
@@ -142,87 +130,6 @@ def up(
     options += ["--verbose"] * verbose
     node = None if no_node_manager else node_manager(local_root, port, options)
     live = not (plain or verbose) and console.is_interactive()
-    run(_up(runner, node, local_root, clouds, live=live))
+    run(run_robot(runner, node, local_root, clouds, live=live))
     if own_root:
         remove_if_empty(local_root)
-
-
-async def _up(
-    runner: RobotRunner,
-    node: AbstractAsyncContextManager[Keeper] | None,
-    root: Path,
-    clouds: Clouds,
-    *,
-    live: bool,
-) -> None:
-    """Run the robot until cancelled."""
-    import asyncio
-    import signal
-
-    from jauspy.cli import console
-    from jauspy.cli.node_serve import print_counters
-
-    async with AsyncExitStack() as stack:
-
-        def at_the_end(text: str) -> None:
-            if live:
-                stack.callback(console.note, text)
-
-        at_the_end("all of it has stopped")
-        keeper = await stack.enter_async_context(node) if node else None
-        if keeper is not None and keeper.is_own:
-            at_the_end("stopping the node manager")
-
-        def tell_counters() -> None:
-            print_counters({**runner.counters, **clouds.counters}, f"counters of {runner.config.name}:")
-            if keeper is not None:
-                keeper.print_counters()
-
-        await stack.enter_async_context(runner)
-        at_the_end("stopping the modules, the cameras and the robot")
-        asyncio.get_running_loop().add_signal_handler(signal.SIGUSR1, tell_counters)
-        _tell(runner, keeper.where if keeper else f"none started, local sockets in {root}", root)
-        await stack.enter_async_context(clouds.published(runner))
-        if live:
-            from jauspy.cli.up_live import live_table
-
-            await stack.enter_async_context(live_table(runner, root))
-        await runner.wait()
-
-
-def _cautions(config: RobotConfig) -> list[str]:
-    """What one should know of modules that wait unusually long before they take a dead client's control back."""
-    from jauspy.modules.config import MOTIONLESS
-
-    found = []
-    for module in config.modules:
-        timeout = module.access_control.timeout
-        if module.type not in MOTIONLESS and not 0 < timeout <= LONG:
-            how_long = f"{timeout} s after" if timeout else "for ever when"
-            found.append(
-                f"careful:   {config.id_of(module)} goes on {how_long} its client fell silent: access_control.timeout "
-                f"= {timeout}"
-            )
-    return found
-
-
-def _tell(runner: RobotRunner, where: str, root: Path) -> None:
-    """What runs, and how to talk to it."""
-    config = runner.config
-    first = runner.components[0].id
-    pairs = list(zip(runner.components, config.modules, strict=True))
-    found = any(module.offers("Discovery") for module in config.modules)
-    driven = [each.id for each, module in pairs if module.offers("Discovery") and module.offers("PrimitiveDriver")]
-    connect = "" if root == DEFAULT_ROOT else f" --connect local:{root}"
-    world = "" if config.backend == BackendName.KINEMATIC else f", world {config.world}"
-    lines = [
-        f"{config.name} is up: subsystem {config.subsystem}, backend {config.backend}{world}",
-        *(f"  {each.id}  {module.type}" for each, module in pairs),
-        f"  node manager: {where}",
-        *[f"see it:    jauspy ls{connect}"] * found,
-        f"ask it:    jauspy query {first} QueryStatus{connect}",
-        *(f"drive it:  {_DRIVE.format(id)}{connect}" for id in driven),
-        *_cautions(config),
-        "stop it:   Ctrl-C",
-    ]
-    print(*lines, sep="\n", flush=True)

@@ -258,6 +258,11 @@ class RobotConfig(_Strict):
             if taken.count(name) > 1:
                 raise ValueError(f"modules: the camera {name!r} has two CM-VIS; one controls its stream")
 
+    @property
+    def movers(self) -> Mapping[int, str]:
+        """The groups of joints, by the numbers of the components that move them."""
+        return {module.component: module.moves for module in self.modules if module.moves is not None}
+
     def id_of(self, module: ModuleConfig) -> JausID:
         """The JAUS id of a module."""
         return JausID(self.subsystem, self.node, module.component)

@@ -7,6 +7,7 @@ from datetime import datetime
 from typing import Final, Protocol
 
 from jauspy.errors import ConfigError
+from jauspy.ids import JausID
 from jauspy.modules.config import ModuleConfig, RobotConfig
 from jauspy.modules.end_effector import cm_eef
 from jauspy.modules.manipulator import cm_man
@@ -79,6 +80,14 @@ def host_of(
         raise ConfigError(f"{id} moves the group {module.moves!r}, and the backend has no such joints")
     if module.type == "CM-MAN":
         return cm_man(id, joints, module, identities=identities, utc_now=utc_now, now=now)
-    carriers = [config.id_of(other) for other in config.modules if other.type == "CM-MAN"]
-    carrier = carriers[0] if carriers else id
-    return cm_eef(id, joints, carrier, module, identities=identities, utc_now=utc_now, now=now)
+    return cm_eef(id, joints, _carrier(config, module, model), module, identities=identities, utc_now=utc_now, now=now)
+
+
+def _carrier(config: RobotConfig, module: ModuleConfig, model: RobotModel) -> JausID:
+    """The CM-MAN whose joints carry the end effector of a module; the module itself when none does."""
+    description = model.description
+    base = model.groups[module.moves or ""].base
+    carrying = {joint.name for joint in description.chain(description.root(), base)}
+    arms = (other for other in config.modules if other.type == "CM-MAN" and other.moves in model.groups)
+    found = (arm for arm in arms if carrying.intersection(model.groups[arm.moves or ""].joints))
+    return config.id_of(next(found, module))

@@ -8,7 +8,8 @@ from collections.abc import Callable
 from typing import Final, TypeAlias
 
 from jauspy.protocol import header
-from jauspy.protocol.node import RECEIVED, ROUTED, NodeCore
+from jauspy.protocol.node import RECEIVED, NodeCore
+from jauspy.protocol.outward import ROUTED
 from jauspy.protocol.ports import LocalPort, Port, UdpPort
 
 LIFETIME: Final = 0.5

@@ -3,85 +3,71 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Sequence
-from typing import Any, Final
+from collections.abc import Mapping
+from typing import Final
 
-from jauspy.messages.manipulator import QueryJointPositions, QueryManipulatorSpecifications, ReportJointPositions
 from jauspy.messages.mobility import QueryLocalPose, ReportLocalPose
-from jauspy.ocu.robot import ComponentClient, Robot
+from jauspy.ocu.joint_positions import JointReader, readers
+from jauspy.ocu.robot import Robot
 from jauspy.platform.contract import Pose
-from jauspy.platform.description import GroupSetup, RobotModel
+from jauspy.platform.description import JointKind, RobotModel
 from jauspy.platform.transforms import Frames, FrameTree
 from jauspy.platform.vectors import Transform
-from jauspy.services.manipulator.denavit_hartenberg import geometry
 from jauspy.services.mobility.frames import jaus_pose
 
 LOCAL: Final = "local"
 """The frame that LocalPoseSensor reports in, with REP-103's axes: x as its x, y to the left of it, z up."""
 
 _ALL: Final = 0x1FF
-_NAMES: Final = 0b10
-"""Presence vector: the second field, names of joints."""
+_NOBODY: Final[Mapping[int, str]] = {}
 
 
 class RobotFrames:
-    """Reads the frames of a robot; `model` is its description.
+    """Reads the frames of a robot; `model` is its description, `movers` says which component moves which group of it.
 
-    Of each arm the specification tells the joints' names, so that positions find their place in the description
-    whatever the component's number. Joints that no service reports stay where they start.
+    Of arms the specification tells the joints' names, so that positions find their place in the description whatever
+    the component's number; of others, as grippers and pan-tilt units, only `movers` can. Joints that no service
+    reports are taken to stand where they start.
     """
 
-    def __init__(self, robot: Robot, model: RobotModel) -> None:
+    def __init__(self, robot: Robot, model: RobotModel, movers: Mapping[int, str] = _NOBODY) -> None:
         self._robot = robot
         self._model = model
+        self._movers = movers
         self._tree = FrameTree(model.description)
-        self._arms: list[tuple[ComponentClient, GroupSetup]] | None = None
+        self._readers: list[JointReader] | None = None
 
     async def look(self) -> Frames:
         """All frames now. Raises `ConfigError` without a pose sensor, `ResponseTimeout` when an answer stays out."""
-        if self._arms is None:
-            self._arms = [found for each in self._manipulators() if (found := await self._identified(each))]
-        arms = asyncio.gather(*(self._joints(*arm) for arm in self._arms))
-        base, told = await asyncio.gather(self._base(), arms)
+        if self._readers is None:
+            self._readers = await readers(self._robot, self._model, self._movers)
+        told = asyncio.gather(*(reader.read() for reader in self._readers))
+        base, found = await asyncio.gather(self._base(), told)
         positions = self._starts()
-        for arm in told:
-            positions |= arm
+        for each in found:
+            positions |= each
         return self._tree.frames(base, positions, LOCAL)
 
     @property
     def assumed(self) -> list[str]:
-        """The joints whose positions no service reported to the last `look`."""
-        told = {joint for _, group in self._arms or () for joint in group.joints}
-        return [joint for joint in self._starts() if joint not in told]
+        """The joints whose positions no service reported to the last `look`; belts of tracks stay where they are."""
+        belts = {*self._model.tracks.left, *self._model.tracks.right}
+        told = {joint for reader in self._readers or () for joint in reader.joints}
+        moving = (each for each in self._tree.joints if each.kind is not JointKind.FIXED and each.mimics is None)
+        return [joint.name for joint in moving if joint.name not in told | belts]
+
+    def assumed_between(self, frame: str, within: str) -> list[str]:
+        """Those of them on which it depends where one frame is in another one."""
+        links = [self._tree.root if each == LOCAL else each for each in (frame, within)]
+        way = {joint.mimics or joint.name for joint in self._tree.between(*links)}
+        return [joint for joint in self.assumed if joint in way]
 
     def _starts(self) -> dict[str, float]:
         groups = self._model.groups.values()
         return {joint: at for group in groups for joint, at in zip(group.joints, group.start, strict=True)}
-
-    def _manipulators(self) -> list[ComponentClient]:
-        offering = self._robot.info.offering("ManipulatorJointPositionSensor")
-        found = [each for each in offering if each.find("ManipulatorSpecificationService")]
-        return [self._robot.component(each.id) for each in found]
-
-    async def _identified(self, component: ComponentClient) -> tuple[ComponentClient, GroupSetup] | None:
-        """The group of joints that a component moves, when the description has it."""
-        specification = component.service("ManipulatorSpecificationService")
-        report = await specification.query(QueryManipulatorSpecifications(_NAMES))
-        names = tuple(record.description for record in report.joint_names_list or ())
-        return next(((component, group) for group in self._model.groups.values() if group.joints == names), None)
 
     async def _base(self) -> Transform:
         sensor = self._robot.service("mobility:LocalPoseSensor")
         report = await sensor.query(QueryLocalPose(_ALL), expects=ReportLocalPose)
         values = (report.x, report.y, report.z, report.roll, report.pitch, report.yaw)
         return Transform.of(jaus_pose(Pose(*(value or 0.0 for value in values))))
-
-    async def _joints(self, component: ComponentClient, group: GroupSetup) -> dict[str, float]:
-        sensor = component.service("ManipulatorJointPositionSensor")
-        report = await sensor.query(QueryJointPositions(), expects=ReportJointPositions)
-        return dict(zip(group.joints, self._native(group, report.joint_position_list), strict=True))
-
-    def _native(self, group: GroupSetup, records: Sequence[Any]) -> Sequence[float]:
-        """The description's positions out of the standard's, which are counted from other axes."""
-        chain = self._model.description.chain(group.base, group.tip)
-        return geometry(chain).native([record.joint_position.value for record in records])

@@ -71,6 +71,10 @@ class Scanner:
         if not settings.active:
             self._scan = None
 
+    def wait(self, now: float) -> None:
+        """The robot's time is `now`; nothing is measured."""
+        self._now = now
+
     def step(self, now: float) -> None:
         """The robot's time is `now`; never earlier than in the call before."""
         self._now = now

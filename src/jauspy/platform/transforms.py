@@ -63,6 +63,11 @@ class FrameTree:
         poses = {common: Transform()} | {link: base @ pose for link, pose in self.poses(positions).items()}
         return Frames(poses, {self.root: common} | {joint.child: joint.parent for joint in self.joints})
 
+    def between(self, link: str, other: str) -> list[Joint]:
+        """The joints, fixed ones too, on the way from one link to another one."""
+        ways = [self.description.chain(self.root, each) for each in (link, other)]
+        return [joint for way, back in (ways, ways[::-1]) for joint in way if joint not in back]
+
     def is_fixed(self, link: str) -> bool:
         """True when no joint moves between the root link and this one."""
         return all(joint.kind is JointKind.FIXED for joint in self.description.chain(self.root, link))

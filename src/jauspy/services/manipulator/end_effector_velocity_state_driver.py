@@ -47,9 +47,12 @@ class EndEffectorVelocityStateDriver(
             _velocity(msg.linear_velocity_component_z),
         )
         self.arm.take(self)
-        self._motion = self._motion or ToolMotion(self.arm)
-        self._motion.follow(turning, moving)
         self._commanded = (*turning, *moving)
+        if self._motion is not None:
+            self._motion.follow(turning, moving)  # at the next look, however many commands come until then
+            return
+        self._motion = ToolMotion(self.arm)
+        self._motion.follow(turning, moving)
         self.every(PERIOD, self._look)
         self._look()
 

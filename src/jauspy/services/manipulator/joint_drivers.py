@@ -65,6 +65,7 @@ class PositionDriver(JointDriver):
     def __init__(self, arm: Arm) -> None:
         super().__init__(arm)
         self._command = Completion()
+        self._timer = (_TIMER, self.urn)
 
     def go(self, positions: Sequence[float]) -> None:
         """Go there within the motion profile; the positions are the standard's."""
@@ -72,19 +73,19 @@ class PositionDriver(JointDriver):
         self.commanded = positions
         self._command(False)
         self._command = self.host.begin_command()
-        self.host.set_timer(_TIMER, self.host.now + PERIOD, self._look)
+        self.host.set_timer(self._timer, self.host.now + PERIOD, self._look)
 
     def taken_over(self) -> None:
         """The positions were not reached, or are left again."""
         super().taken_over()
-        self.host.cancel_timer(_TIMER)
+        self.host.cancel_timer(self._timer)
         self._command(False)
 
     def _look(self) -> None:
         if self.commanded is not None and self.arm.is_at(self.commanded):
             self._command(True)
         else:
-            self.host.set_timer(_TIMER, self.host.now + PERIOD, self._look)
+            self.host.set_timer(self._timer, self.host.now + PERIOD, self._look)
 
 
 class JointPositionDriver(PositionDriver, urn="urn:jaus:jss:manipulator:ManipulatorJointPositionDriver"):

@@ -22,7 +22,7 @@ class PanTilt(Arm):
     """
 
     def __init__(self, joints: JointGroup, mount: Callable[[], Transform]) -> None:
-        super().__init__(TurnedJoints(joints, _turned(joints.chain)))
+        super().__init__(TurnedJoints(joints, turned(joints.chain)))
         self._mount = mount
 
     @property
@@ -34,8 +34,8 @@ class PanTilt(Arm):
         return JAUS_FROM_REP_103 @ self._mount() @ Transform(transposed((cross(y, z), y, z)), pan.position)
 
 
-def _turned(chain: Sequence[Joint]) -> tuple[bool, bool]:
-    """Whether pan and tilt must count the other way round: as what is carried has it at zero, down and right."""
+def turned(chain: Sequence[Joint]) -> tuple[bool, bool]:
+    """Whether pan and tilt count the other way round than the description does: down and right is as they should be."""
     frame, axes = Transform(), list[Vector]()
     for joint in chain:
         if joint.kind is not JointKind.FIXED:

@@ -88,14 +88,15 @@ class PoseSearch:
         self._links, self._tool, self._goal = links, tool, goal
         self._limits, self._starts, self._weights = limits, starts, weights
         begin = self._limited(start)
-        self._best = Found(begin, math.inf, math.inf)
+        self.best = Found(begin, math.inf, math.inf)
+        """What was found so far."""
         self._steps = self._search(begin)
 
     def work(self, steps: int) -> Found | None:
         """Go on for so many steps; what was found when the search has ended, which may not be there."""
         for _ in range(steps):
             if next(self._steps, self) is self:
-                return self._best
+                return self.best
         return None
 
     def _search(self, start: tuple[float, ...]) -> Iterator[None]:
@@ -103,16 +104,16 @@ class PoseSearch:
             for weights in self._weights:
                 begin = (yield from self._place(number, weights[0])) if number else start
                 yield from self._try(begin, weights)
-                if self._best.is_exact:
+                if self.best.is_exact:
                     return
-                if self._best.is_there:
+                if self.best.is_there:
                     break
 
     def _try(self, positions: tuple[float, ...], weights: Sequence[float]) -> Iterator[None]:
         """From a start, with one weight of the attitude after the other."""
         for weight in weights:
             found = yield from self._descend(positions, weight)
-            self._best, positions = found.better(self._best), found.positions
+            self.best, positions = found.better(self.best), found.positions
             if found.is_exact:
                 return
 

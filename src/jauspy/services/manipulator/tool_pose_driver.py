@@ -37,14 +37,24 @@ class ToolPoseDriver(ArmDriver):
     def __init__(self, arm: Arm) -> None:
         super().__init__(arm)
         self._goal: Transform | None = None
+        self._search: PoseSearch | None = None
+        self._next_turn = -math.inf
 
     def go(self, goal: Transform) -> None:
-        """Bring the tool there, in the manipulator's coordinate system; what moved the arm until now ends."""
-        arm = self.arm
+        """Bring the tool there, in the manipulator's coordinate system; what moved the arm until now ends.
+
+        Commands may follow each other faster than searches end: the arm goes on to what the one before has found.
+        """
+        arm, before = self.arm, self._search
         arm.take(self)
+        if before is not None and before.best.is_there:
+            arm.to_positions(self, before.best.positions)
         self._goal = goal
-        search = PoseSearch(arm.geometry.links, arm.tool, goal, arm.state().positions, arm.limits)
-        self._seek(search, goal)
+        self._search = PoseSearch(arm.geometry.links, arm.tool, goal, arm.state().positions, arm.limits)
+        if self.host.now >= self._next_turn:
+            self._seek()
+        else:
+            self.host.set_timer(self, self._next_turn, self._seek)
 
     def reached(self, *, exactly: bool) -> None:
         """Called when the tool is there; not `exactly` when the arm cannot have the attitude."""
@@ -52,7 +62,7 @@ class ToolPoseDriver(ArmDriver):
 
     def taken_over(self) -> None:
         """What was commanded does not hold any more."""
-        self._goal = None
+        self._goal = self._search = None
         self.host.cancel_timer(self)
 
     def report_commanded_end_effector_pose(self) -> ReportCommandedEndEffectorPose:
@@ -62,11 +72,17 @@ class ToolPoseDriver(ArmDriver):
         tool = goal or self.arm.stance().tool
         return ReportCommandedEndEffectorPose(*tool.position, *quaternion(tool.rotation))
 
-    def _seek(self, search: PoseSearch, goal: Transform) -> None:
+    def _seek(self) -> None:
+        search, goal = self._search, self._goal
+        if search is None or goal is None:
+            return
         found = search.work(STEPS_AT_ONCE)
+        self._next_turn = self.host.now + PAUSE
         if found is None:
-            self.host.set_timer(self, self.host.now + PAUSE, lambda: self._seek(search, goal))
-        elif found.is_there:
+            self.host.set_timer(self, self._next_turn, self._seek)
+            return
+        self._search = None
+        if found.is_there:
             self.arm.to_positions(self, found.positions)
             self._look(found, goal)
         else:

@@ -1,0 +1,74 @@
+"""What a node manager sends: to components, to addresses on networks, and by multicast."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Final
+
+from jauspy.protocol import wire
+from jauspy.protocol.address_book import AddressBook
+from jauspy.protocol.compression import Compression
+from jauspy.protocol.counters import Counters
+from jauspy.protocol.directory import ComponentPort, Directory
+from jauspy.protocol.echoes import Echoes
+from jauspy.protocol.ports import GroupPort, LocalPort, NetworkPort, Port, SerialPort, TcpPort, UdpPort
+
+KINDS: Final = {LocalPort: "local", UdpPort: "udp", GroupPort: "udp", TcpPort: "tcp", SerialPort: "serial"}
+ROUTED: Final[dict[type, str]] = {port: f"routed.{kind}" for port, kind in KINDS.items()}
+
+
+class Outward:
+    """Queues datagrams for ports, in the words that the peers understand, and counts them."""
+
+    def __init__(self, counters: Counters, components: Directory, address_book: AddressBook) -> None:
+        self._counters = counters
+        self._components = components
+        self._address_book = address_book
+        self._queue: list[tuple[Port, bytes]] = []
+        self.echoes = Echoes()
+        self.dialects = wire.Dialects()
+        self.compression: Compression | None = None
+
+    def drain(self) -> list[tuple[Port, bytes]]:
+        """What is to be sent now, in order; empty afterwards."""
+        queue, self._queue = self._queue, []
+        return queue
+
+    def send(self, port: Port, datagram: bytes) -> None:
+        """These very bytes."""
+        self._queue.append((port, datagram))
+
+    def deliver(self, port: ComponentPort, datagram: bytes) -> None:
+        """To a component."""
+        self._queue.append((port, datagram))
+        self._counters["routed.local"] += 1
+
+    def deliver_broadcast(self, destination: int, datagram: bytes, *, besides: int | None = None) -> int:
+        """To all components it reaches; for a complete id these are the ones that wait for an id. Returns how many."""
+        reached = self._components.reached_by(destination, besides=besides)
+        for port in reached:
+            self.deliver(port, datagram)
+        return len(reached)
+
+    def forward(self, port: NetworkPort, destination: int, datagram: bytes, now: float) -> None:
+        """To an address on a network."""
+        if self.compression is not None and self.compression.is_used and type(port) is UdpPort:
+            datagram = self.compression.shrink(datagram, port, now)
+        self._send_to(port, destination, datagram)
+
+    def copy_to_told(self, destination: int, datagram: bytes, networks: Sequence[str]) -> None:
+        """A broadcast to the addresses that the configuration names: not every network has multicast."""
+        for port in self._address_book.told_about(destination):
+            if port.network in networks:
+                self._send_to(port, destination, datagram)
+
+    def multicast(self, datagram: bytes, networks: Sequence[str], now: float) -> None:
+        """To all on these networks."""
+        for network in networks:
+            self.echoes.add(datagram, network, now)
+            self._queue.append((GroupPort(network), datagram))
+            self._counters["routed.multicast"] += 1
+
+    def _send_to(self, port: NetworkPort, destination: int, datagram: bytes) -> None:
+        self._queue.append((port, self.dialects.spoken_to(destination, datagram)))
+        self._counters[ROUTED[type(port)]] += 1
