@@ -82,6 +82,18 @@ def test_the_robot_is_left_in_order(profile):
     assert "subsystem_id=0" in last[1]
 
 
+def test_a_bug_of_a_step_is_told_and_the_others_run():
+    def buggy(tester):
+        tester.client(COP).nonsense()
+
+    wire = ScriptedWire("101.1.1", dying(after=9))
+    report = run(steps(STATUS, buggy, STATUS), wire, wire.id, began=0.0)
+    assert verdicts(report) == [Verdict.PASS, Verdict.FAIL, Verdict.PASS]
+    reason = report.results[1].reason
+    assert reason.startswith("the step itself has a bug: AttributeError: 'Client' object has no attribute 'nonsense' (")
+    assert "test_endings.py:" in reason
+
+
 def interrupt(tester):
     raise KeyboardInterrupt
 

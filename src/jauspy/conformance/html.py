@@ -98,7 +98,7 @@ def _datagram(entry: Entry) -> str:
     way = "sent" if entry.direction is Direction.SENT else "received"
     decoded = "<br>".join(map(escape, entry.lines))
     head = f"<time>{entry.at:.4f}</time> <strong>{way}</strong> <span>{decoded}</span>"
-    return f'<div class="{way}">{head}<code>{entry.data.hex(" ", 4)}</code></div>\n'
+    return f'<div class="{way}">{head}<code>{entry.data.hex(" ", -4)}</code></div>\n'
 
 
 def summary(report: Report) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import traceback
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import Final
@@ -15,7 +16,7 @@ from jauspy.conformance.pulse import Pulse
 from jauspy.conformance.results import Report, Result, Verdict
 from jauspy.conformance.tester import TIMEOUT, Tester
 from jauspy.conformance.wire import Wire
-from jauspy.errors import ConfigError, RequestError, TransportError
+from jauspy.errors import ConfigError, JausError, RequestError, TransportError
 from jauspy.ids import JausID
 from jauspy.messages import registry as known_messages
 
@@ -135,6 +136,10 @@ def run_step(step: Step, tester: Tester, settings: Settings) -> Result:
             step.run(tester)
         except Outcome as outcome:
             verdict, reason = outcome.verdict, str(outcome)
+        except JausError:
+            raise
+        except Exception as error:  # noqa: BLE001 - somebody's profile has a bug; the other steps are worth reporting
+            verdict, reason = Verdict.FAIL, f"the step itself has a bug: {_where(error)}"
     return Result(
         id=step.id,
         title=step.title,
@@ -148,6 +153,12 @@ def run_step(step: Step, tester: Tester, settings: Settings) -> Result:
         ended=tester.now,
         points=step.points,
     )
+
+
+def _where(error: Exception) -> str:
+    """The error, and the line that raised it."""
+    *_, last = traceback.extract_tb(error.__traceback__)
+    return f"{type(error).__name__}: {error} ({last.filename}:{last.lineno})"
 
 
 def _obstacle(step: Step, tester: Tester, settings: Settings) -> str:

@@ -35,5 +35,6 @@ PICTURES: Final = (
             "ReportStillImageDataExt": (that("has a picture of each camera, or where to fetch it", _has_pictures),)
         },
         seconds=lambda _: PATIENCE,
+        once=True,  # control would time out meanwhile
     ),
 )
