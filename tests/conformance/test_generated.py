@@ -143,6 +143,16 @@ def test_several_components_are_kept_apart():
     assert {id.partition("/")[0] for id in ids} == {"101.1.1", "101.1.2"}
 
 
+def test_of_a_wildcard_every_component_is_asked():
+    from jauspy.conformance.offers import discover
+    from jauspy.conformance.tester import Tester
+
+    bench = robot(name="inc1", tick=None)
+    found = discover(Tester(bench, JausID(101, 1, 255), registry=registry))
+    assert found == offers_of(bench)
+    assert len(found.components) > 5
+
+
 def test_offers_of_a_bench_are_what_discovery_tells():
     from jauspy.conformance.offers import discover
     from jauspy.conformance.tester import Tester
