@@ -4,15 +4,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from pathlib import Path
 
+import cv2
 import numpy as np
 import pytest
+import yaml
 from numpy.typing import NDArray
 
 pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 
 import mujoco
 
+from jauspy.mapping.files import save
 from jauspy.mapping.grid import OccupancyGrid
 from jauspy.mapping.mapper import Mapper
 from jauspy.mapping.pose import PlanarPose
@@ -122,6 +126,26 @@ def test_the_map_is_the_floor_plan(tour: tuple[SimulatedRobot, dict[bool, Mapper
     assert right > 0.99
     assert at_something > 0.9
     assert seen > 0.9
+
+
+def test_its_files_are_the_floor_plan(
+    tour: tuple[SimulatedRobot, dict[bool, Mapper], list[float], float], tmp_path: Path
+) -> None:
+    """As map_server reads them: the first row is the top, the origin is the lower left corner."""
+    robot, mappers, _, _ = tour
+    grid = mappers[True].grid
+    save(grid, tmp_path / "yard")
+    notes = yaml.safe_load((tmp_path / "yard.yaml").read_text())
+    picture = cv2.imread(str(tmp_path / notes["image"]), cv2.IMREAD_GRAYSCALE)[::-1]
+    occupied = (255 - picture) / 255 > notes["occupied_thresh"]
+    free = (255 - picture) / 255 < notes["free_thresh"]
+    left, low = (round((edge - grid.low) / notes["resolution"]) for edge in notes["origin"][:2])
+    true = floor_plan(robot, grid)[low : low + picture.shape[0], left : left + picture.shape[1]]
+    observed = occupied | free
+    assert observed.sum() > 10_000
+    assert (occupied == true)[observed].mean() > 0.9
+    assert near(true)[occupied].mean() > 0.9
+    assert occupied[true & observed].mean() > 0.9
 
 
 def test_without_matching_it_is_not(tour: tuple[SimulatedRobot, dict[bool, Mapper], list[float], float]) -> None:

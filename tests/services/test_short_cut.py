@@ -74,9 +74,8 @@ class Moody(Liveness):
             case "tells somebody else":
                 self.host.send(self.host.id.parse(STRANGER), ReportTimeout(timeout=3))
             case "asks":
-                inner = []
-                self.host.ask(QueryStatus(), source, lambda _, answer: inner.append(answer))
-                assert inner[0] is not None
+                _, inner = self.host.ask(QueryStatus(), source)
+                assert inner is not None
         return ReportHeartbeatPulse()
 
 

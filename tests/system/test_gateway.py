@@ -1,4 +1,4 @@
-"""`jauspy up ROBOT --gateway FILE`: an OCU outside drives what is inside, on the gateway's machine and behind it.
+"""`jauspy up ROBOT --gateway FILE`: an OCU outside drives and sees what is inside.
 
 Three hosts: the OCU's, the gateway's with one part of the robot, and one behind the gateway with another part. The
 OCU's has no way to the last one but through the gateway.
@@ -10,6 +10,8 @@ import asyncio
 import contextlib
 import shutil
 import socket
+import subprocess
+import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -38,37 +40,59 @@ subsystem = 101
 inside = ["vehicle"]
 [[gateway.rules]]
 source = "42.*.*"
+[[gateway.rules]]
+action = "deny"
+network = "vehicle"
+messages = ["0x7E00"]
+"""
+
+WATCH = """
+import select, sys
+from jauspy.video.receiver import RtpReceiver
+host, port = sys.argv[1].split(":")
+pictures = []
+with RtpReceiver(host, int(port)) as receiver:
+    while not (idrs := [each.is_idr for each in pictures if each.whole]) or True not in idrs[:-2]:
+        select.select([receiver], [], [])
+        pictures += receiver.take()
+print("a whole picture, then others")
 """
 
 
+def within(host: str, *command: str) -> tuple[str, ...]:
+    """A command on that host."""
+    return (str(shutil.which("ip")), "netns", "exec", host, *command)
+
+
 @pytest.fixture
-def folders(root: Path, switch: Callable[[int], Switch], start: Callable[..., object]) -> dict[str, Path]:
+def hosts(switch: Callable[[int], Switch]) -> dict[str, str]:
+    """Their names."""
+    made = switch(2)
+    made.bridge()
+    return {"ocu": made.hosts[0], "gate": made.hosts[1], "behind": made.behind(made.hosts[1])}
+
+
+@pytest.fixture
+def folders(root: Path, hosts: dict[str, str], start: Callable[..., object]) -> dict[str, Path]:
     """Everything runs; the local roots."""
-    hosts = switch(2)
-    hosts.bridge()
-    inside = hosts.behind(hosts.hosts[1])
     (root / "behind.toml").write_text("extends = 'inc1'\nnode = 2\n")
     (root / "gateway.toml").write_text(GATEWAY)
     folders = {name: root / name for name in ("ocu", "gate", "behind")}
-
-    def within(host: str) -> tuple[str, ...]:
-        return (str(shutil.which("ip")), "netns", "exec", host)
-
     simple = ("--backend", "kinematic", "--local-root")
-    start("node-manager", "--local-root", str(folders["ocu"]), ready="ready", within=within(hosts.hosts[0]))
+    start("node-manager", "--local-root", str(folders["ocu"]), ready="ready", within=within(hosts["ocu"]))
     start(
         "up",
         "inc1",
         *(*simple, str(folders["gate"]), "--gateway", str(root / "gateway.toml")),
         ready="stop it",
-        within=within(hosts.hosts[1]),
+        within=within(hosts["gate"]),
     )
     start(
         "up",
         str(root / "behind.toml"),
         *(*simple, str(folders["behind"]), "--address", "10.88.0.2", "--multicast-group", "239.255.0.2"),
         ready="stop it",
-        within=within(inside),
+        within=within(hosts["behind"]),
     )
     return folders
 
@@ -93,6 +117,36 @@ async def test_an_ocu_finds_and_drives_both_parts(folders: dict[str, Path]) -> N
             await drive(robot, which)
     counters = (await status.read(folders["gate"]))["counters"]
     assert counters["relayed"] > 10
+
+
+def test_an_ocu_sees_what_both_parts_see(
+    folders: dict[str, Path], hosts: dict[str, str], root: Path, start: Callable[..., object]
+) -> None:
+    """Video is no JAUS: from behind the gateway it needs a way out by IP, which is opened here."""
+    pytest.importorskip("av", reason="the extra 'video' is not installed")
+    for command in (
+        within(hosts["gate"], "sh", "-c", "echo 1 > /proc/sys/net/ipv4/ip_forward"),
+        within(hosts["behind"], "ip", "route", "add", "default", "via", "10.88.0.1"),
+    ):
+        subprocess.run(command, check=True, timeout=20)
+    ocu = within(hosts["ocu"])
+    for number, camera in ((7, "101.1.107"), (8, "101.2.107")):
+        to = f"10.77.0.1:50{number}0"
+        options = [
+            "--to",
+            to,
+            "--sdp",
+            str(root / "sdp"),
+            "--connect",
+            f"local:{folders['ocu']}",
+            "--id",
+            f"42.1.{number}",
+        ]
+        start("video", camera, *options, "--timeout", "10", ready="sends to", within=ocu)
+        seen = subprocess.run(
+            [*ocu, sys.executable, "-c", WATCH, to], capture_output=True, text=True, timeout=60, check=False
+        )
+        assert seen.stdout == "a whole picture, then others\n", seen.stderr
 
 
 async def test_an_ocu_without_a_rule_finds_nothing(folders: dict[str, Path]) -> None:
@@ -141,3 +195,18 @@ def test_a_broadcast_arrives_once_on_the_other_side_and_goes_round_no_loop(folde
                 if packet.source == source and packet.payload == b"\x00\x7f":
                     heard.append(packet.sequence)
             assert heard == [*range(20), 100]
+
+
+async def test_what_a_rule_keeps_in_the_vehicle_is_counted(folders: dict[str, Path]) -> None:
+    ocu, module = JausID.parse("42.1.9"), JausID.parse("101.2.9")
+    with component(folders["ocu"], ocu) as outside, component(folders["behind"], module) as inside:
+        outside(Packet(ocu, module, b"\x00\x7f", 1))
+        while inside(None).payload != b"\x00\x7f":
+            pass
+        for number in range(5):
+            inside(Packet(module, ocu, b"\x00\x7e", number))
+        inside(Packet(module, ocu, b"\x00\x7f", 5))
+        while (heard := outside(None).payload) != b"\x00\x7f":
+            assert heard != b"\x00\x7e"
+    counters = (await status.read(folders["gate"]))["counters"]
+    assert counters["dropped.gateway.rule"] == 5

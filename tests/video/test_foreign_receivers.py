@@ -13,6 +13,7 @@ pytest.importorskip("cv2", reason="the extra 'video' is not installed")
 
 import numpy as np
 
+from jauspy.platform.h264 import H264Settings, Preset, Profile
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.video.encoder import H264Encoder
 from jauspy.video.receiver import RtpReceiver
@@ -23,6 +24,13 @@ from .players import PLAYERS, playing
 
 RATE = 15
 PICTURES = 3 * RATE
+STREAMS = {
+    "640x480": VideoSettings(640, 480, RATE),
+    "1280x720": VideoSettings(1280, 720, RATE),
+    "main": VideoSettings(coding=H264Settings(Profile.MAIN, preset=Preset.SLOW_COMMS), rate=RATE),
+    "high": VideoSettings(coding=H264Settings(Profile.HIGH, level=9), rate=RATE),
+    "gradual": VideoSettings(coding=H264Settings(gradual=True), rate=RATE),
+}
 
 
 def show(sender: RtpSender, settings: VideoSettings, scene, ending: threading.Event) -> None:
@@ -37,9 +45,8 @@ def show(sender: RtpSender, settings: VideoSettings, scene, ending: threading.Ev
 
 
 @pytest.mark.parametrize("player", PLAYERS, ids=lambda player: player.__name__)
-@pytest.mark.parametrize("size", [(640, 480), (1280, 720)], ids="{0[0]}x{0[1]}".format)
-def test_every_picture_arrives_without_an_error(player, size, scene, tmp_path):
-    settings = VideoSettings(*size, rate=RATE)
+@pytest.mark.parametrize("settings", STREAMS.values(), ids=STREAMS)
+def test_every_picture_arrives_without_an_error(player, settings, scene, tmp_path):
     with RtpReceiver() as free:
         port = free.port
     command, complaints = player(tmp_path, port, settings), tmp_path / "complaints"

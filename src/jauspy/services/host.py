@@ -26,7 +26,7 @@ from jauspy.services.isolation import Bugs
 from jauspy.services.later import Later, Laters
 from jauspy.services.machine import Outcome
 from jauspy.services.outbox import Outbox, Outgoing
-from jauspy.services.sending import Sending, Told, as_asked
+from jauspy.services.sending import Answer, Sending, as_asked
 from jauspy.services.service import Service
 from jauspy.services.timers import Timers
 from jauspy.services.trigger import Trigger
@@ -210,12 +210,9 @@ class Host:
         """Queue an encoded message; only the Transport service calls this."""
         self._outbox.put(outgoing)
 
-    def ask(self, query: Message, source: JausID, tell: Told) -> None:
-        """Tell what the component would answer `source` now; nothing is sent, and the state cannot change.
-
-        An answer that comes later is told later.
-        """
-        self._sending.answer(self._built.machines["ReceiveFSM"], Trigger(query.CODE, query, source), tell)
+    def ask(self, query: Message, source: JausID) -> tuple[Outcome, Answer]:
+        """What the component would answer `source` now; nothing is sent, and the state cannot change."""
+        return self._sending.answer(self._built.machines["ReceiveFSM"], Trigger(query.CODE, query, source))
 
     def later(self, otherwise: Callable[[], Message | None]) -> Later:
         """For an action that cannot report yet: it returns this, to fulfil it; if it does not, `otherwise` reports."""

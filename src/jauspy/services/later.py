@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Hashable
+from dataclasses import dataclass
 from functools import partial
 from typing import Final, Protocol, TypeAlias
 
@@ -52,6 +53,18 @@ class Later:
         waiting, self._waiting = self._waiting, []
         for each in waiting:
             each(self.report)
+
+
+@dataclass(frozen=True, slots=True)
+class Coming:
+    """An answer that somebody only asked for, on its way."""
+
+    later: Later
+    encode: Callable[[Message | None], bytes | None]
+
+    def then(self, tell: Callable[[bytes | None], None]) -> None:
+        """Have `tell` called with it, from within the host."""
+        self.later.then(lambda report: tell(self.encode(report)))
 
 
 class Waking(Protocol):

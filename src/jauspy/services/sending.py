@@ -11,14 +11,14 @@ from jauspy.errors import EncodeError
 from jauspy.ids import JausID
 from jauspy.protocol.header import Broadcast, Priority
 from jauspy.services.isolation import Bugs
-from jauspy.services.later import Later
+from jauspy.services.later import Coming, Later
 from jauspy.services.machine import Machine, Outcome, Step
 from jauspy.services.outbox import Outgoing
 from jauspy.services.presence import mask
 from jauspy.services.trigger import Trigger
 
-Told: TypeAlias = Callable[[Outcome, bytes | None], None]
-"""Hears what became of a query, and the answer."""
+Answer: TypeAlias = bytes | Coming | None
+"""What a query is answered, now or later; None: nothing."""
 
 _EVENTS: Final = ("Send", "BroadcastLocal", "BroadcastGlobal")
 """The internal events of Transport, by `Broadcast`."""
@@ -44,21 +44,8 @@ class Sending:
         else:
             self._dispatch(Trigger(_EVENTS[broadcast], outgoing))
 
-    def answer(self, machine: Machine, trigger: Trigger, tell: Told) -> None:
-        """Tell what becomes of a query, and the first message that its source would be sent for it; nothing is sent."""
-        outcome, answer = self._answered(machine, trigger)
-        if isinstance(answer, Later):
-            answer.then(lambda report: tell(outcome, self._masked(report, trigger)))
-        else:
-            tell(outcome, answer)
-
-    def keeps(self, later: Later, *, to_source: bool) -> bool:
-        """True when it is only asked for: then it is sent to nobody."""
-        if self._kept is not None and to_source:
-            self._kept.append(later)
-        return self._kept is not None
-
-    def _answered(self, machine: Machine, trigger: Trigger) -> tuple[Outcome, bytes | Later | None]:
+    def answer(self, machine: Machine, trigger: Trigger) -> tuple[Outcome, Answer]:
+        """What becomes of a query, and the first message that its source would be sent for it; nothing is sent."""
         outer, self._kept = self._kept, []
         try:
             step = machine.only_step(trigger.key)
@@ -68,23 +55,34 @@ class Sending:
                 outcome, report = self._made(step, step.report, trigger)
             for each in self._kept:
                 if isinstance(each, Later):
-                    return outcome, each
+                    return outcome, self._coming(each, trigger)
                 if each.destination == trigger.source:
                     return outcome, each.payload
             return outcome, report
         finally:
             self._kept = outer
 
+    def keeps(self, later: Later, *, to_source: bool) -> bool:
+        """True when it is only asked for: then it is sent to nobody."""
+        if self._kept is not None and to_source:
+            self._kept.append(later)
+        return self._kept is not None
+
     def _made(
         self, step: Step, make: Callable[[Trigger], Message | Later | None], trigger: Trigger
-    ) -> tuple[Outcome, bytes | Later | None]:
+    ) -> tuple[Outcome, Answer]:
         """The short cut of most queries: the report itself, not what a machine does to send it."""
         try:
             report = make(trigger)
-            return Outcome.TAKEN, report if isinstance(report, Later) else self._masked(report, trigger)
+            if isinstance(report, Later):
+                return Outcome.TAKEN, self._coming(report, trigger)
+            return Outcome.TAKEN, self._masked(report, trigger)
         except Exception as error:  # noqa: BLE001 - any bug of a service
             self._bugs.met(step.name, trigger, error)
             return Outcome.FAILED, None
+
+    def _coming(self, later: Later, trigger: Trigger) -> Coming:
+        return Coming(later, lambda report: self._masked(report, trigger))
 
     def _masked(self, report: Message | None, trigger: Trigger) -> bytes | None:
         return None if report is None else self._encoded(as_asked(report, trigger))

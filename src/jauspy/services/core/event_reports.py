@@ -16,6 +16,7 @@ from jauspy.services.core.subscriptions import (
     Subscription,
     Subscriptions,
 )
+from jauspy.services.later import Coming
 from jauspy.services.machine import Outcome
 from jauspy.services.service import Service
 
@@ -31,18 +32,24 @@ class EventReports(Service):
         if msg.asked is msg.query:
             self.host.count("event_skipped", f"{msg.query.NAME}: the answer before this one has not come yet")
             return
-        msg.asked = msg.query
-        self.host.ask(msg.query, msg.client, partial(self._answered, msg, msg.query))
-
-    def _answered(self, msg: Subscription, query: Message, outcome: Outcome, answer: bytes | None) -> None:
-        if msg.asked is query:
-            msg.asked = None
-        if msg.query is not query or not self.subscriptions.holds(msg):
-            return  # it ended, or asks for something else, since the answer took its time
+        outcome, answer = self.host.ask(msg.query, msg.client)
         if outcome is Outcome.FAILED:
             self.host.fire("EventError", msg, msg.client)
-        if answer is None or not _is_due(msg, answer):
-            return
+        if isinstance(answer, Coming):
+            msg.asked = msg.query
+            answer.then(partial(self._came, msg, msg.query))
+        elif answer is not None and _is_due(msg, answer):
+            self._report(msg, answer)
+
+    def _came(self, msg: Subscription, query: Message, answer: bytes | None) -> None:
+        """An answer that took its time; meanwhile the event may have ended, or ask for something else."""
+        if msg.asked is query:
+            msg.asked = None
+        is_wanted = msg.query is query and self.subscriptions.holds(msg)
+        if is_wanted and answer is not None and _is_due(msg, answer):
+            self._report(msg, answer)
+
+    def _report(self, msg: Subscription, answer: bytes) -> None:
         self.host.send(msg.client, Event(event_id=msg.id, sequence_number=msg.sequence, report_message=answer))
         msg.sequence = msg.sequence + 1 & 0xFF
         if msg.kind in MORE_KINDS:
