@@ -115,7 +115,7 @@ def test_a_target_without_such_services_does_not_pass(name):
     assert report.status == 2
     assert report.results == ()
     assert "offers no service of" in report.problem
-    assert "urn:jaus:jss:core:Events 1.1" in report.problem
+    assert "it offers core:Discovery 1.1, core:Events 1.1" in report.problem
 
 
 @pytest.mark.parametrize(

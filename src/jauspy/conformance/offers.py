@@ -11,7 +11,7 @@ from jauspy.conformance.outcome import Outcome
 from jauspy.conformance.tester import Tester
 from jauspy.errors import RequestError
 from jauspy.ids import JausID
-from jauspy.messages.core import QueriedComponentRec, QueriedNodeRec, QueryServices, ReportServices
+from jauspy.messages.core import QueriedComponentRec, QueriedNodeRec, QueryServices, ReportServices, ServiceRec
 
 ServiceKey: TypeAlias = tuple[str, str]
 """URN and version, as `1.1`."""
@@ -65,7 +65,8 @@ def _listed(source: JausID, report: ReportServices) -> Iterator[tuple[JausID, fr
     for node in report.node_list:
         for component in node.component_list:
             id = JausID(source.subsystem, node.node_rec.node_id, component.component_rec.component_id)
-            services = (
-                (each.uri, each.major_version_number, each.minor_version_number) for each in component.service_list
-            )
-            yield id, frozenset((uri, f"{major}.{minor}") for uri, major, minor in services)
+            yield id, frozenset(map(_key, component.service_list))
+
+
+def _key(service: ServiceRec) -> ServiceKey:
+    return service.uri, f"{service.major_version_number}.{service.minor_version_number}"
