@@ -95,7 +95,12 @@ def test_what_ends_the_component_comes_last():
         ("ugv-1.0", "igvc 105.1.1"),
         ("manipulator-2.0", "inc1 101.1.104"),
         ("manipulator-2.0", "inc1 101.1.105"),
+        ("manipulator-2.0", "inc1 101.1.103"),
+        ("manipulator-2.0", "inc1 101.1.107"),
+        ("manipulator-2.0", "inc1_pprm 102.1.107"),
         ("sensing-2.0", "inc1 101.1.106"),
+        ("sensing-2.0", "inc1 101.1.107"),
+        ("sensing-2.0", "inc1 101.1.108"),
     ],
 )
 def test_our_robot_passes(name, module):
@@ -115,7 +120,7 @@ def test_a_target_without_such_services_does_not_pass(name):
     assert report.status == 2
     assert report.results == ()
     assert "offers no service of" in report.problem
-    assert "urn:jaus:jss:core:Events 1.1" in report.problem
+    assert "it offers core:Discovery 1.1, core:Events 1.1" in report.problem
 
 
 @pytest.mark.parametrize(
@@ -141,6 +146,16 @@ def test_several_components_are_kept_apart():
     twice = Offers({JausID(101, 1, n): frozenset({("urn:jaus:jss:core:Liveness", "1.1")}) for n in (1, 2)})
     ids = [step.id for step in find("core-1.1").plan(twice)]
     assert {id.partition("/")[0] for id in ids} == {"101.1.1", "101.1.2"}
+
+
+def test_of_a_wildcard_every_component_is_asked():
+    from jauspy.conformance.offers import discover
+    from jauspy.conformance.tester import Tester
+
+    bench = robot(name="inc1", tick=None)
+    found = discover(Tester(bench, JausID(101, 1, 255), registry=registry))
+    assert found == offers_of(bench)
+    assert len(found.components) > 5
 
 
 def test_offers_of_a_bench_are_what_discovery_tells():

@@ -89,12 +89,21 @@ class Client:
         self, kind: type[M], seconds: float, where: Callable[[M], bool] = lambda _: True
     ) -> list[tuple[float, M]]:
         """All messages of this kind within a time, with when they came."""
+        return [(heard.at, message) for heard, message in self._collected(kind, seconds, where)]
+
+    def answers(self, message: Message, answer: type[M], seconds: float) -> list[tuple[JausID, M]]:
+        """Send, and take all answers of the target's components within a time, with who has sent them."""
+        self.forget(answer)
+        self.send(message)
+        return [(heard.source, found) for heard, found in self._collected(answer, seconds, lambda _: True)]
+
+    def _collected(self, kind: type[M], seconds: float, where: Callable[[M], bool]) -> list[tuple[Heard, M]]:
         self.tester.wait(seconds)
-        taken = [(heard, Expectation(self, kind, [], where).readable(heard)) for heard in list(self.pending)]
-        for heard, message in taken:
-            if message is not None:
-                self.pending.remove(heard)
-        return [(heard.at, message) for heard, message in taken if message is not None]
+        read = [(heard, Expectation(self, kind, [], where).readable(heard)) for heard in list(self.pending)]
+        taken = [(heard, message) for heard, message in read if message is not None]
+        for heard, _ in taken:
+            self.pending.remove(heard)
+        return taken
 
     def silence(self, within: float = 0.1, *, besides: tuple[type[Message], ...] = ()) -> None:
         """Nothing comes to this client from the target for this part of the timeout, besides these and events."""

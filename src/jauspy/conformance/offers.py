@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Final, TypeAlias
 
@@ -11,7 +11,7 @@ from jauspy.conformance.outcome import Outcome
 from jauspy.conformance.tester import Tester
 from jauspy.errors import RequestError
 from jauspy.ids import JausID
-from jauspy.messages.core import QueriedComponentRec, QueriedNodeRec, QueryServices, ReportServices
+from jauspy.messages.core import QueriedComponentRec, QueriedNodeRec, QueryServices, ReportServices, ServiceRec
 
 ServiceKey: TypeAlias = tuple[str, str]
 """URN and version, as `1.1`."""
@@ -40,17 +40,33 @@ class Offers:
 
 
 def discover(tester: Tester) -> Offers:
-    """Ask the target for all of its services; raises `RequestError` when it does not say."""
+    """Ask the target for all of its services; raises `RequestError` when it does not say.
+
+    Some components tell of all on their node, others of themselves alone. So a wildcard is asked until all had time.
+    """
     listed = that("lists a component", lambda report: any(each.component_list for each in report.node_list))
+    client = tester.client(ASKER)
     try:
-        report = tester.client(ASKER).ask(ALL_SERVICES, ReportServices, listed, within=2.0)
+        first = client.ask(ALL_SERVICES, ReportServices, listed, within=2.0)
     except Outcome as error:
         raise RequestError(f"{tester.target} does not say which services it offers: {error}") from error
-    found = {
-        JausID(tester.component.subsystem, node.node_rec.node_id, component.component_rec.component_id): frozenset(
-            (each.uri, f"{each.major_version_number}.{each.minor_version_number}") for each in component.service_list
-        )
-        for node in report.node_list
-        for component in node.component_list
-    }
-    return Offers({id: services for id, services in found.items() if tester.target.matches(id)})
+    reports = [(tester.component, first)]
+    if tester.target.is_wildcard:
+        reports += client.answers(ALL_SERVICES, ReportServices, tester.timeout)
+    found: dict[JausID, frozenset[ServiceKey]] = {}
+    for source, report in reports:
+        for id, services in _listed(source, report):
+            if tester.target.matches(id):
+                found[id] = found.get(id, frozenset()) | services
+    return Offers(found)
+
+
+def _listed(source: JausID, report: ReportServices) -> Iterator[tuple[JausID, frozenset[ServiceKey]]]:
+    for node in report.node_list:
+        for component in node.component_list:
+            id = JausID(source.subsystem, node.node_rec.node_id, component.component_rec.component_id)
+            yield id, frozenset(map(_key, component.service_list))
+
+
+def _key(service: ServiceRec) -> ServiceKey:
+    return service.uri, f"{service.major_version_number}.{service.minor_version_number}"

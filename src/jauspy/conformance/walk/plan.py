@@ -24,6 +24,7 @@ from jauspy.errors import ConfigError
 from jauspy.messages import registry
 from jauspy.schema import guards, model
 
+STANDARD: Final = "urn:jaus:jss:"
 PREFIX: Final = ("Receiving", "Ready")
 """What every state is inside of; left out of names."""
 
@@ -35,7 +36,7 @@ def profile_of(name: str, title: str, set_name: str, version: str) -> Profile:
         wanted = _services(set_name, version)
         found = offers.with_any(wanted)
         if not found:
-            there = sorted({f"{urn} {v}" for each in offers.components.values() for urn, v in each})
+            there = sorted(f"{urn.removeprefix(STANDARD)} {v}" for urn, v in set().union(*offers.components.values()))
             raise ConfigError(
                 f"the target offers no service of {set_name} {version}, so nothing was tested; "
                 f"it offers {', '.join(there) or 'nothing'}"
