@@ -80,6 +80,11 @@ class SimulatedEye:
         """By which GL, or why by none."""
         return self._painter.description
 
+    @property
+    def reduced(self) -> bool:
+        """Rays are fewer than pixels."""
+        return isinstance(self._painter, RayPainter)
+
     def look(self, width: int, height: int, *, thoroughly: bool = False) -> Frame:
         """The world as the robot's process left it with its last step."""
         taken = self._update()

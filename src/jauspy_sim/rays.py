@@ -30,7 +30,9 @@ _HAS_NORMALS: Final = "normal" in (mujoco.mj_multiRay.__doc__ or "")  # since Mu
 class RayPainter:
     """Paints what a camera of the model sees; it is told the horizontal field of view in radians."""
 
-    description: Final = "no GL library is here (libegl1 or libosmesa6): casts rays, at a reduced size"
+    description: Final = (
+        "no GL here (libegl1 or libosmesa6, and MUJOCO_GL not set otherwise): casts rays, at a reduced size"
+    )
 
     def __init__(self, model: mujoco.MjModel, camera: int, fov: float) -> None:
         self._model, self._camera = model, camera

@@ -122,6 +122,7 @@ def test_gl_that_does_not_work_gives_way_to_rays_and_says_why(robot, monkeypatch
     monkeypatch.setattr(gl, "choose", lambda: "no_such_way")
     eye = robot.cameras["arm"].open()
     assert "casts rays" in eye.description
+    assert eye.reduced
     assert "no_such_way does not work here" in caplog.text
     eye.close()
 

@@ -84,6 +84,24 @@ async def test_it_starts_when_it_is_first_wanted(camera):
     assert camera.counters["started"] == 1
 
 
+async def test_rays_instead_of_gl_are_said_once(monkeypatch, caplog):
+    sim = pytest.importorskip("jauspy_sim.robot", reason="MuJoCo is not installed")
+    monkeypatch.setenv("MUJOCO_GL", "disable")
+    monkeypatch.setattr(camera_process, "PAUSES", (0.01, 0.02))
+    setup = CameraSetup("front", "chassis_camera_link", math.radians(80.0))
+    robot = sim.SimulatedRobot.open(dataclasses.replace(robot_model(load("inc1")), cameras=(setup,)), "empty")
+    async with CameraProcess(robot.cameras["front"], SMALL) as camera:
+        camera.watch(("127.0.0.1", 2000), playing=False)
+        await until(lambda: camera.description)
+        os.kill(camera.pid, signal.SIGKILL)
+        camera.take(TINY, (again := asyncio.get_running_loop().create_future()).set_result)
+        await asyncio.wait_for(again, 20.0)
+        await until(lambda: camera.counters["started"] == 2)
+    robot.close()
+    said = [record for record in caplog.records if "casts rays" in record.message]
+    assert [record.levelname for record in said] == ["WARNING"]
+
+
 async def test_its_process_leaves_the_processor_to_the_robots(camera):
     camera.watch(("127.0.0.1", 2000), playing=False)
     await until(lambda: camera.description)

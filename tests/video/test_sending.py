@@ -229,6 +229,25 @@ def test_a_recording_ends_where_the_size_changes(scene, sender, receivers, tmp_p
         assert recorder.pictures == 2
 
 
+def test_a_recording_goes_on_when_the_camera_begins_anew(scene, sender, receivers, tmp_path):
+    """Another process, with another source and another clock, is no gap of hours."""
+    import av
+
+    receiver, _ = receivers
+    sender.add(at(receiver))
+    Show(scene, sender).go_on(3)
+    with RtpSender("anew") as anew, Recorder(tmp_path / "front.mp4") as recorder:
+        pictures = take(receiver, 3)
+        anew.add(at(receiver))
+        Show(scene, anew).go_on(3)
+        for picture in pictures + take(receiver, 3):
+            recorder.add(picture)
+    with av.open(str(tmp_path / "front.mp4")) as film:
+        times = [float(frame.time) for frame in film.decode(video=0)]
+    expected = [0, 1 / RATE, 2 / RATE, 2 / RATE + 0.1, 3 / RATE + 0.1, 4 / RATE + 0.1]
+    assert times == pytest.approx(expected, abs=0.001)
+
+
 def test_a_film_that_cannot_be_written_says_so(tmp_path):
     with pytest.raises(ConfigError, match=r"cannot record to .*film\.xyz"):
         Recorder(tmp_path / "film.xyz")

@@ -48,7 +48,12 @@ class Eye(Protocol):
 
     @property
     def description(self) -> str:
-        """How it comes to its pictures, for the log; says so when it does worse than it could."""
+        """How it comes to its pictures, for the log."""
+        ...
+
+    @property
+    def reduced(self) -> bool:
+        """Its pictures are worse than another machine would make them; the description says why."""
         ...
 
     def look(self, width: int, height: int, *, thoroughly: bool = False) -> Frame:

@@ -58,6 +58,7 @@ class FloorEye:
     """An `Eye`."""
 
     description: str = "draws sky and floor; the kinematic backend has nothing else to see"
+    reduced: bool = False
 
     def __init__(self, camera: FloorCamera) -> None:
         import numpy  # noqa: PLC0415 - an extra

@@ -182,9 +182,10 @@ class CameraProcess:
 
     def _hear(self, word: object) -> None:
         match word:
-            case Opened(description):
+            case Opened(description, reduced):
                 if description != self._description:
-                    _LOG.info("camera %s: %s", self._camera.setup.name, description)
+                    level = logging.WARNING if reduced else logging.INFO
+                    _LOG.log(level, "camera %s: %s", self._camera.setup.name, description)
                 self._description = description
             case Taken():
                 self._own["stills"] += 1

@@ -20,11 +20,12 @@ MISORDER: Final = 100
 
 @dataclass(frozen=True, slots=True)
 class Picture:
-    """The NAL units of one picture. `whole`: none of its packets was lost."""
+    """The NAL units of one picture. `whole`: none of its packets was lost. `source`: the SSRC of its clock."""
 
     timestamp: int
     nals: tuple[bytes, ...]
     whole: bool
+    source: int = 0
 
     @property
     def is_idr(self) -> bool:
@@ -41,7 +42,7 @@ class Depacketiser:
 
     def __init__(self) -> None:
         self.counters: Counter[str] = Counter()
-        self._ssrc: int | None = None
+        self._ssrc = -1  # nobody's
         self._expected = 0
         self._timestamp = 0
         self._nals: list[bytes] = []
@@ -124,7 +125,7 @@ class Depacketiser:
     def _finish(self) -> list[Picture]:
         """Ends the picture; what an end without packets of its own leaves, is none."""
         whole = self._whole and self._fragment is None
-        picture = Picture(self._timestamp, tuple(self._nals), whole)
+        picture = Picture(self._timestamp, tuple(self._nals), whole, self._ssrc)
         self._clear(self._timestamp)
         self.counters["damaged"] += not whole
         if not picture.nals:

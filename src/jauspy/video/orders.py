@@ -62,9 +62,10 @@ Order: TypeAlias = Begin | Change | Watch | Leave | Take
 
 @dataclass(frozen=True, slots=True)
 class Opened:
-    """The camera is open; how it comes to its pictures."""
+    """The camera is open; how it comes to its pictures, and whether they are worse than elsewhere."""
 
     description: str
+    reduced: bool
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,6 +19,8 @@ from jauspy.video.depacketiser import Picture
 from jauspy.video.rtp import CLOCK
 
 _TICK: Final = Fraction(1, CLOCK)
+_AFTER_RESTART: Final = CLOCK // 10
+"""Ticks from the last picture of one source to the first of the next: no clock tells how long it really was."""
 
 
 class Recorder:
@@ -34,7 +36,7 @@ class Recorder:
             raise ConfigError(f"cannot record to {path}: {error}; the name should end in .mp4 or .mkv") from error
         self._stream: VideoStream | None = None
         self._parameters: bytes = b""
-        self._first = self._last = 0
+        self._first = self._last = self._source = 0
         self.pictures = 0
         self.ended = False
 
@@ -71,11 +73,13 @@ class Recorder:
             return
         stream.time_base = _TICK
         self._stream, self._parameters = stream, parameters
-        self._first, self._last = picture.timestamp, -1
+        self._first, self._last, self._source = picture.timestamp, -1, picture.source
 
     def _write(self, stream: VideoStream, picture: Picture) -> None:
         packet = av.Packet(nal.join(picture.nals))
         packet.stream, packet.time_base, packet.is_keyframe = stream, _TICK, picture.is_idr
+        if picture.source != self._source:  # its camera began anew, with another clock
+            self._first, self._source = picture.timestamp - self._last - _AFTER_RESTART, picture.source
         elapsed = (picture.timestamp - self._first) & 0xFFFFFFFF
         self._last = max(elapsed, self._last + 1)
         packet.pts = packet.dts = self._last

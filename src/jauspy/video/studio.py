@@ -44,7 +44,7 @@ class Studio:
         self._number = 0
         self._due = clock()
         self._count_due = clock()
-        say(Opened(self._eye.description))
+        say(Opened(self._eye.description, self._eye.reduced))
 
     def wait(self) -> float | None:
         """Seconds until the next picture is due; None when nobody watches."""
