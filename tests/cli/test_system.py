@@ -98,19 +98,22 @@ def test_frames_of_a_running_robot(robot, local_root):
 
 def test_clouds_of_a_running_robot_are_saved(free_port, local_root, tmp_path):
     pytest.importorskip("pynng", reason="pynng is not installed")
-    address = f"ipc://{tmp_path}/cloud"
-    options = ["--port", str(free_port), "--local-root", str(local_root), "--cloud", address]
+    address, depth = f"ipc://{tmp_path}/cloud", f"ipc://{tmp_path}/depth"
+    clouds = ["--cloud", address, "--cloud", f"chassis={depth}"]
+    options = ["--port", str(free_port), "--local-root", str(local_root), *clouds]
     process = start("up", "inc1", "--backend", "kinematic", *options)
     try:
         family = wait_for(process, "stop it")
         tool = Path(__file__).parents[2] / "tools" / "save_cloud.py"
-        command = [sys.executable, tool, address, tmp_path / "out", "3"]
-        done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
-        assert done.returncode == 0, done.stderr
-        assert "3 received" in done.stdout
-        saved = sorted((tmp_path / "out").iterdir())
-        assert len(saved) == 3
-        assert all(b"comment frame lidar_link" in each.read_bytes() for each in saved)
+        for place, frame in ((address, b"lidar_link"), (depth, b"chassis_camera_link")):
+            folder = tmp_path / frame.decode()
+            command = [sys.executable, tool, place, folder, "3"]
+            done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
+            assert done.returncode == 0, done.stderr
+            assert "3 received" in done.stdout
+            saved = sorted(folder.iterdir())
+            assert len(saved) == 3
+            assert all(b"comment frame " + frame in each.read_bytes() for each in saved)
         process.send_signal(signal.SIGINT)
         assert process.wait(20) == 130
         assert_gone(family)

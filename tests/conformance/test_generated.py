@@ -95,7 +95,12 @@ def test_what_ends_the_component_comes_last():
         ("ugv-1.0", "igvc 105.1.1"),
         ("manipulator-2.0", "inc1 101.1.104"),
         ("manipulator-2.0", "inc1 101.1.105"),
+        ("manipulator-2.0", "inc1 101.1.103"),
+        ("manipulator-2.0", "inc1 101.1.107"),
+        ("manipulator-2.0", "inc1_pprm 102.1.107"),
         ("sensing-2.0", "inc1 101.1.106"),
+        ("sensing-2.0", "inc1 101.1.107"),
+        ("sensing-2.0", "inc1 101.1.108"),
     ],
 )
 def test_our_robot_passes(name, module):

@@ -17,6 +17,7 @@ import pytest
 from jauspy.codec.base import Message
 from jauspy.ids import JausID
 from jauspy.messages.core import CreateEvent, Event, RequestControl
+from jauspy.messages.environment_sensing.v1_0.types import ManipulatorGeometricPropertiesRec
 from jauspy.messages.environment_sensing.v2_0 import range_sensor as m
 from jauspy.modules import robots
 from jauspy.modules.description import robot_model
@@ -148,8 +149,10 @@ def test_a_lidar_on_the_arm_moves_with_it() -> None:
     first, second = mast.ask(query, m.ReportSensorGeometricProperties).geometric_properties_list
     assert first.geometric_properties_variant.sensor_position == pytest.approx([-0.2, 0.0, -0.44], abs=1e-6)
     assert first.geometric_properties_variant.unit_quaternion == pytest.approx([1.0, 0.0, 0.0, 0.0], abs=1e-6)
-    assert isinstance(
-        second.geometric_properties_variant, m.ReportSensorGeometricProperties.NoGeometricPropertiesVariant
+    assert isinstance(second.geometric_properties_variant, ManipulatorGeometricPropertiesRec)
+    assert (second.geometric_properties_variant.component_id, second.geometric_properties_variant.joint_number) == (
+        104,
+        4,
     )
     before = nearest(mast.scan(VALIDITY, VEHICLE, sensor=2), 0.0)
     mast.robot.groups["arm"].command(

@@ -11,6 +11,7 @@ from tests.modules.cameras import OTHER, Module
 from jauspy.messages import environment_sensing as m
 from jauspy.messages.environment_sensing.v1_0.types import (
     DigitalVideoSensorErrorRec,
+    ManipulatorGeometricPropertiesRec,
     SensorIDQueryRec,
     SensorIdRec,
     StaticGeometricPropertiesRec,
@@ -234,6 +235,19 @@ def test_where_a_camera_is_on_the_vehicle_if_it_does_not_move():
     properties = found.geometric_properties_variant
     assert isinstance(properties, StaticGeometricPropertiesRec)
     assert properties.sensor_position == pytest.approx([-0.2, 0.0, -0.44], abs=1e-3)
+
+
+@pytest.mark.parametrize(("component", "manipulator", "joint"), [(106, 104, 4), (107, 107, 2)])
+def test_what_joint_moves_the_camera(component, manipulator, joint):
+    answer = Module(component).ask(m.QuerySensorGeometricProperties([SensorIDQueryRec(1)]))
+    (found,) = answer.geometric_properties_list
+    mounting = found.geometric_properties_variant
+    assert isinstance(mounting, ManipulatorGeometricPropertiesRec)
+    assert (mounting.subsystem_id, mounting.node_id, mounting.component_id) == (101, 1, manipulator)
+    assert mounting.joint_number == joint
+    if component == 107:
+        assert mounting.sensor_position == pytest.approx([0.026, 0.0, 0.0], abs=1e-6)
+        assert mounting.unit_quaternion == pytest.approx([1.0, 0.0, 0.0, 0.0], abs=1e-6)
 
 
 # --- for real

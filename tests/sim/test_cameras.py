@@ -134,6 +134,23 @@ def test_the_environment_decides_about_gl(monkeypatch, set_to, chosen):
     assert gl.choose() == chosen
 
 
+@pytest.mark.parametrize("way", sorted(gl.LIBRARIES))
+def test_each_way_to_gl_paints(way):
+    """In a process of its own: one process has one way."""
+    code = (
+        "from jauspy.modules.description import robot_model; from jauspy.modules.robots import load;"
+        "from jauspy_sim.robot import SimulatedRobot;"
+        "robot = SimulatedRobot.open(robot_model(load('inc1')), 'demo'); eye = robot.cameras['chassis'].open();"
+        "print(eye.look(320, 240).image.std() > 10.0, eye.description)"
+    )
+    environment = {**os.environ, "MUJOCO_GL": way}
+    environment.pop("PYOPENGL_PLATFORM", None)  # which pictures taken in this process have left there
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, env=environment)
+    if "casts rays" in run.stdout:
+        pytest.skip(f"{way} does not work here")
+    assert run.stdout.startswith(f"True renders with {way.upper()}\n"), run.stdout
+
+
 def test_looking_does_not_change_where_the_robot_goes():
     def trajectory(*cameras):
         robot = SimulatedRobot.open(dataclasses.replace(robot_model(load("inc1")), cameras=cameras), "demo")

@@ -25,7 +25,7 @@ from jauspy.platform.kinematic import KinematicRobot
 from jauspy.platform.kinematic_camera import SKY
 from jauspy.platform.stills import StillFormat, StillSettings
 from jauspy.platform.video_settings import VideoSettings
-from jauspy.video import camera_process, still_orders
+from jauspy.video import camera_process, still_orders, worker_process
 from jauspy.video.camera_process import CameraProcess
 from jauspy.video.decoder import H264Decoder
 from jauspy.video.receiver import RtpReceiver
@@ -189,7 +189,7 @@ async def test_a_process_that_dies_is_started_again_and_goes_on(camera, receiver
 
 
 async def test_a_process_that_hangs_is_ended(camera, monkeypatch):
-    monkeypatch.setattr(camera_process, "BACKLOG", 1000)
+    monkeypatch.setattr(worker_process, "BACKLOG", 1000)
     camera.watch(("127.0.0.1", 2000))
     await until(lambda: camera.description)
     os.kill(camera.pid, signal.SIGSTOP)

@@ -33,10 +33,10 @@ async def view(port: int) -> None:
             seen.set()
 
     async with AsyncExitStack() as stack:
+        ocu = await stack.enter_async_context(OCU(connect=f"udp://{HOST}:{port}"))
         for camera in CAMERAS:
             receiver = stack.enter_context(RtpReceiver(HOST))
             loop.add_reader(receiver.fileno(), take, receiver, str(camera))
-            ocu = OCU(connect=f"udp://{HOST}:{port}")
             await stack.enter_async_context(entered(ocu, camera, 1, url_of((HOST, receiver.port))))
         await asyncio.wait_for(seen.wait(), 60.0)
         before = dict(counts)

@@ -4,8 +4,10 @@ python tools/bench/video.py [--seconds 30] [--sizes 640x480,1280x720] [--rate 15
 
 Each picture carries its number and the time of the state that it shows. From state to decoded pixels is what an
 operator waits for, but for the screen. Lost are numbers that were left out between the first and the last picture.
-`said` are lines of warnings and errors of the player and its decoder; the first is printed. ffmpeg's programs decode a
-picture when the next one begins, so their delay contains a picture's time (67 ms of 15 pictures per second).
+Fewer pictures per second than asked for: the cameras' processes had too little of the processor. `robot time` is what
+the robot simulated of the time that passed, both cameras running: 1 is real time. `said` are lines of warnings and
+errors of the player and its decoder; the first is printed. ffmpeg's programs decode a picture when the next one begins,
+so their delay contains a picture's time (67 ms of 15 pictures per second).
 """
 
 from __future__ import annotations
@@ -55,22 +57,26 @@ class Seen:
 
     numbers: list[int] = field(default_factory=list)
     delays: list[float] = field(default_factory=list)
+    times: list[float] = field(default_factory=list)
     said: list[str] = field(default_factory=list)
 
     def take(self, image: np.ndarray) -> None:
         """A picture has been decoded now."""
         number, micros = read(image, rows=2)
         self.numbers.append(number)
-        self.delays.append((round(time.monotonic() * 1e6) - micros & 0xFFFFFFFF) / 1e6)
+        self.times.append(time.monotonic())
+        self.delays.append((round(self.times[-1] * 1e6) - micros & 0xFFFFFFFF) / 1e6)
 
     def line(self, rate: int) -> str:
-        """Pictures, losses and delays in milliseconds."""
-        numbers, delays = self.numbers[int(UNCOUNTED * rate) :], self.delays[int(UNCOUNTED * rate) :]
+        """Pictures, how many a second, losses, complaints, and delays in milliseconds."""
+        numbers, delays, times = (each[int(UNCOUNTED * rate) :] for each in (self.numbers, self.delays, self.times))
         if len(numbers) < 2:
             return f"{len(self.numbers):9} pictures: too few"
         lost = numbers[-1] - numbers[0] + 1 - len(numbers)
         p95 = sorted(delays)[int(0.95 * len(delays))]
-        return f"{len(numbers):9}{lost:6}{len(self.said):6}{1e3 * statistics.median(delays):11.0f}{1e3 * p95:8.0f}"
+        pace = (len(times) - 1) / (times[-1] - times[0])
+        counts = f"{len(numbers):9}{pace:7.1f}{lost:6}{len(self.said):6}"
+        return f"{counts}{1e3 * statistics.median(delays):11.0f}{1e3 * p95:8.0f}"
 
 
 def ffmpeg(folder: Path, port: int, _: VideoSettings) -> list[str]:
@@ -166,9 +172,8 @@ def main() -> None:
     parser.add_argument("--backend", default="sim")
     options = parser.parse_args()
     config = load("inc1").model_copy(update={"backend": options.backend})
-    print(
-        f"{'receiver and camera':36}{'pictures':>9}{'lost':>6}{'said':>6}{'median ms':>11}{'95 %':>8}{'robot time':>12}"
-    )
+    head = f"{'receiver and camera':36}{'pictures':>9}{'per s':>7}{'lost':>6}{'said':>6}"
+    print(f"{head}{'median ms':>11}{'95 %':>8}{'robot time':>12}")
     for size in options.sizes.split(","):
         width, height = map(int, size.split("x"))
         for name in ("jauspy", *PLAYERS):

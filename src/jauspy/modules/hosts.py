@@ -66,10 +66,10 @@ def host_of(
     """The host of a module. `videos`: the cameras by name. `now`: seconds of the clock that runs it."""
     id = config.id_of(module)
     if module.type == "CM-SEN":
-        sensors = Sensors.of(model.description, body)
+        sensors = Sensors.of(config, model, body)
         return cm_sen(id, sensors, module, identities=identities, utc_now=utc_now, now=now)
     if module.camera is not None:
-        camera = mounted_camera(model.description, videos[module.camera], body.groups)
+        camera = mounted_camera(config, model, videos[module.camera], body.groups)
         unit = unit_of(module, model, body.groups)
         return cm_vis(id, camera, unit, module, identities=identities, utc_now=utc_now, now=now)
     if module.moves is None:

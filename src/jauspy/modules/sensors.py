@@ -9,8 +9,9 @@ from typing import Protocol, Self
 
 from jauspy.ids import JausID
 from jauspy.modules.capability import capability
-from jauspy.modules.config import ModuleConfig
-from jauspy.platform.description import Description
+from jauspy.modules.carriers import carrier_of
+from jauspy.modules.config import ModuleConfig, RobotConfig
+from jauspy.platform.description import RobotModel
 from jauspy.platform.force_torque import ForceTorqueSensor as Gauge
 from jauspy.platform.joints import JointGroup
 from jauspy.platform.ranging import RangeFinder
@@ -49,13 +50,16 @@ class Sensors:
     gauges: tuple[MountedGauge, ...]
 
     @classmethod
-    def of(cls, description: Description, body: Carrier) -> Self:
+    def of(cls, config: RobotConfig, model: RobotModel, body: Carrier) -> Self:
         """All of them, in the order of its description."""
-        tree, groups = FrameTree(description), body.groups
+        tree, groups = FrameTree(model.description), body.groups
         lidars = ((lidar, lidar.setup.link) for lidar in body.lidars.values())
         gauges = ((gauge, gauge.setup.link) for gauge in body.force_torque.values())
         return cls(
-            tuple(Mounted(lidar, frame_of(tree, link, groups), tree.is_fixed(link)) for lidar, link in lidars),
+            tuple(
+                Mounted(lidar, frame_of(tree, link, groups), tree.is_fixed(link), carrier_of(config, model, link))
+                for lidar, link in lidars
+            ),
             tuple(MountedGauge(gauge, frame_of(tree, link, groups)) for gauge, link in gauges),
         )
 

@@ -8,10 +8,11 @@ from typing import Final
 
 from jauspy.ids import JausID
 from jauspy.modules.capability import capability
-from jauspy.modules.config import ModuleConfig
+from jauspy.modules.carriers import carrier_of
+from jauspy.modules.config import ModuleConfig, RobotConfig
 from jauspy.modules.pan_tilt import services_of
 from jauspy.modules.sensors import frame_of
-from jauspy.platform.description import Description
+from jauspy.platform.description import RobotModel
 from jauspy.platform.joints import JointGroup
 from jauspy.platform.transforms import FrameTree
 from jauspy.services.core import Identity
@@ -38,10 +39,12 @@ CHOICE: Final[Mapping[str, Callable[[Viewers], Service]]] = {
 }
 
 
-def mounted_camera(description: Description, source: VideoSource, groups: Mapping[str, JointGroup]) -> VideoCamera:
+def mounted_camera(
+    config: RobotConfig, model: RobotModel, source: VideoSource, groups: Mapping[str, JointGroup]
+) -> VideoCamera:
     """The camera, and where it is on the robot, whatever its joints do."""
-    tree, link = FrameTree(description), source.setup.link
-    return VideoCamera(source, frame_of(tree, link, groups), tree.is_fixed(link))
+    tree, link = FrameTree(model.description), source.setup.link
+    return VideoCamera(source, frame_of(tree, link, groups), tree.is_fixed(link), carrier_of(config, model, link))
 
 
 def cm_vis(

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import asyncio
 import logging
-import os
-import sys
 import time
 from collections import Counter
 from collections.abc import Mapping
@@ -18,24 +16,10 @@ from jauspy.platform.camera import Camera, CameraSetup
 from jauspy.platform.stills import StillSettings
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.video.extra import need_video
-from jauspy.video.orders import (
-    LENGTH,
-    Address,
-    Begin,
-    Change,
-    Counted,
-    Leave,
-    Opened,
-    Order,
-    Take,
-    Taken,
-    Watch,
-    length,
-    packed,
-    unpacked,
-)
+from jauspy.video.orders import Address, Begin, Change, Counted, Leave, Opened, Order, Take, Taken, Watch
 from jauspy.video.sender import MAX_RECEIVERS
 from jauspy.video.still_orders import StillOrders, Then
+from jauspy.video.worker_process import WorkerProcess
 
 PAUSES: Final = (0.5, 10.0)
 """Seconds before a process that died is started again: at first, and at most; doubled from time to time."""
@@ -43,14 +27,8 @@ PAUSES: Final = (0.5, 10.0)
 STEADY: Final = 30.0
 """Seconds that a process must have lived for the pause to be short again."""
 
-BACKLOG: Final = 1 << 22
-"""Bytes of orders, the first of which carries the model of the world, that the process may leave unread; one that
-leaves more hangs, and is ended."""
-
 STILL_TIMEOUT: Final = 30.0
-"""Seconds in which a process must have taken a still image; one that has not hangs, too."""
-
-STOP_TIMEOUT: Final = 5.0
+"""Seconds in which a process must have taken a still image; one that has not hangs."""
 
 _LOG: Final = logging.getLogger("jauspy.video")
 
@@ -69,7 +47,7 @@ class CameraProcess:
         self._sent: Counter[str] = Counter()
         self._before: Counter[str] = Counter()
         self._description = ""
-        self._process: asyncio.subprocess.Process | None = None
+        self._process: WorkerProcess | None = None
         self._keeper: asyncio.Task[None] | None = None
         self._is_open = False
 
@@ -145,7 +123,9 @@ class CameraProcess:
             with suppress(asyncio.CancelledError):
                 await self._keeper
             self._keeper = None
-        await self._stop()
+        if self._process is not None:
+            await self._process.stop()
+            self._end()
 
     async def __aenter__(self) -> Self:
         await self.open()
@@ -162,67 +142,43 @@ class CameraProcess:
             self._keeper = asyncio.get_running_loop().create_task(self._keep(), name=f"camera {self.setup.name}")
 
     def _order(self, order: Order) -> None:
-        process = self._process
-        if process is None or process.stdin is None or process.stdin.is_closing():
-            return
-        process.stdin.write(packed(order))
-        if process.stdin.transport.get_write_buffer_size() > BACKLOG:
-            self._kill(process)
+        if self._process is not None and not self._process.order(order):
+            self._kill(self._process)
 
     def _look_after(self, order: Take) -> None:
         if order in self._stills and self._process is not None:
             self._kill(self._process)
 
-    def _kill(self, process: asyncio.subprocess.Process) -> None:
+    def _kill(self, process: WorkerProcess) -> None:
         self._own["hung"] += 1
-        with suppress(ProcessLookupError):
-            process.kill()
+        process.kill()
 
-    async def _start(self) -> None:
-        process = await asyncio.create_subprocess_exec(
-            sys.executable,
-            "-m",
-            "jauspy.video.worker",
-            stdin=asyncio.subprocess.PIPE,
-            stdout=asyncio.subprocess.PIPE,
-            pass_fds=self._camera.descriptors,
-            process_group=0,  # no Ctrl-C; a session of its own would have a share of its own, however nice it is
-            env={**os.environ, "PYTHONUNBUFFERED": "1"},
-        )
+    async def _start(self) -> WorkerProcess:
+        self._process = process = await WorkerProcess.start(self._camera.descriptors)
         self._own["started"] += 1
-        self._process = process
-        assert process.stdin is not None
-        process.stdin.write(packed(Begin(self._camera, self._settings, self._stamped)))
+        self._order(Begin(self._camera, self._settings, self._stamped))
         for address, playing in self._receivers.items():
             self._order(Watch(address, playing))
         for order in self._stills:
             self._order(order)
+        return process
 
     async def _keep(self) -> None:
         """Hears what the process says, and starts another one when it has ended."""
         pause, longest = PAUSES
         loop = asyncio.get_running_loop()
         while True:
-            await self._start()
+            process = await self._start()
             born = loop.time()
-            status = await self._listen()
+            async for word in process.words():
+                self._hear(word)
+            status = await process.ended()
+            self._end()
             pause = PAUSES[0] if loop.time() - born > STEADY else pause
             name = self._camera.setup.name
             _LOG.warning("camera %s: its process ended (%s); it starts again in %.1f s", name, status, pause)
             await asyncio.sleep(pause)
             pause = min(longest, 2.0 * pause)
-
-    async def _listen(self) -> int:
-        process = self._process
-        assert process is not None
-        assert process.stdout is not None
-        with suppress(asyncio.IncompleteReadError):
-            while True:
-                head = await process.stdout.readexactly(LENGTH)
-                self._hear(unpacked(await process.stdout.readexactly(length(head))))
-        status = await process.wait()
-        self._end()
-        return status
 
     def _hear(self, word: object) -> None:
         match word:
@@ -241,17 +197,3 @@ class CameraProcess:
         self._before += self._sent
         self._sent = Counter()
         self._own["stills_lost"] += self._stills.lose()
-
-    async def _stop(self) -> None:
-        process = self._process
-        if process is None:
-            return
-        assert process.stdin is not None
-        process.stdin.close()
-        try:
-            async with asyncio.timeout(STOP_TIMEOUT):
-                await process.communicate()
-        except TimeoutError:
-            process.kill()
-            await process.communicate()
-        self._end()

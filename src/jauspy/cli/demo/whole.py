@@ -45,7 +45,7 @@ class WholeTour(Tour):
             films = await self._film(stack, robot)
             await self._drive(robot, driving)
             await self._aim(stack, robot)
-            frames, eye = RobotFrames(robot, self._model), self._camera(robot, CAMERA)
+            frames, eye = RobotFrames(robot, self._model, self._config.movers), self._camera(robot, CAMERA)
             grasp = Grasp(arm, frames, self._model, eye, SIZES[self._size])
             self._step("look", "Look for the can with the arm's camera")
             self._found(await grasp.look(self._folder))

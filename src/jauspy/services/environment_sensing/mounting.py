@@ -6,7 +6,12 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Protocol
 
-from jauspy.messages.environment_sensing.v1_0.types import SensorIdRec, StaticGeometricPropertiesRec
+from jauspy.ids import JausID
+from jauspy.messages.environment_sensing.v1_0.types import (
+    ManipulatorGeometricPropertiesRec,
+    SensorIdRec,
+    StaticGeometricPropertiesRec,
+)
 from jauspy.messages.environment_sensing.v2_0.range_sensor import ReportSensorGeometricProperties as Report
 from jauspy.platform.ranging import RangeFinder
 from jauspy.platform.vectors import Transform
@@ -14,8 +19,24 @@ from jauspy.services.axes import jaus_frame
 from jauspy.services.manipulator.quaternion import quaternion
 
 
+@dataclass(frozen=True, slots=True)
+class OnJoint:
+    """The joint of a manipulator, or of a pan-tilt unit, that a sensor moves with."""
+
+    manipulator: JausID
+    number: int
+    """Of the joint, from 1."""
+    frame: Transform
+    """The sensor's frame, with JAUS's axes, in that of the joint, which is the manipulator's own."""
+
+
 class OnVehicle(Protocol):
     """A sensor of the vehicle."""
+
+    @property
+    def carrier(self) -> OnJoint | None:
+        """What it moves with, if JAUS knows it."""
+        ...
 
     @property
     def is_fixed(self) -> bool:
@@ -37,6 +58,8 @@ class Mounted:
     """Its frame in the vehicle's now, both as in REP-103."""
     is_fixed: bool = True
     """The frame never changes."""
+    carrier: OnJoint | None = None
+    """What it moves with, if JAUS knows it."""
 
     @property
     def in_vehicle(self) -> Transform:
@@ -45,11 +68,19 @@ class Mounted:
 
 
 def geometric_properties(sensor: int, mounted: OnVehicle) -> Report.GeometricPropertiesSequence:
-    """Position and attitude of a sensor that is fixed to the vehicle; of one that moves nothing is told."""
-    found: Report.NoGeometricPropertiesVariant | StaticGeometricPropertiesRec
+    """Where a sensor is on the vehicle, or on the joint that moves it; nothing where that is unknown."""
+    found: Report.NoGeometricPropertiesVariant | StaticGeometricPropertiesRec | ManipulatorGeometricPropertiesRec
     if mounted.is_fixed:
-        frame = mounted.in_vehicle
-        found = StaticGeometricPropertiesRec(list(frame.position), list(quaternion(frame.rotation)))
+        found = StaticGeometricPropertiesRec(*_place(mounted.in_vehicle))
+    elif (joint := mounted.carrier) is not None:
+        id = joint.manipulator
+        found = ManipulatorGeometricPropertiesRec(
+            id.subsystem, id.node, id.component, joint.number, *_place(joint.frame)
+        )
     else:
         found = Report.NoGeometricPropertiesVariant(Report.Empty0())
     return Report.GeometricPropertiesSequence(SensorIdRec(sensor), found)
+
+
+def _place(frame: Transform) -> tuple[list[float], list[float]]:
+    return list(frame.position), list(quaternion(frame.rotation))

@@ -14,6 +14,7 @@ from jauspy.platform.stills import Still, StillSettings
 from jauspy.platform.vectors import Transform
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.services.axes import jaus_frame
+from jauspy.services.environment_sensing.mounting import OnJoint
 
 Address: TypeAlias = tuple[str, int]
 
@@ -56,6 +57,8 @@ class VideoCamera:
     """Its frame in the vehicle's now, both as in REP-103."""
     is_fixed: bool = True
     """The frame never changes."""
+    carrier: OnJoint | None = None
+    """What it moves with, if JAUS knows it."""
 
     @property
     def in_vehicle(self) -> Transform:

@@ -10,7 +10,8 @@ from jauspy.platform.transforms import joint_frame
 from jauspy.platform.vectors import Transform, Vector, Y, Z, cross, dot, transposed
 from jauspy.services.axes import JAUS_FROM_REP_103
 from jauspy.services.manipulator.arm import Arm
-from jauspy.services.manipulator.turned_joints import TurnedJoints
+from jauspy.services.manipulator.denavit_hartenberg import geometry
+from jauspy.services.manipulator.turned_joints import TurnedJoints, turned_joint
 
 
 class PanTilt(Arm):
@@ -23,15 +24,23 @@ class PanTilt(Arm):
 
     def __init__(self, joints: JointGroup, mount: Callable[[], Transform]) -> None:
         super().__init__(TurnedJoints(joints, turned(joints.chain)))
+        self._frame = frame_at_zero(joints.chain)
         self._mount = mount
 
     @property
     def coordinate_system(self) -> Transform:
         """In the vehicle's frame (JAUS's axes): z along pan, y along tilt, x ahead; where the two axes are closest."""
-        pan = self.geometry.base @ self.geometry.links[0].frame(0.0)
-        tilt = pan @ self.geometry.links[1].frame(0.0)
-        y, z = tilt.turn(Z), pan.turn(Z)
-        return JAUS_FROM_REP_103 @ self._mount() @ Transform(transposed((cross(y, z), y, z)), pan.position)
+        return JAUS_FROM_REP_103 @ self._mount() @ self._frame
+
+
+def frame_at_zero(chain: Sequence[Joint]) -> Transform:
+    """The unit's coordinate system in its base link, and, at zero, the frames of both joints, which turn with them."""
+    turns = iter(turned(chain))
+    joints = [joint if joint.kind is JointKind.FIXED or not next(turns) else turned_joint(joint) for joint in chain]
+    found = geometry(joints)
+    pan = found.base @ found.links[0].frame(0.0)
+    y, z = (pan @ found.links[1].frame(0.0)).turn(Z), pan.turn(Z)
+    return Transform(transposed((cross(y, z), y, z)), pan.position)
 
 
 def turned(chain: Sequence[Joint]) -> tuple[bool, bool]:

@@ -17,9 +17,9 @@ class TurnedJoints:
         self._group = group
         self._signs = tuple(-1.0 if each else 1.0 for each in turned)
         names = {joint.name for joint, each in zip(group.joints, turned, strict=True) if each}
-        self.joints = tuple(_turned(joint, names) for joint in group.joints)
+        self.joints = tuple(turned_joint(joint) if joint.name in names else joint for joint in group.joints)
         """The joints that move, base to tip."""
-        self.chain = tuple(_turned(joint, names) for joint in group.chain)
+        self.chain = tuple(turned_joint(joint) if joint.name in names else joint for joint in group.chain)
         """All joints from base to tip, fixed ones included."""
 
     def command(self, targets: Sequence[Target | None]) -> None:
@@ -40,7 +40,6 @@ class TurnedJoints:
         return tuple(sign * value for sign, value in zip(self._signs, values, strict=True))
 
 
-def _turned(joint: Joint, names: set[str]) -> Joint:
-    if joint.name not in names:
-        return joint
+def turned_joint(joint: Joint) -> Joint:
+    """The same joint, which counts the other way round."""
     return replace(joint, axis=scaled(joint.axis, -1.0), lower=-joint.upper, upper=-joint.lower)
