@@ -201,6 +201,13 @@ def test_a_dead_component_leaves_the_living_alone(node: NodeCore) -> None:
     assert after(node, message(B, A), port(B)) == [(port(A), message(B, A))]
 
 
+def test_who_does_not_listen_any_more_is_asked_for_again(node: NodeCore) -> None:
+    after(node, message(FAR, A), FAR_PORT)
+    assert after(node, message(A, FAR), port(A)) == [(FAR_PORT, message(A, FAR))]
+    node.unreachable(FAR_PORT)
+    assert [where for where, _ in after(node, message(A, FAR, 2), port(A))] == [GROUP]
+
+
 @pytest.mark.parametrize("data", [b"", b"\x02", b"\x02\x00\x05\x00\x01\x02", b"x" * 100, bytes(65507)])
 @pytest.mark.parametrize("source", [port(A), FAR_PORT], ids=["local", "udp"])
 def test_malformed_datagrams_are_counted_and_nothing_is_sent(node: NodeCore, data: bytes, source: Port) -> None:

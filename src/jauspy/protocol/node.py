@@ -149,8 +149,10 @@ class NodeCore:
         return len(self._waiting)
 
     def unreachable(self, port: ComponentPort) -> None:
-        """Nobody listens there any more: its components are gone until they are heard again."""
+        """Nobody listens there any more: its components are gone, and who was heard there is asked for again."""
         self._registrar.unreachable(port)
+        if isinstance(port, UdpPort):
+            self.address_book.forget(port)
 
     def disconnected(self, port: NetworkPort) -> None:
         """A connection has ended: what was learned through it is asked for again."""
