@@ -36,7 +36,14 @@ def test_every_robot_fits_its_urdf(name: str) -> None:
             "[[force_torque]]\nname = 'w'\nlink = 'base_link'",
             r"force_torque\[0\].link: nothing carries 'base_link'",
         ),
-        ("[groups.arm]\nbase = 'base_link'\ntip = 'tool_link'\nJOINT", "no joint 'elbow'; those that move are"),
+        (
+            "[groups.arm]\nbase = 'base_link'\ntip = 'tool_link'\nJOINT",
+            r"groups.arm.joints\[0\].name: inc1 has no joint 'elbow'; those that move are",
+        ),
+        (
+            "[groups.arm]\nbase = 'base_link'\ntip = 'tool_link'\nBEYOND",
+            r"groups.arm.joints\[0\].start = 22.2: 'base_link_to_flippers' moves from -\d.* to \d",
+        ),
         (
             "[groups.arm]\nbase = 'base_link'\ntip = 'tool_link'\nFLIPPERS",
             "groups.arm.joints: between base_link and tool_link move, in this order: base_link_to_arm_link_1",
@@ -46,13 +53,25 @@ def test_every_robot_fits_its_urdf(name: str) -> None:
 )
 def test_mistakes_are_named(tmp_path: Path, text: str, said: str) -> None:
     (tmp_path / "bad.xacro").write_text('<robot xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:nobody/></robot>')
+    gains = "position = { p = 1 }, velocity = { p = 1 }"
+    text = text.replace("BEYOND", f"joints = [{{ name = 'base_link_to_flippers', start = 22.2, {gains} }}]")
     for word, joint in (
         ("JOINT", "elbow"),
         ("FLIPPERS", "base_link_to_flippers"),
         ("FIXED", "gripper_link_to_tool_link"),
     ):
-        text = text.replace(word, f"joints = [{{ name = '{joint}', position = {{ p = 1 }}, velocity = {{ p = 1 }} }}]")
+        text = text.replace(word, f"joints = [{{ name = '{joint}', {gains} }}]")
     path = tmp_path / "mine.toml"
     path.write_text(f"modules = [{{ type = 'CM-MOB', component = 102 }}]\nextends = 'inc1'\n{text}")
     with pytest.raises(ConfigError, match=said):
         robot_model(load(path))
+
+
+def test_what_follows_from_a_mistake_is_not_said_too(tmp_path: Path) -> None:
+    path = tmp_path / "mine.toml"
+    joint = "{ name = 'base_link_to_flippers', position = { p = -1 }, velocity = { p = 1 } }"
+    path.write_text(f"extends = 'inc1'\n[groups.flippers]\nbase = 'base_link'\ntip = 'flippers'\njoints = [{joint}]")
+    with pytest.raises(ConfigError) as caught:
+        load(path)
+    assert "groups.flippers.joints[0].position.p = -1" in str(caught.value)
+    assert "at least 1 item" not in str(caught.value)

@@ -9,7 +9,7 @@ import xacro
 
 from jauspy.errors import ConfigError
 from jauspy.modules.config import RobotConfig
-from jauspy.modules.config_joints import GroupConfig
+from jauspy.modules.config_joints import GroupConfig, JointConfig
 from jauspy.platform.description import Description, JointKind, RobotModel
 from jauspy.platform.urdf import parse
 from jauspy.platform.vectors import Transform, dot
@@ -23,7 +23,7 @@ def robot_model(config: RobotConfig) -> RobotModel:
     description = parse(_expanded(config.urdf))
     _check_tracks(config, description)
     for name, group in config.groups.items():
-        _check_group(f"groups.{name}", [joint.name for joint in group.joints], group.base, group.tip, description)
+        _check_group(f"groups.{name}", group, description)
     groups = {name: group.setup() for name, group in config.groups.items()}
     lidars = tuple(lidar.setup() for lidar in config.lidars)
     for number, lidar in enumerate(lidars):
@@ -86,12 +86,24 @@ def _check_carried(key: str, link: str, description: Description) -> None:
         raise ConfigError(f"{key}: nothing carries {link!r}; a sensor is between a link and the link that carries it")
 
 
-def _check_group(key: str, names: list[str], base: str, tip: str, description: Description) -> None:
-    for link in (base, tip):
+def _check_group(key: str, group: GroupConfig, description: Description) -> None:
+    for link in (group.base, group.tip):
         _check_link(key, link, description)
-    for name in names:
-        if description.joint(name).kind is JointKind.FIXED:
-            raise ConfigError(f"{key}.joints: {name!r} does not move")
-    moving = [joint.name for joint in description.chain(base, tip) if joint.kind is not JointKind.FIXED]
-    if moving != names:
-        raise ConfigError(f"{key}.joints: between {base} and {tip} move, in this order: {', '.join(moving)}")
+    for number, joint in enumerate(group.joints):
+        _check_joint(f"{key}.joints[{number}]", joint, description)
+    moving = [j.name for j in description.chain(group.base, group.tip) if j.kind is not JointKind.FIXED]
+    if moving != [joint.name for joint in group.joints]:
+        raise ConfigError(
+            f"{key}.joints: between {group.base} and {group.tip} move, in this order: {', '.join(moving)}"
+        )
+
+
+def _check_joint(key: str, config: JointConfig, description: Description) -> None:
+    try:
+        joint = description.joint(config.name)
+    except ConfigError as error:
+        raise ConfigError(f"{key}.name: {error}") from error
+    if joint.kind is JointKind.FIXED:
+        raise ConfigError(f"{key}.name: {config.name!r} does not move")
+    if not joint.lower <= config.start <= joint.upper:
+        raise ConfigError(f"{key}.start = {config.start}: {config.name!r} moves from {joint.lower} to {joint.upper}")

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from pydantic import ValidationError
+from pydantic_core import ErrorDetails
 
 from jauspy.errors import ConfigError
 from jauspy.modules.config import RobotConfig
@@ -36,8 +37,14 @@ def load(name_or_path: str | Path) -> RobotConfig:
     try:
         return RobotConfig.model_validate(data)
     except ValidationError as error:
-        problems = "\n".join(f"  {explain(each, RobotConfig)}" for each in error.errors(include_url=False))
+        problems = "\n".join(f"  {explain(each, RobotConfig)}" for each in _causes(error.errors(include_url=False)))
         raise ConfigError(f"{source}: is not a description of a robot:\n{problems}") from error
+
+
+def _causes(problems: list[ErrorDetails]) -> list[ErrorDetails]:
+    """Without what follows from another one: a list is too short, too, when what is in it is wrong."""
+    places = [problem["loc"] for problem in problems]
+    return [p for p in problems if not any(q != p["loc"] and q[: len(p["loc"])] == p["loc"] for q in places)]
 
 
 def _read(source: Traversable, extensions: int) -> dict[str, Any]:
