@@ -54,7 +54,7 @@ def port():
 
 def test_it_records_a_film(robot, port, tmp_path):
     film = tmp_path / "arm.mp4"
-    recording = start("video", "101.1.106", "--to", f"127.0.0.1:{port}", "--save", str(film), "--seconds", "6", *robot)
+    recording = start("video", "101.1.106", "--to", f"127.0.0.1:{port}", "--save", str(film), "--seconds", "3", *robot)
     out, said = recording.communicate(timeout=60)
     assert recording.returncode == 0, said
     assert "0 packets were lost" in said
@@ -63,6 +63,19 @@ def test_it_records_a_film(robot, port, tmp_path):
         frames = list(opened.decode(video=0))
     assert len(frames) > 10
     assert (frames[0].width, frames[0].height) == (640, 480)
+
+
+def test_a_component_without_cameras(robot, port, tmp_path):
+    film, to = tmp_path / "none.mp4", f"127.0.0.1:{port}"
+    run = subprocess.run(
+        [*JAUSPY, "video", "101.1.102", "--to", to, "--save", str(film), *robot],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert run.returncode == 1
+    assert "101.1.102 does not offer DigitalResourceDiscovery; it offers" in " ".join(run.stderr.split())
+    assert not film.exists()
 
 
 def test_it_says_how_to_watch_and_the_robot_sends_until_it_ends(robot, tmp_path):

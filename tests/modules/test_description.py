@@ -23,6 +23,7 @@ def test_every_robot_fits_its_urdf(name: str) -> None:
     ("text", "said"),
     [
         ("urdf = 'none.urdf'", "none.urdf: there is no such file"),
+        ("urdf = 'other.xml'", r"urdf: .*other.xml: the URDF begins with <html>, not with <robot>"),
         ("urdf = 'bad.xacro'", r"bad.xacro: xacro cannot expand it: .*nobody"),
         (
             "[tracks]\nleft = ['no']\nright = ['no']",
@@ -53,6 +54,7 @@ def test_every_robot_fits_its_urdf(name: str) -> None:
 )
 def test_mistakes_are_named(tmp_path: Path, text: str, said: str) -> None:
     (tmp_path / "bad.xacro").write_text('<robot xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:nobody/></robot>')
+    (tmp_path / "other.xml").write_text("<html/>")
     gains = "position = { p = 1 }, velocity = { p = 1 }"
     text = text.replace("BEYOND", f"joints = [{{ name = 'base_link_to_flippers', start = 22.2, {gains} }}]")
     for word, joint in (

@@ -10,7 +10,7 @@ import pytest
 from tests.modules.cameras import FakeVideo
 
 from jauspy.component import Shell
-from jauspy.errors import ConfigError, ControlRejected, RequestError
+from jauspy.errors import ConfigError, ControlRejected, RequestError, ResponseTimeout
 from jauspy.ids import JausID
 from jauspy.messages import environment_sensing as m
 from jauspy.ocu import OCU
@@ -31,13 +31,14 @@ class LargeVideo(FakeVideo):
     def take(self, settings, then):
         super().take(settings, then)
         self.last = settings
-        self.develop(Still(self.picture, 0.0))
+        if not self.sleeps:
+            self.develop(Still(self.picture, 0.0))
 
 
 @pytest.fixture
 def video():
     made = LargeVideo(CameraSetup("arm", "link", 1.0))
-    made.picture, made.last = os.urandom(500_000), None
+    made.picture, made.last, made.sleeps = os.urandom(500_000), None, False
     return made
 
 
@@ -100,6 +101,12 @@ async def test_what_cannot_be(service, video):
     video.refuses = True
     with pytest.raises(RequestError, match="has no picture of sensor 1"):
         await service.still()
+
+
+async def test_a_camera_that_sends_nothing_may_be_starting(service, video):
+    video.sleeps = True
+    with pytest.raises(ResponseTimeout, match=r"no picture of sensor 1 in 0\.4 s: its camera may still be starting"):
+        await service.still(timeout=0.4)
 
 
 async def test_pictures_as_events(service, video):

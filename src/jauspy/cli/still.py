@@ -21,7 +21,7 @@ def still(
     sensor: Annotated[int, typer.Option("--sensor", min=1, max=65535, help="Which of its cameras.")] = 1,
     connect: Connect = None,
     own_id: OwnId = None,
-    timeout: Timeout = 10.0,
+    timeout: Timeout = 20.0,
 ) -> None:
     """Have a camera take a picture, and save it.
 

@@ -48,7 +48,6 @@ class CameraLook:
     pictures: float
     packets: float
     dropped: int
-    description: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -133,7 +132,6 @@ class Lookout:
             self._rate(f"camera.{name}.pictures"),
             self._rate(f"camera.{name}.packets"),
             camera.counters.get("dropped", 0),
-            camera.description,
         )
 
 

@@ -30,7 +30,10 @@ def video(
     ] = None,
     show: Annotated[bool, typer.Option("--show", help="Open a window with ffplay.")] = False,
     seconds: Annotated[
-        float | None, typer.Option("--seconds", min=0.1, help="End after that time; else with Ctrl-C.")
+        float | None,
+        typer.Option(
+            "--seconds", min=0.1, help="End after that time, with --save from the first picture on; else with Ctrl-C."
+        ),
     ] = None,
     connect: Connect = None,
     own_id: OwnId = None,

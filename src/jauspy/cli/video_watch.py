@@ -28,6 +28,9 @@ from jauspy.video.sdp import session
 AGAIN: Final = 60.0
 """Seconds between two entries; the robot forgets after five minutes."""
 
+START: Final = 20.0
+"""Seconds in which the first picture comes; a camera that nobody watched has to be started."""
+
 
 def url_of(address: tuple[str, int]) -> str:
     """The end point, as the robot wants it."""
@@ -50,6 +53,8 @@ async def enter(ocu: OCU, camera: JausID, sensor: int, url: str) -> int:
 @asynccontextmanager
 async def entered(ocu: OCU, camera: JausID, sensor: int, url: str) -> AsyncIterator[None]:
     """The video is sent there as long as this lasts."""
+    robot = await ocu.discover(camera.subsystem)
+    robot.component(str(camera)).service("DigitalResourceDiscovery")
     number = await enter(ocu, camera, sensor, url)
     keeping = asyncio.create_task(_keep(ocu, camera, sensor, url))
     try:
@@ -78,12 +83,13 @@ async def record(
     from jauspy.video.recorder import Recorder
 
     loop = asyncio.get_running_loop()
-    ended = asyncio.Event()
+    begun, ended = asyncio.Event(), asyncio.Event()
     with RtpReceiver(*address) as receiver, Recorder(file) as recorder:
 
         def take() -> None:
             for picture in receiver.take():
                 recorder.add(picture)
+                begun.set()
             if recorder.ended:
                 ended.set()
 
@@ -92,6 +98,7 @@ async def record(
             async with ocu, entered(ocu, camera, sensor, url_of(address)):
                 print(f"recording {camera} to {file}; Ctrl-C ends it", flush=True)
                 with suppress(TimeoutError):
+                    await asyncio.wait_for(begun.wait(), START)
                     await asyncio.wait_for(ended.wait(), seconds)
         finally:
             loop.remove_reader(receiver.fileno())
@@ -99,7 +106,8 @@ async def record(
             console.note(f"{pictures} pictures in {file}, {lost} packets were lost")
     if not pictures:
         raise RequestError(
-            f"no picture came to {url_of(address)}: is it an address of this machine that {camera} reaches?"
+            f"no picture came to {url_of(address)} in {START:g} s: is it an address of this machine that {camera} "
+            "reaches?"
         )
 
 

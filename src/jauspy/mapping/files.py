@@ -23,7 +23,7 @@ def save(grid: OccupancyGrid, path: Path) -> tuple[Path, Path]:
     top, bottom = (rows[0], rows[-1] + 1) if len(rows) else (0, 1)
     left, right = (columns[0], columns[-1] + 1) if len(columns) else (0, 1)
     picture, notes = path.with_suffix(".pgm"), path.with_suffix(".yaml")
-    low = [float(grid.low + first * grid.resolution) for first in (left, top)]
+    low = [round(float(grid.low + first * grid.resolution), 9) for first in (left, top)]
     try:
         picture.write_bytes(_pgm(cells[top:bottom, left:right]))
         notes.write_text(yaml.safe_dump(_notes(picture.name, grid.resolution, low), sort_keys=False), encoding="utf-8")

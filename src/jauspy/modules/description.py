@@ -20,7 +20,7 @@ SQUARE: Final = 1e-3
 
 def robot_model(config: RobotConfig) -> RobotModel:
     """The robot that a TOML file describes; `ConfigError` names the key that does not fit the URDF."""
-    description = parse(_expanded(config.urdf))
+    description = _read(config.urdf)
     _check_tracks(config, description)
     for name, group in config.groups.items():
         _check_group(f"groups.{name}", group, description)
@@ -39,6 +39,14 @@ def robot_model(config: RobotConfig) -> RobotModel:
             (link,) = (camera.link for camera in cameras if camera.name == module.camera)
             _check_pan_tilt(f"groups.{module.group}", config.groups[module.group], link, description)
     return RobotModel(description, config.tracks.setup(), groups, lidars, cameras, force_torque)
+
+
+def _read(path: str) -> Description:
+    text = _expanded(path)
+    try:
+        return parse(text)
+    except ConfigError as error:
+        raise ConfigError(f"urdf: {path}: {error}") from error
 
 
 def _expanded(path: str) -> str:

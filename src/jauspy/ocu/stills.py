@@ -8,7 +8,7 @@ from contextlib import AbstractAsyncContextManager, nullcontext
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Final
 
-from jauspy.errors import ConfigError, RequestError
+from jauspy.errors import ConfigError, RequestError, ResponseTimeout
 from jauspy.messages.core import TimeStamp
 from jauspy.messages.environment_sensing.v1_0.types import StillImageSensorErrorRec
 from jauspy.messages.environment_sensing.v2_0.still_image import (
@@ -94,7 +94,14 @@ async def _taken(service: ServiceClient, sensor: int, timeout: float) -> Photo:
         sensor, QueryStillImageDataExt.ReportCoordinateSystem.NATIVE, ALL
     )
     # Pieces get lost. Asked again while the picture is under way, the camera takes no second one.
-    report = await service.query(QueryStillImageDataExt([record]), timeout=timeout / ATTEMPTS, retries=ATTEMPTS - 1)
+    query = QueryStillImageDataExt([record])
+    try:
+        report = await service.query(query, timeout=timeout / ATTEMPTS, retries=ATTEMPTS - 1)
+    except ResponseTimeout as error:
+        raise ResponseTimeout(
+            f"{service.id} sent no picture of sensor {sensor} in {timeout:g} s: its camera may still be starting, or "
+            "its machine be busy; ask again, or allow more time"
+        ) from error
     for each in report.still_image_data_list:
         if each.image_frame is not None:
             number = each.image_frame.format
