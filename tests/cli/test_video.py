@@ -61,7 +61,7 @@ def test_it_records_a_film(robot, port, tmp_path):
     assert f"recording 101.1.106 to {film}" in out
     with av.open(str(film)) as opened:
         frames = list(opened.decode(video=0))
-    assert len(frames) > 10
+    assert len(frames) > 2
     assert (frames[0].width, frames[0].height) == (640, 480)
 
 

@@ -20,6 +20,9 @@ if TYPE_CHECKING:
     from jauspy.conformance.runner import Watch
 
 _STYLES: Final = {Verdict.PASS: "green", Verdict.SKIPPED: "dim"}
+_PIPE: Final = 1000
+"""Columns of what is no terminal: a line for each step, however long, for grep."""
+
 _MOST_LINES: Final = 24
 """Lines of traffic shown of a step that failed; the files have all of it."""
 
@@ -30,7 +33,7 @@ def show(report: Report) -> None:
 
     out = console.stdout()
     if report.results:
-        out.print(_table(report))
+        out.print(_table(report), width=None if out.is_terminal else _PIPE)
     for result in report.failures:
         _explain(result)
     if report.problem:

@@ -4,14 +4,10 @@ from __future__ import annotations
 
 import sys
 from functools import cache
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from rich.console import Console
-
-
-_PIPE: Final = 1000
-"""Columns of what is no terminal: tables are laid out as wide as they need."""
 
 
 @cache
@@ -24,10 +20,7 @@ def _console(*, stderr: bool) -> Console:
         def on_broken_pipe(self) -> None:
             raise  # noqa: PLE0704 - rich calls this while it handles the error
 
-    made = Piped(stderr=stderr, highlight=False, emoji=False, soft_wrap=True)
-    if not made.is_terminal:
-        made.width = _PIPE
-    return made
+    return Piped(stderr=stderr, highlight=False, emoji=False, soft_wrap=True)
 
 
 def stdout() -> Console:
