@@ -33,7 +33,7 @@ def show(report: Report) -> None:
 
     out = console.stdout()
     if report.results:
-        out.print(_table(report), width=None if out.is_terminal else _PIPE)
+        console.stdout(pipe_width=_PIPE).print(_table(report))
     for result in report.failures:
         _explain(result)
     if report.problem:

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 @cache
-def _console(*, stderr: bool) -> Console:
+def _console(*, stderr: bool, width: int | None = None) -> Console:
     from rich.console import Console
 
     class Piped(Console):
@@ -20,12 +20,15 @@ def _console(*, stderr: bool) -> Console:
         def on_broken_pipe(self) -> None:
             raise  # noqa: PLE0704 - rich calls this while it handles the error
 
-    return Piped(stderr=stderr, highlight=False, emoji=False, soft_wrap=True)
+    return Piped(stderr=stderr, highlight=False, emoji=False, soft_wrap=True, width=width)
 
 
-def stdout() -> Console:
-    """The console for results. Lines are never wrapped or cut, so that they can be searched and piped."""
-    return _console(stderr=False)
+def stdout(pipe_width: int | None = None) -> Console:
+    """The console for results. Lines are never wrapped or cut, so that they can be searched and piped.
+
+    Tables are as wide as the terminal; `pipe_width`: columns of tables that go elsewhere.
+    """
+    return _console(stderr=False, width=None if is_terminal() else pipe_width)
 
 
 def stderr() -> Console:
