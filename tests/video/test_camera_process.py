@@ -17,6 +17,7 @@ pytest.importorskip("cv2", reason="the extra 'video' is not installed")
 import cv2
 import numpy as np
 
+from jauspy import workers
 from jauspy.errors import ConfigError
 from jauspy.modules.description import robot_model
 from jauspy.modules.robots import load
@@ -87,7 +88,7 @@ async def test_it_starts_when_it_is_first_wanted(camera):
 async def test_rays_instead_of_gl_are_said_once(monkeypatch, caplog):
     sim = pytest.importorskip("jauspy_sim.robot", reason="MuJoCo is not installed")
     monkeypatch.setenv("MUJOCO_GL", "disable")
-    monkeypatch.setattr(camera_process, "PAUSES", (0.01, 0.02))
+    monkeypatch.setattr(workers, "PAUSES", (0.01, 0.02))
     setup = CameraSetup("front", "chassis_camera_link", math.radians(80.0))
     robot = sim.SimulatedRobot.open(dataclasses.replace(robot_model(load("inc1")), cameras=(setup,)), "empty")
     async with CameraProcess(robot.cameras["front"], SMALL) as camera:

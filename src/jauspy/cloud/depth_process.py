@@ -6,23 +6,15 @@ import asyncio
 import json
 import logging
 import pickle
-import sys
 from collections import Counter
 from collections.abc import Mapping
 from contextlib import suppress
 from types import TracebackType
 from typing import Final, Self
 
+from jauspy import workers
 from jauspy.cloud.depth import DepthStream
 from jauspy.cloud.socket import CloudPublisher
-
-PAUSES: Final = (0.5, 10.0)
-"""Seconds before a process that died is started again: at first, and at most; doubled from time to time."""
-
-STEADY: Final = 30.0
-"""Seconds that a process must have lived for the pause to be short again."""
-
-STOP_TIMEOUT: Final = 5.0
 
 _LOG: Final = logging.getLogger("jauspy.cloud")
 
@@ -53,7 +45,9 @@ class DepthProcess:
         """Start; `ConfigError` without pynng, `TransportError` when the address cannot be used. Twice is fine."""
         if self._keeper is None:
             CloudPublisher(self._stream.address).close()
-            self._keeper = asyncio.create_task(self._keep(), name=f"clouds of {self._stream.camera.setup.name}")
+            self._keeper = asyncio.create_task(
+                workers.keep(self._live, self._say), name=f"clouds of {self._stream.camera.setup.name}"
+            )
 
     async def close(self) -> None:
         """End the process; twice is fine."""
@@ -72,29 +66,13 @@ class DepthProcess:
     ) -> None:
         await self.close()
 
-    async def _keep(self) -> None:
-        pause, longest = PAUSES
-        loop = asyncio.get_running_loop()
-        while True:
-            born = loop.time()
-            status = await self._live()
-            pause = PAUSES[0] if loop.time() - born > STEADY else pause
-            name = self._stream.camera.setup.name
-            _LOG.warning("clouds of %s: their process ended (%s); it starts again in %.1f s", name, status, pause)
-            await asyncio.sleep(pause)
-            pause = min(longest, 2.0 * pause)
+    def _say(self, status: int, pause: float) -> None:
+        name = self._stream.camera.setup.name
+        _LOG.warning("clouds of %s: their process ended (%s); it starts again in %.1f s", name, status, pause)
 
     async def _live(self) -> int:
         """One process, from start to end."""
-        process = await asyncio.create_subprocess_exec(
-            sys.executable,
-            "-m",
-            "jauspy.cloud.depth_worker",
-            stdin=asyncio.subprocess.PIPE,
-            stdout=asyncio.subprocess.PIPE,
-            pass_fds=self._stream.camera.descriptors,
-            process_group=0,  # as for `camera_process`: niceness counts within a session alone
-        )
+        process = await workers.start("jauspy.cloud.depth_worker", self._stream.camera.descriptors)
         self._own["started"] += 1
         self.pid = process.pid
         assert process.stdin is not None
@@ -105,7 +83,7 @@ class DepthProcess:
                 self._hear(json.loads(line))
             return await process.wait()
         finally:
-            await _end(process)
+            await workers.stop(process)
             self.pid = None
             self._before += self._now
             self._now = Counter()
@@ -117,14 +95,3 @@ class DepthProcess:
                 self.description = description
             case {"counters": dict(counters)}:
                 self._now = Counter(counters)
-
-
-async def _end(process: asyncio.subprocess.Process) -> None:
-    assert process.stdin is not None
-    process.stdin.close()
-    try:
-        async with asyncio.timeout(STOP_TIMEOUT):
-            await process.communicate()
-    except TimeoutError:
-        process.kill()
-        await process.communicate()

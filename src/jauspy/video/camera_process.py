@@ -11,6 +11,7 @@ from contextlib import suppress
 from types import TracebackType
 from typing import Final, Self
 
+from jauspy import workers
 from jauspy.errors import ConfigError
 from jauspy.platform.camera import Camera, CameraSetup
 from jauspy.platform.stills import StillSettings
@@ -20,12 +21,6 @@ from jauspy.video.orders import Address, Begin, Change, Counted, Leave, Opened, 
 from jauspy.video.sender import MAX_RECEIVERS
 from jauspy.video.still_orders import StillOrders, Then
 from jauspy.video.worker_process import WorkerProcess
-
-PAUSES: Final = (0.5, 10.0)
-"""Seconds before a process that died is started again: at first, and at most; doubled from time to time."""
-
-STEADY: Final = 30.0
-"""Seconds that a process must have lived for the pause to be short again."""
 
 STILL_TIMEOUT: Final = 30.0
 """Seconds in which a process must have taken a still image; one that has not hangs."""
@@ -139,7 +134,9 @@ class CameraProcess:
     def _wake(self) -> None:
         if self._keeper is None and self._is_open:
             need_video()
-            self._keeper = asyncio.get_running_loop().create_task(self._keep(), name=f"camera {self.setup.name}")
+            self._keeper = asyncio.get_running_loop().create_task(
+                workers.keep(self._live, self._say), name=f"camera {self.setup.name}"
+            )
 
     def _order(self, order: Order) -> None:
         if self._process is not None and not self._process.order(order):
@@ -163,22 +160,18 @@ class CameraProcess:
             self._order(order)
         return process
 
-    async def _keep(self) -> None:
-        """Hears what the process says, and starts another one when it has ended."""
-        pause, longest = PAUSES
-        loop = asyncio.get_running_loop()
-        while True:
-            process = await self._start()
-            born = loop.time()
-            async for word in process.words():
-                self._hear(word)
-            status = await process.ended()
-            self._end()
-            pause = PAUSES[0] if loop.time() - born > STEADY else pause
-            name = self._camera.setup.name
-            _LOG.warning("camera %s: its process ended (%s); it starts again in %.1f s", name, status, pause)
-            await asyncio.sleep(pause)
-            pause = min(longest, 2.0 * pause)
+    async def _live(self) -> int:
+        """One process, from start to end; hears what it says."""
+        process = await self._start()
+        async for word in process.words():
+            self._hear(word)
+        status = await process.ended()
+        self._end()
+        return status
+
+    def _say(self, status: int, pause: float) -> None:
+        name = self._camera.setup.name
+        _LOG.warning("camera %s: its process ended (%s); it starts again in %.1f s", name, status, pause)
 
     def _hear(self, word: object) -> None:
         match word:

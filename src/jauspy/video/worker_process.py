@@ -3,19 +3,16 @@
 from __future__ import annotations
 
 import asyncio
-import os
-import sys
 from collections.abc import AsyncIterator, Sequence
 from contextlib import suppress
 from typing import Final, Self
 
+from jauspy import workers
 from jauspy.video.orders import LENGTH, Order, length, packed, unpacked
 
 BACKLOG: Final = 1 << 22
 """Bytes of orders, the first of which carries the model of the world, that the process may leave unread; one that
 leaves more hangs."""
-
-STOP_TIMEOUT: Final = 5.0
 
 
 class WorkerProcess:
@@ -27,16 +24,7 @@ class WorkerProcess:
     @classmethod
     async def start(cls, descriptors: Sequence[int]) -> Self:
         """A new one, which inherits these files and waits for its first order, `Begin`."""
-        process = await asyncio.create_subprocess_exec(
-            sys.executable,
-            "-m",
-            "jauspy.video.worker",
-            stdin=asyncio.subprocess.PIPE,
-            stdout=asyncio.subprocess.PIPE,
-            pass_fds=descriptors,
-            process_group=0,  # no Ctrl-C; a session of its own would have a share of its own, however nice it is
-            env={**os.environ, "PYTHONUNBUFFERED": "1"},
-        )
+        process = await workers.start("jauspy.video.worker", descriptors)
         assert process.stdin is not None
         return cls(process, process.stdin)
 
@@ -72,10 +60,4 @@ class WorkerProcess:
 
     async def stop(self) -> None:
         """Have it end, if need be by force."""
-        self._orders.close()
-        try:
-            async with asyncio.timeout(STOP_TIMEOUT):
-                await self._process.communicate()
-        except TimeoutError:
-            self.kill()
-            await self._process.communicate()
+        await workers.stop(self._process)
