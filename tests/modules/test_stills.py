@@ -222,7 +222,7 @@ def test_events_on_change_tell_when_the_picture_has_changed(module):
 def test_several_cameras_of_one_component():
     videos = [FakeVideo(CameraSetup(name, "link", 1.0)) for name in ("left", "right")]
     videos[1].settings = VideoSettings(320, 240)
-    cameras = {number: VideoCamera(video, Transform) for number, video in enumerate(videos, start=1)}
+    cameras = {number: VideoCamera(Transform, source=video) for number, video in enumerate(videos, start=1)}
     services = [VisualSensor(cameras), StillImage(cameras)]
     host = Host(CLIENT, services, utc_now=lambda: datetime(2026, 1, 1, tzinfo=UTC))
     host.receive(asking(0).encode(), OTHER, 0.0)

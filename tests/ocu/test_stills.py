@@ -45,7 +45,7 @@ def video():
 @pytest.fixture
 async def service(node_manager, video):
     """StillImage of that camera, as an OCU that comes in by UDP sees it."""
-    cameras = {1: VideoCamera(video, Transform)}
+    cameras = {1: VideoCamera(Transform, source=video)}
     services = [Discovery(), VisualSensor(cameras), StillImage(cameras)]
     host = Host(CAMERA, services, utc_now=lambda: datetime.now(UTC), now=node_manager.now())
     async with (

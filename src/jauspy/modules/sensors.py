@@ -57,7 +57,7 @@ class Sensors:
         gauges = ((gauge, gauge.setup.link) for gauge in body.force_torque.values())
         return cls(
             tuple(
-                Mounted(lidar, frame_of(tree, link, groups), tree.is_fixed(link), carrier_of(config, model, link))
+                Mounted(frame_of(tree, link, groups), tree.is_fixed(link), carrier_of(config, model, link), lidar=lidar)
                 for lidar, link in lidars
             ),
             tuple(MountedGauge(gauge, frame_of(tree, link, groups)) for gauge, link in gauges),

@@ -44,7 +44,9 @@ def mounted_camera(
 ) -> VideoCamera:
     """The camera, and where it is on the robot, whatever its joints do."""
     tree, link = FrameTree(model.description), source.setup.link
-    return VideoCamera(source, frame_of(tree, link, groups), tree.is_fixed(link), carrier_of(config, model, link))
+    return VideoCamera(
+        frame_of(tree, link, groups), tree.is_fixed(link), carrier_of(config, model, link), source=source
+    )
 
 
 def cm_vis(

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
-from typing import Protocol
+from dataclasses import dataclass, field
 
 from jauspy.ids import JausID
 from jauspy.messages.environment_sensing.v1_0.types import (
@@ -30,30 +29,10 @@ class OnJoint:
     """The sensor's frame, with JAUS's axes, in that of the joint, which is the manipulator's own."""
 
 
-class OnVehicle(Protocol):
-    """A sensor of the vehicle."""
-
-    @property
-    def carrier(self) -> OnJoint | None:
-        """What it moves with, if JAUS knows it."""
-        ...
-
-    @property
-    def is_fixed(self) -> bool:
-        """Its frame never changes."""
-        ...
-
-    @property
-    def in_vehicle(self) -> Transform:
-        """Its frame in the vehicle's now, both with JAUS's axes."""
-        ...
-
-
 @dataclass(frozen=True, slots=True)
-class Mounted:
-    """A lidar of the vehicle."""
+class OnVehicle:
+    """A sensor of the vehicle, and where it is mounted."""
 
-    lidar: RangeFinder
     frame: Callable[[], Transform]
     """Its frame in the vehicle's now, both as in REP-103."""
     is_fixed: bool = True
@@ -65,6 +44,13 @@ class Mounted:
     def in_vehicle(self) -> Transform:
         """Its frame in the vehicle's now, both with JAUS's axes."""
         return jaus_frame(self.frame())
+
+
+@dataclass(frozen=True, slots=True)
+class Mounted(OnVehicle):
+    """A lidar of the vehicle."""
+
+    lidar: RangeFinder = field(kw_only=True)
 
 
 def geometric_properties(sensor: int, mounted: OnVehicle) -> Report.GeometricPropertiesSequence:

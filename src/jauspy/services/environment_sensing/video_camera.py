@@ -4,17 +4,15 @@ from __future__ import annotations
 
 import ipaddress
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Protocol, TypeAlias
 from urllib.parse import urlsplit
 
 from jauspy.errors import ConfigError
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.stills import Still, StillSettings
-from jauspy.platform.vectors import Transform
 from jauspy.platform.video_settings import VideoSettings
-from jauspy.services.axes import jaus_frame
-from jauspy.services.environment_sensing.mounting import OnJoint
+from jauspy.services.environment_sensing.mounting import OnVehicle
 
 Address: TypeAlias = tuple[str, int]
 
@@ -49,21 +47,10 @@ class VideoSource(Protocol):
 
 
 @dataclass(frozen=True, slots=True)
-class VideoCamera:
-    """A camera of the vehicle, and where it is mounted."""
+class VideoCamera(OnVehicle):
+    """A camera of the vehicle."""
 
-    source: VideoSource
-    frame: Callable[[], Transform]
-    """Its frame in the vehicle's now, both as in REP-103."""
-    is_fixed: bool = True
-    """The frame never changes."""
-    carrier: OnJoint | None = None
-    """What it moves with, if JAUS knows it."""
-
-    @property
-    def in_vehicle(self) -> Transform:
-        """Its frame in the vehicle's now, both with JAUS's axes."""
-        return jaus_frame(self.frame())
+    source: VideoSource = field(kw_only=True)
 
 
 Cameras: TypeAlias = Mapping[int, VideoCamera]
