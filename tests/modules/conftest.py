@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import threading
-from importlib.util import find_spec
 
 import pytest
+from tests.modules.workcell import BACKENDS
 from tests.modules.world import World
 
 from jauspy.platform.contract import Acceleration, Pose, Twist
@@ -82,12 +82,7 @@ def fragile_robot() -> FakeRobot:
     return FakeRobot(breaks_after=3)
 
 
-@pytest.fixture(
-    params=[
-        "kinematic",
-        pytest.param("sim", marks=pytest.mark.skipif(find_spec("mujoco") is None, reason="MuJoCo is not installed")),
-    ]
-)
+@pytest.fixture(params=BACKENDS)
 def world(request: pytest.FixtureRequest) -> World:
     """A robot under control, in Ready, on each backend."""
     world = World(request.param)

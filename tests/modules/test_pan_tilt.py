@@ -3,88 +3,36 @@
 from __future__ import annotations
 
 import math
-from datetime import UTC, datetime, timedelta
-from importlib.util import find_spec
 from pathlib import Path
-from typing import Any
 
 import pytest
-from tests.modules.cameras import FakeVideo
+from tests.modules.workcell import BACKENDS, OTHER, Workcell
 
 from jauspy.codec.base import Message
 from jauspy.errors import ConfigError
-from jauspy.ids import JausID
-from jauspy.messages import manipulator as m, registry
+from jauspy.messages import manipulator as m
 from jauspy.messages.core import (
     CommandEvent,
     CreateCommandEvent,
     QueryStatus,
     ReleaseControl,
-    RequestControl,
-    Resume,
     SetEmergency,
     Standby,
 )
 from jauspy.messages.environment_sensing import QueryVisualSensorConfiguration
 from jauspy.modules import robots
-from jauspy.modules.config import AccessControlConfig
 from jauspy.modules.description import robot_model
-from jauspy.modules.hosts import host_of
-from jauspy.platform.backends import find
 from jauspy.platform.transforms import FrameTree, joint_positions
 from jauspy.platform.vectors import Transform, X
 from jauspy.services.axes import jaus_frame
 from jauspy.services.manipulator.quaternion import rotation
 
-CLIENT, OTHER = JausID(42, 1, 1), JausID(42, 2, 1)
-STEP = 0.01
-START = datetime(2026, 1, 1, tzinfo=UTC)
 
-
-class Head:
+class Head(Workcell):
     """A robot whose chassis camera can turn, and that camera's component."""
 
     def __init__(self, backend: str, robot: str = "inc1") -> None:
-        config = robots.load(robot)
-        self.model = model = robot_model(config)
-        self.robot = find(backend).open(model, "empty")
-        self.now = 0.0
-        (module,) = (each for each in config.modules if each.component == 107)
-        module = module.model_copy(update={"access_control": AccessControlConfig(timeout=0)})
-        videos: Any = {camera.name: FakeVideo(camera) for camera in model.cameras}
-        self.host = host_of(
-            config,
-            module,
-            model,
-            self.robot,
-            {},
-            videos=videos,
-            utc_now=lambda: START + timedelta(seconds=self.now),
-            now=0.0,
-        )
-
-    def tell(self, *messages: Message, client: JausID = CLIENT) -> list[Message]:
-        for message in messages:
-            self.host.receive(message.encode(), client, self.now)
-        return [
-            registry.decode(each.payload, service=_service(each.payload)) for each in self.host.poll_output(self.now)
-        ]
-
-    def ask(self, query: Message) -> Any:
-        (answer,) = self.tell(query)
-        return answer
-
-    def take_control(self, client: JausID = CLIENT) -> None:
-        self.tell(RequestControl(200), Resume(), client=client)
-
-    def run(self, seconds: float, sent: list[Message] | None = None) -> None:
-        for _ in range(round(seconds / STEP)):
-            self.robot.advance(STEP)
-            self.now += STEP
-            while (due := self.host.next_timeout()) is not None and due <= self.now:
-                self.host.handle_timeout(self.now)
-                if sent is not None:
-                    sent += self.tell()
+        super().__init__(backend, robot, 107)
 
     def angles(self) -> tuple[float, float]:
         found = self.ask(m.QueryPanTiltJointPositions())
@@ -100,18 +48,7 @@ class Head:
         return jaus_frame(tree.pose("chassis_camera_link", joint_positions(self.robot.groups.values()))).turn(X)
 
 
-def _service(payload: bytes) -> str | None:
-    found = registry.by_code(int.from_bytes(payload[:2], "little"))
-    newest = [cls for cls in found if ":manipulator:" in cls.SERVICE and cls.VERSION == "2.0"]
-    return newest[0].SERVICE if newest else None
-
-
-@pytest.fixture(
-    params=[
-        "kinematic",
-        pytest.param("sim", marks=pytest.mark.skipif(find_spec("mujoco") is None, reason="MuJoCo is not installed")),
-    ]
-)
+@pytest.fixture(params=BACKENDS)
 def head(request: pytest.FixtureRequest) -> Head:
     head = Head(request.param)
     head.take_control()
@@ -206,7 +143,7 @@ def test_a_profile_limits_all_drivers(head: Head) -> None:
 def test_a_command_event_tells_when_it_looks_there(head: Head) -> None:
     head.tell(CreateCommandEvent(7, 10, m.SetPanTiltJointPositions(0.8, 0.5)))
     results: list[Message] = []
-    head.run(3.0, results)
+    head.run(3.0, lambda: results.extend(head.tell()))
     (found,) = [each for each in results if isinstance(each, CommandEvent)]
     assert found.command_result == CommandEvent.CommandResult.SUCCESSFUL
     assert head.angles() == pytest.approx((0.8, 0.5), abs=0.03)

@@ -8,6 +8,7 @@ from importlib.util import find_spec
 from typing import Any
 
 import pytest
+from tests.modules.cameras import FakeVideo
 
 from jauspy.codec.base import Message
 from jauspy.ids import JausID
@@ -29,13 +30,20 @@ class Workcell:
 
     def __init__(self, backend: str, robot: str, component: int) -> None:
         config = robots.load(robot)
-        model = robot_model(config)
+        self.model = model = robot_model(config)
         self.robot = find(backend).open(model, "empty")
         self.now = 0.0
         (module,) = (each for each in config.modules if each.component == component)
         module = module.model_copy(update={"access_control": AccessControlConfig(timeout=0)})
         self.host = host_of(
-            config, module, model, self.robot, {}, utc_now=lambda: START + timedelta(seconds=self.now), now=0.0
+            config,
+            module,
+            model,
+            self.robot,
+            {},
+            videos={camera.name: FakeVideo(camera) for camera in model.cameras},
+            utc_now=lambda: START + timedelta(seconds=self.now),
+            now=0.0,
         )
 
     def tell(self, *messages: Message, client: JausID = CLIENT) -> list[Message]:
@@ -49,8 +57,8 @@ class Workcell:
         (answer,) = self.tell(query)
         return answer
 
-    def take_control(self) -> None:
-        self.tell(RequestControl(200), Resume())
+    def take_control(self, client: JausID = CLIENT) -> None:
+        self.tell(RequestControl(200), Resume(), client=client)
 
     def run(self, seconds: float, each: Callable[[], None] | None = None) -> None:
         for _ in range(round(seconds / STEP)):
