@@ -20,6 +20,8 @@ class Stats:
     answers: int = 0
     timeouts: int = 0
     malformed: int = 0
+    unexpected: int = 0
+    """Answers that nobody waited for, as those that come too late."""
     rtt_min: float = 0.0
     rtt_median: float = 0.0
     rtt_max: float = 0.0
@@ -34,6 +36,7 @@ class Recorder:
         self.answers = 0
         self.timeouts = 0
         self.malformed = 0
+        self.unexpected = 0
         self._round_trips: deque[float] = deque(maxlen=MAX_ROUND_TRIPS)
 
     def answered(self, seconds: float | None) -> None:
@@ -44,13 +47,14 @@ class Recorder:
 
     def snapshot(self) -> Stats:
         """The figures so far."""
-        times = self._round_trips or (0.0,)
+        times = tuple(self._round_trips) or (0.0,)  # a copy: the synchronous OCU asks from another thread
         return Stats(
             sent=self.sent,
             received=self.received,
             answers=self.answers,
             timeouts=self.timeouts,
             malformed=self.malformed,
+            unexpected=self.unexpected,
             rtt_min=min(times),
             rtt_median=median(times),
             rtt_max=max(times),

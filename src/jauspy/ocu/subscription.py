@@ -6,9 +6,9 @@ import asyncio
 import math
 from collections import deque
 from collections.abc import AsyncIterator
-from contextlib import ExitStack
+from contextlib import ExitStack, suppress
 from types import TracebackType
-from typing import Final, Generic, Self, TypeVar
+from typing import TYPE_CHECKING, Final, Generic, Self, TypeVar
 
 from jauspy.codec.base import Message
 from jauspy.errors import ConfigError, DecodeError, EventRejected, ResponseTimeout, TransportError
@@ -16,12 +16,15 @@ from jauspy.ids import JausID
 from jauspy.messages.core import ConfirmEventRequest, Event
 from jauspy.ocu.event_requests import EventRequests, Request
 from jauspy.ocu.link import Link
+from jauspy.ocu.only_async import use
 from jauspy.ocu.patience import Patience
 
 R = TypeVar("R", bound=Message)
 
 CHECK_INTERVAL: Final = 5.0
 """Seconds between looking whether the component still has the event."""
+LATE: Final = 2.0
+"""Seconds after which no report is taken for one that others have overtaken, whatever its number."""
 
 
 class Subscription(Generic[R]):
@@ -40,7 +43,7 @@ class Subscription(Generic[R]):
         self.received = 0
         """Reports that arrived."""
         self.lost = 0
-        """Reports that were sent and did not arrive, by their sequence numbers."""
+        """Reports that were sent and did not arrive, by their sequence numbers, which begin anew after 255."""
         self.dropped = 0
         """Reports that arrived and were not read in time."""
         self.latest: R | None = None
@@ -50,22 +53,33 @@ class Subscription(Generic[R]):
         self._kind = kind
         self._wire = EventRequests(link, request, patience)
         self._next: int | None = None
+        self._arrived_at = 0.0
         self._buffer: deque[R] = deque(maxlen=request.buffer)
         self._news = asyncio.Event()
         self._error: Exception | None = None
         self._stack = ExitStack()
         self._keeper: asyncio.Task[None] | None = None
+        self._farewell: asyncio.TimerHandle | None = None
+
+    def __repr__(self) -> str:
+        state = f"{self.received} reports" if self._keeper else "not open"
+        return f"<subscription to {self.request.query.NAME} at {self.request.id}: {state}>"
 
     async def __aenter__(self) -> Self:
         if self._keeper is not None:
             raise ConfigError("this subscription is already open; subscribe once more for a second one")
+        if self._farewell is not None:
+            self._leave()
+        self._next = self._error = None
+        self._buffer.clear()
         tap = self._link.replies.tapped(self.request.id, self._heard, ConfirmEventRequest, Event)
         self._stack.enter_context(tap)
+        self._stack.enter_context(self._link.before_closing(self._cut_off))
         try:
             await self._wire.create()
             lifetime = await self._wire.lifetime()
-        except BaseException:
-            self._leave()
+        except BaseException as error:
+            self._leave(late=self.event_id is None and not isinstance(error, EventRejected))
             raise
         self._keeper = asyncio.create_task(self._keep(lifetime), name=f"event at {self.request.id}")
         return self
@@ -92,6 +106,8 @@ class Subscription(Generic[R]):
         while not self._buffer:
             if self._error is not None:
                 raise self._error
+            if self._keeper is None:
+                raise ConfigError("this subscription is not open; use `async with` or `async for` on it first")
             self._news.clear()
             try:
                 async with asyncio.timeout(self.request.silence) as limit:
@@ -101,6 +117,10 @@ class Subscription(Generic[R]):
                     raise
                 raise ResponseTimeout(self._silence()) from None
         return self._buffer.popleft()
+
+    if not TYPE_CHECKING:
+        __enter__ = __exit__ = use("`async with`")
+        __iter__ = use("`async for`")
 
     # --- what arrives ---------------------------------------------------------------------------------------------
 
@@ -126,15 +146,21 @@ class Subscription(Generic[R]):
             self._link.malformed(f"event {self.event_id} of {self.request.id}: {error}")
             return
         gap = 0 if self._next is None else message.sequence_number - self._next & 0xFF
-        if gap >= 0x80:
+        now = asyncio.get_running_loop().time()
+        if gap >= 0x80 and now - self._arrived_at < self._time_for_half():
             return  # older than what came before: late or double
         self.lost += gap
+        self._arrived_at = now
         self._next = message.sequence_number + 1 & 0xFF
         self.received += 1
         self.dropped += len(self._buffer) == self._buffer.maxlen
         self._buffer.append(report)
         self.latest = report
         self._news.set()
+
+    def _time_for_half(self) -> float:
+        """Seconds in which half of all sequence numbers come; if nothing came for so long, it is lost, not late."""
+        return min(LATE, 0x80 / self.confirmed_rate) if self.confirmed_rate else LATE
 
     def _read(self, content: Message | bytes) -> R:
         if isinstance(content, self._kind):
@@ -192,16 +218,27 @@ class Subscription(Generic[R]):
             return True
         return await self._wire.is_known(self.event_id)
 
-    def _leave(self) -> None:
-        self._stack.close()
-        if self.event_id is None or not self._link.events.leave(self.request.id, self.event_id, self):
+    def _leave(self, *, late: bool = False) -> None:
+        """With `late` in a while: the component may yet confirm the event, and would report for nothing."""
+        if late:
+            self._farewell = asyncio.get_running_loop().call_later(LATE, self._leave)
             return
-        try:
-            self._wire.cancel(self.event_id)
-        except TransportError:
-            return  # the OCU is closed; the event ends by its timeout
-        finally:
-            self.event_id = None
+        if self._farewell is not None:
+            self._farewell.cancel()
+            self._farewell = None
+        self._news.set()
+        self._stack.close()
+        event, self.event_id = self.event_id, None
+        if event is not None and self._link.events.leave(self.request.id, event, self):
+            with suppress(TransportError):  # closed from another loop; the event ends by its timeout
+                self._wire.cancel(event)
+
+    def _cut_off(self) -> None:
+        """The OCU is being closed."""
+        if self._keeper is not None:
+            self._keeper.cancel()
+        self._leave()
+        self._error = TransportError(f"the OCU was closed, and with it the event on {self.request.query.NAME}")
 
     def _silence(self) -> str:
         return (

@@ -55,7 +55,7 @@ class Subscription(Facade[_Subscription[R]], Generic[R]):
 
     @property
     def lost(self) -> int:
-        """Reports that were sent and did not arrive, by their sequence numbers."""
+        """Reports that were sent and did not arrive, by their sequence numbers, which begin anew after 255."""
         return self._async.lost
 
     @property
@@ -128,7 +128,7 @@ class Control(Facade[_Control]):
         self._async.check()
 
     def until_lost(self) -> None:
-        """Wait until control is lost; `lost` then says why."""
+        """Wait until control is lost, and `lost` says why, or until the block is left."""
         self._portal.run(self._async.until_lost())
 
     def __enter__(self) -> Self:
@@ -296,6 +296,16 @@ class ServiceClient(Facade[_ServiceClient]):
         With `ack` it is resent until the component acknowledges it; raises `ResponseTimeout` when that stays out.
         """
         self._portal.run(self._async.send(message, ack=ack))
+
+    def perform(self, command: Message, *, within: float) -> None:
+        """Send a command and wait until it has been carried out, as until an arm is where it was told to be.
+
+        It may take `within` seconds. Raises `RequestError` when it was given up, `EventRejected` when the component
+        does not take it or tells no ends of commands (Events 1.1 does), `ControlRejected` and `ResponseTimeout`. Who
+        stops waiting, by cancellation, does not stop the command. It is sent again when no answer comes, so that it
+        may begin twice.
+        """
+        self._portal.run(self._async.perform(command, within=within))
 
     def control(
         self,
@@ -555,7 +565,7 @@ class OCU(OpensPortal):
         return self._portal.iterate(self._async.query_each(destination, message, within=within, expects=expects))
 
     def send(self, destination: str | JausID, message: Message, *, ack: bool = False) -> None:
-        """Send to any component, or to all that a wildcard id reaches.
+        """Send to any component, or to all that a wildcard id reaches; raises `ControlRejected` as a service's `send`.
 
         With `ack` it is resent until that one component acknowledges it, or `ResponseTimeout` is raised.
         """
