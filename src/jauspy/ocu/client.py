@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from collections.abc import AsyncIterator, Mapping
+from collections.abc import AsyncGenerator, Mapping
 from datetime import UTC, datetime
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, Self, TypeVar, overload
@@ -134,7 +134,7 @@ class OCU:
 
     async def watch(
         self, subsystem: int | None = None, *, interval: float = 2.0, silence: float = 7.0
-    ) -> AsyncIterator[News]:
+    ) -> AsyncGenerator[News, None]:
         """`async for news in ocu.watch()`: what is there, and then what appears, changes and vanishes, for ever.
 
         All are asked every `interval` seconds; who has said nothing for `silence` seconds has vanished. `subsystem`
@@ -193,7 +193,7 @@ class OCU:
 
     async def query_each(
         self, destination: str | JausID, message: Message, *, within: float = 2.0, expects: type[Message] | None = None
-    ) -> AsyncIterator[tuple[JausID, Any]]:
+    ) -> AsyncGenerator[tuple[JausID, Any], None]:
         """Ask all that a wildcard id reaches: who answered and what, as it comes in the next `within` seconds."""
         async for answer, source in self._link.query_each(JausID.of(destination), message, within, expects):
             yield source, answer

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import AsyncIterator, Iterable, Sequence
+from collections.abc import AsyncGenerator, Iterable, Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, Final, TypeAlias, overload
 
@@ -159,7 +159,7 @@ class Elements(Sequence[Element]):
         """The index of the element that is being carried out, None when there is none."""
         return await self._index((await self._report_active()).element_uid)
 
-    async def progress(self, *, rate: float | None = None, grace: float = 2.0) -> AsyncIterator[int]:
+    async def progress(self, *, rate: float | None = None, grace: float = 2.0) -> AsyncGenerator[int, None]:
         """The index of each element as it becomes the active one, until there is none any more.
 
         The component tells of changes, or, with `rate`, how it is so many times a second. `grace` is how long

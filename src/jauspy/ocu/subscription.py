@@ -11,20 +11,21 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Final, Generic, Self, TypeVar
 
 from jauspy.codec.base import Message
-from jauspy.errors import ConfigError, DecodeError, EventRejected, ResponseTimeout, TransportError
+from jauspy.errors import ConfigError, DecodeError, EventRejected, JausError, ResponseTimeout, TransportError
 from jauspy.ids import JausID
 from jauspy.messages.core import ConfirmEventRequest, Event
 from jauspy.ocu.event_requests import EventRequests, Request
 from jauspy.ocu.link import Link
 from jauspy.ocu.only_async import use
 from jauspy.ocu.patience import Patience
+from jauspy.ocu.sequence import Sequence
 
 R = TypeVar("R", bound=Message)
 
 CHECK_INTERVAL: Final = 5.0
 """Seconds between looking whether the component still has the event."""
-LATE: Final = 2.0
-"""Seconds after which no report is taken for one that others have overtaken, whatever its number."""
+GRACE: Final = 2.0
+"""Seconds in which an event that nobody wants any more may yet be confirmed, so that it can be cancelled."""
 
 
 class Subscription(Generic[R]):
@@ -52,8 +53,7 @@ class Subscription(Generic[R]):
         self._link = link
         self._kind = kind
         self._wire = EventRequests(link, request, patience)
-        self._next: int | None = None
-        self._arrived_at = 0.0
+        self._sequence = Sequence()
         self._buffer: deque[R] = deque(maxlen=request.buffer)
         self._news = asyncio.Event()
         self._error: Exception | None = None
@@ -70,7 +70,7 @@ class Subscription(Generic[R]):
             raise ConfigError("this subscription is already open; subscribe once more for a second one")
         if self._farewell is not None:
             self._leave()
-        self._next = self._error = None
+        self._error, self._sequence = None, Sequence()
         self._buffer.clear()
         tap = self._link.replies.tapped(self.request.id, self._heard, ConfirmEventRequest, Event)
         self._stack.enter_context(tap)
@@ -79,7 +79,10 @@ class Subscription(Generic[R]):
             await self._wire.create()
             lifetime = await self._wire.lifetime()
         except BaseException as error:
-            self._leave(late=self.event_id is None and not isinstance(error, EventRejected))
+            if self.event_id is None and not isinstance(error, EventRejected):
+                self._farewell = asyncio.get_running_loop().call_later(GRACE, self._leave)
+            else:
+                self._leave()
             raise
         self._keeper = asyncio.create_task(self._keep(lifetime), name=f"event at {self.request.id}")
         return self
@@ -135,7 +138,7 @@ class Subscription(Generic[R]):
         """Here and not when it was asked for: the first report may come in the same wake-up as the confirmation."""
         if message.event_id != self.event_id:
             self._link.events.leave(self.request.id, self.event_id, self)
-            self.event_id, self._next = message.event_id, None
+            self.event_id, self._sequence = message.event_id, Sequence()
             self._link.events.join(self.request.id, self.event_id, self)
         self.confirmed_rate = message.confirmed_periodic_rate
 
@@ -145,22 +148,16 @@ class Subscription(Generic[R]):
         except DecodeError as error:
             self._link.malformed(f"event {self.event_id} of {self.request.id}: {error}")
             return
-        gap = 0 if self._next is None else message.sequence_number - self._next & 0xFF
         now = asyncio.get_running_loop().time()
-        if gap >= 0x80 and now - self._arrived_at < self._time_for_half():
-            return  # older than what came before: late or double
-        self.lost += gap
-        self._arrived_at = now
-        self._next = message.sequence_number + 1 & 0xFF
+        missing = self._sequence.missing(message.sequence_number, self.confirmed_rate, now)
+        if missing is None:
+            return
+        self.lost += missing
         self.received += 1
         self.dropped += len(self._buffer) == self._buffer.maxlen
         self._buffer.append(report)
         self.latest = report
         self._news.set()
-
-    def _time_for_half(self) -> float:
-        """Seconds in which half of all sequence numbers come; if nothing came for so long, it is lost, not late."""
-        return min(LATE, 0x80 / self.confirmed_rate) if self.confirmed_rate else LATE
 
     def _read(self, content: Message | bytes) -> R:
         if isinstance(content, self._kind):
@@ -176,7 +173,7 @@ class Subscription(Generic[R]):
         try:
             await self._wire.update(self.event_id)
         except EventRejected:
-            self._next = None
+            self._sequence = Sequence()
             await self._wire.create()
 
     async def _keep(self, lifetime: float) -> None:
@@ -218,11 +215,7 @@ class Subscription(Generic[R]):
             return True
         return await self._wire.is_known(self.event_id)
 
-    def _leave(self, *, late: bool = False) -> None:
-        """With `late` in a while: the component may yet confirm the event, and would report for nothing."""
-        if late:
-            self._farewell = asyncio.get_running_loop().call_later(LATE, self._leave)
-            return
+    def _leave(self) -> None:
         if self._farewell is not None:
             self._farewell.cancel()
             self._farewell = None
@@ -230,7 +223,7 @@ class Subscription(Generic[R]):
         self._stack.close()
         event, self.event_id = self.event_id, None
         if event is not None and self._link.events.leave(self.request.id, event, self):
-            with suppress(TransportError):  # closed from another loop; the event ends by its timeout
+            with suppress(JausError):  # not open, or too much under way: it ends by its timeout
                 self._wire.cancel(event)
 
     def _cut_off(self) -> None:

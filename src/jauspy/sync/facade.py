@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, MutableSequence
+from collections.abc import Generator, Iterable, Iterator, Mapping, MutableSequence
 from jauspy.codec.base import Message, Query
 from jauspy.codec.registry import Registry
 from jauspy.ids import JausID
@@ -219,7 +219,7 @@ class Elements(Facade[_Elements], MutableSequence[Element]):
         """The index of the element that is being carried out, None when there is none."""
         return self._portal.run(self._async.active())
 
-    def progress(self, *, rate: float | None = None, grace: float = 2.0) -> Iterator[int]:
+    def progress(self, *, rate: float | None = None, grace: float = 2.0) -> Generator[int, None, None]:
         """The index of each element as it becomes the active one, until there is none any more.
 
         The component tells of changes, or, with `rate`, how it is so many times a second. `grace` is how long
@@ -500,7 +500,13 @@ class OCU(OpensPortal):
         """Everybody who answers within `timeout` seconds, other OCUs too, in the order of their numbers."""
         return tuple(Robot(self._portal, each) for each in self._portal.run(self._async.discover_all(timeout=timeout)))
 
-    def watch(self, subsystem: int | None = None, *, interval: float = 2.0, silence: float = 7.0) -> Iterator[News]:
+    def watch(
+        self,
+        subsystem: int | None = None,
+        *,
+        interval: float = 2.0,
+        silence: float = 7.0,
+    ) -> Generator[News, None, None]:
         """`for news in ocu.watch()`: what is there, and then what appears, changes and vanishes, for ever.
 
         All are asked every `interval` seconds; who has said nothing for `silence` seconds has vanished. `subsystem`
@@ -560,7 +566,7 @@ class OCU(OpensPortal):
         *,
         within: float = 2.0,
         expects: type[Message] | None = None,
-    ) -> Iterator[tuple[JausID, Any]]:
+    ) -> Generator[tuple[JausID, Any], None, None]:
         """Ask all that a wildcard id reaches: who answered and what, as it comes in the next `within` seconds."""
         return self._portal.iterate(self._async.query_each(destination, message, within=within, expects=expects))
 
