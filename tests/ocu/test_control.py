@@ -203,6 +203,9 @@ async def test_a_silent_component_that_never_takes_control_back_counts_as_lost_t
     async with driver.control() as control:
         await asyncio.sleep(60)
         assert control.held
+        world.network.clock.pass_by(30)  # as if this program had been busy
+        await asyncio.sleep(5)
+        assert control.held
         await robot.close()
         await asyncio.wait_for(control.until_lost(), 20)
         assert "101.1.1 has not answered for" in control.lost
