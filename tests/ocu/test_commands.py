@@ -17,7 +17,7 @@ from jauspy.messages.core import (
     Standby,
     TimeStamp,
 )
-from jauspy.messages.mobility import SetWrenchEffort
+from jauspy.messages.mobility import SetLocalWaypoint, SetTravelSpeed, SetWrenchEffort
 from jauspy.services.completion import Completion
 from jauspy.services.core import AccessControl, Discovery, Events, Liveness, Management, Time
 
@@ -52,6 +52,12 @@ async def client(robot, ocu):
     async with found.control():
         await found.resume()
         yield found
+
+
+@pytest.fixture
+async def robot_inc1(virtual_network):
+    async with virtual_network.robot() as running:
+        yield running
 
 
 def clock_of(component) -> SlowClock:
@@ -167,6 +173,22 @@ async def test_a_component_that_knows_no_command_events(virtual_network, client)
     virtual_network.lose(CreateCommandEvent)
     with pytest.raises(ResponseTimeout, match="CreateCommandEvent 3 times"):
         await client.perform(SET_TIME, within=1)
+
+
+async def test_a_robot_that_drives_to_a_waypoint(virtual_network, robot_inc1, ocu):
+    driver = (await ocu.discover(101)).service("mobility:LocalWaypointDriver")
+    async with driver.control():
+        await driver.resume()
+        await driver.send(SetLocalWaypoint(x=2.0, y=0.5))
+        await driver.perform(SetTravelSpeed(speed=1.0), within=60.0)
+        pose = robot_inc1.snapshot.pose
+        assert (pose.x, pose.y) == (pytest.approx(2.0, abs=0.5), pytest.approx(-0.5, abs=0.5))
+        task = asyncio.create_task(driver.perform(SetTravelSpeed(speed=1.0), within=60.0))
+        await driver.send(SetLocalWaypoint(x=9.0, y=0.5))
+        await asyncio.sleep(1)
+        await driver.standby()
+        with pytest.raises(RequestError, match="did not carry out SetTravelSpeed"):
+            await asyncio.wait_for(task, 5)
 
 
 @pytest.mark.parametrize(
