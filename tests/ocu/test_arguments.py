@@ -115,7 +115,7 @@ WITHOUT_ASYNC = {
     "control": (lambda ocu, it: with_(it.control()), "use `async with` with this Control"),
     "an event": (lambda ocu, it: with_(it.subscribe(QueryStatus())), "use `async with` with this Subscription"),
     "a loop": (lambda ocu, it: list(it.subscribe(QueryStatus())), "use `async for` with this Subscription"),
-    "item": (lambda ocu, it: it.waypoints.__setitem__(0, it), r"use `await elements.replace\(index, ...\)` with this El"),
+    "item": (lambda ocu, it: it.waypoints.__setitem__(0, it), r"use `await elements.replace\(index, ...\)` with"),
     "del": (lambda ocu, it: it.waypoints.__delitem__(0), r"use `await elements.delete\(index\)` with this Elements"),
     "+=": (lambda ocu, it: it.waypoints.__iadd__([]), r"use `await elements.extend\(...\)` with this Elements"),
 }

@@ -6,7 +6,7 @@ import asyncio
 
 import pytest
 from tests.ocu.test_control import FULL, Status, driver_of, until
-from tests.ocu.test_subscriptions import POSE, events_of, sensor_of
+from tests.ocu.test_subscriptions import POSE, drain, events_of, sensor_of
 
 from jauspy.errors import ControlRejected, TransportError
 from jauspy.messages.core import QueryStatus
@@ -61,15 +61,14 @@ async def test_events_end_and_who_waits_for_one_is_told_at_once(world):
         with pytest.raises(TransportError, match="the OCU was closed, and with it the event on QueryStatus"):
             await asyncio.wait_for(waiting, 0.1)
         with pytest.raises(TransportError, match="the OCU was closed"):
-            while True:
-                await poses.get()
+            await drain(poses)
         await until(lambda: len(events_of(robot).subscriptions) == 0, 1)
 
 
 async def test_from_another_event_loop_it_says_so(tmp_path):
     ocu = OCU(connect="udp://127.0.0.1:9")
     await asyncio.to_thread(asyncio.run, ocu.open())
-    with pytest.raises(TransportError, match=r"opened in another event loop .* inside one `asyncio.run`, or .*sync\.OCU"):
+    with pytest.raises(TransportError, match=r"opened in another event loop .* inside one `asyncio.run`, or"):
         await ocu.query("101.1.1", QueryStatus())
     with pytest.raises(TransportError, match="opened in another event loop"):
         await ocu.send("101.1.1", SetLocalWaypoint(x=1.0, y=1.0))

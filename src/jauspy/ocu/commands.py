@@ -51,8 +51,8 @@ async def perform(link: Link, id: JausID, command: Message, within: float) -> No
     if result.command_result != CommandEvent.CommandResult.SUCCESSFUL:
         link.controls.check(id, command)
         raise RequestError(
-            f"{id} did not carry out {command.NAME} within {within:g} s: it gave up, a newer command took its place, or "
-            "it does not obey you now (see `control()` and `status()`)"
+            f"{id} did not carry out {command.NAME} within {within:g} s: it gave up, another command took its place, "
+            "or it does not obey you now (see `control()` and `status()`)"
         )
 
 

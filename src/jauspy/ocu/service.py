@@ -30,7 +30,8 @@ R = TypeVar("R", bound=Message)
 DEFAULT_AUTHORITY: Final = 127
 """The middle of 0..255: leaves room above for those who must be able to take over."""
 _POLL: Final = 0.05
-_REFUSES: Final = "it heard you and you are in control, so it refuses or takes longer; see its log, allow more `timeout`"
+_OBEYS: Final = "it obeys only the client in control: use `control()` first"
+_REFUSES: Final = "you are in control, so it refuses or takes longer; see its log, or allow more `timeout`"
 _HINTS: Final[Mapping[int, str]] = {
     ReportStatus.Status.INITIALIZE: "it is still starting; allow more `timeout`",
     ReportStatus.Status.EMERGENCY: "whoever set the emergency must clear it",
@@ -231,6 +232,6 @@ class ServiceClient:
                 "runs and that the node manager is reachable"
             )
         in_control = self.id in self._link.controls
-        hint = _HINTS.get(status, _REFUSES if in_control else "it obeys only the client in control: use `control()` first")
+        hint = _HINTS.get(status, _REFUSES if in_control else _OBEYS)
         name = getattr(status, "name", status)
         return RequestError(f"{self.id} still reports {name} {timeout:g} s after {command.NAME}; {hint}")
