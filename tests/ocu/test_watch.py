@@ -167,10 +167,13 @@ async def test_what_is_there_does_not_vanish_because_its_reader_is_slow(virtual_
     task = asyncio.create_task(read_slowly())
     async with virtual_network.component(ME, [named("robot"), Liveness()], core=False):
         await asyncio.sleep(200)
-        assert kinds(found) == ALL
+        appeared = kinds(found)
+        assert set(appeared) >= set(ALL)
+        assert len(set(appeared)) == len(appeared)
+        assert {each[0] for each in appeared} == {"+"}
         found.clear()
-    await asyncio.sleep(100)
-    assert kinds(found) == [each.replace("+", "-") for each in reversed(ALL)]
+    await asyncio.sleep(200)
+    assert kinds(found) == [each.replace("+", "-") for each in reversed(appeared)]
     task.cancel()
     await asyncio.wait({task})
 
