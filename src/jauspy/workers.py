@@ -35,7 +35,7 @@ async def start(module: str, descriptors: Sequence[int]) -> asyncio.subprocess.P
 def give_way(niceness: int) -> None:
     """In such a process: be nicer than who started it, and leave the first processor alone, if there is another.
 
-    Niceness says who gets how much, not who waits: a process that wakes may wait 4 ms for a nicer one to be interrupted.
+    Niceness says who gets how much, not who waits: one that wakes may wait 4 ms until a nicer one is interrupted.
     """
     os.nice(niceness)
     processors = sorted(os.sched_getaffinity(0))
