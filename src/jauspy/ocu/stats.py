@@ -47,7 +47,7 @@ class Recorder:
 
     def snapshot(self) -> Stats:
         """The figures so far."""
-        times = tuple(self._round_trips) or (0.0,)  # a copy: the synchronous OCU asks from another thread
+        times = self._round_trips or (0.0,)
         return Stats(
             sent=self.sent,
             received=self.received,
