@@ -32,6 +32,16 @@ async def start(module: str, descriptors: Sequence[int]) -> asyncio.subprocess.P
     )
 
 
+def give_way(niceness: int) -> None:
+    """In such a process: be nicer than who started it, and leave the first processor alone, if there is another.
+
+    Niceness says who gets how much, not who waits: one that wakes may wait 4 ms until a nicer one is interrupted.
+    """
+    os.nice(niceness)
+    processors = sorted(os.sched_getaffinity(0))
+    os.sched_setaffinity(0, processors[1:] or processors)
+
+
 async def stop(process: asyncio.subprocess.Process) -> None:
     """Have it end, if need be by force."""
     assert process.stdin is not None

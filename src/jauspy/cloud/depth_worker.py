@@ -21,6 +21,7 @@ from jauspy.cloud.depth_points import coloured_points
 from jauspy.cloud.message import XYZ_RGB
 from jauspy.cloud.socket import CloudPublisher
 from jauspy.platform.camera import Eye
+from jauspy.workers import give_way
 
 POLITENESS: Final = 5
 """By how much it is nicer than the robot's process: clouds never delay control."""
@@ -35,7 +36,7 @@ Say: TypeAlias = Callable[[dict[str, object]], None]
 def main() -> None:
     """Publish until standard input ends."""
     say = _speaker()
-    os.nice(POLITENESS)
+    give_way(POLITENESS)
     source = sys.stdin.buffer
     stream = pickle.load(source)  # noqa: S301 - the robot's process wrote it
     if not isinstance(stream, DepthStream):

@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from typing import Final
 
 from jauspy.video.orders import LENGTH, Begin, Word, length, packed, unpacked
+from jauspy.workers import give_way
 
 POLITENESS: Final = 15
 """By how much it is nicer than the robot's process: video never delays control, and has what is left."""
@@ -55,7 +56,7 @@ def _speaker() -> int:
 def main() -> None:
     """Film until standard input ends."""
     out = _speaker()
-    os.nice(POLITENESS)
+    give_way(POLITENESS)
     inbox = Inbox(sys.stdin.fileno())
     begin: object = None
     while begin is None and not inbox.ended:
@@ -65,7 +66,11 @@ def main() -> None:
 
 
 def _film(begin: Begin, inbox: Inbox, out: int) -> None:
-    from jauspy.video.studio import Studio  # noqa: PLC0415 - the robot's process has looked for the extra
+    import cv2  # noqa: PLC0415 - the robot's process has looked for the extra
+
+    from jauspy.video.studio import Studio  # noqa: PLC0415
+
+    cv2.setNumThreads(1)  # others would spin while they wait for the next picture
 
     def say(word: Word) -> None:
         rest = packed(word)
