@@ -79,6 +79,17 @@ class JausID:
 EVERYONE: Final = JausID(ANY_SUBSYSTEM, ANY_NODE, ANY_COMPONENT)
 
 
+def component_id(id: str | JausID) -> JausID:
+    """The id of one component; raises `ConfigError` for a wildcard and for one without a number of its own."""
+    parsed = JausID.of(id)
+    if parsed.is_wildcard or not parsed.component:
+        raise ConfigError(
+            f"{parsed} cannot be a component's id; use 1..65534, 1..254 and 1..254, as in 101.1.120; subsystem and "
+            "node may be 0 until they are given"
+        )
+    return parsed
+
+
 def service_set(urn: str) -> str:
     """The set of a service or type set: what stands behind `jss` in a URN, as `core` in `urn:jaus:jss:core:Time`.
 

@@ -49,6 +49,10 @@ OUT_OF_RANGE = {
         lambda: Events(limit_per_client=-1),
         r"^events: limit_per_client is -1;",
     ),
+    "every": (
+        lambda: Liveness().every(0.0, print),
+        r"^every\(\) is given 0\.0 s; it must be above 0$",
+    ),
     "unknown": (
         lambda: jauspy.Component("1.1.1", [Unknown()]),
         r"no definition of urn:example:Unknown is loaded \(one of your own is given by `definitions=jauspy.load",

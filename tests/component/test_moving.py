@@ -18,13 +18,15 @@ from jauspy.messages.core import (
     QueryControl,
     QueryHeartbeatPulse,
     QueryTime,
+    RegisterServices,
     RejectControl,
     ReportControl,
     ReportHeartbeatPulse,
     RequestControl,
+    ServiceRec,
 )
 from jauspy.node import NodeConfig, NodeManager
-from jauspy.services.core import AccessControl, Liveness
+from jauspy.services.core import AccessControl, Discovery, Events, Liveness
 from jauspy.transport import LoopbackHub, LoopbackTransport
 
 NOWHERE, HOME, OCU = "0.0.101", "101.1.101", "42.1.1"
@@ -121,6 +123,25 @@ async def test_an_id_that_is_taken_is_an_error_and_the_component_stays(root: Pat
         assert me.counters["component.move_failed"] == 2
 
 
+async def test_a_move_that_is_not_possible_disturbs_nobody():
+    hub = LoopbackHub()
+    id, taken, client = map(jauspy.JausID.parse, ("101.1.7", HOME, OCU))
+    me = jauspy.Component(id, [AccessControl()], transport=LoopbackTransport(id, hub))
+    async with me, jauspy.Component(HOME, [Liveness()], transport=LoopbackTransport(taken, hub)):
+        for source, message in (
+            (taken, RegisterServices([ServiceRec("urn:x:y", 1, 0)])),
+            (client, RequestControl(authority_code=200)),
+            (client, CreateEvent(1, CreateEvent.EventType.PERIODIC, 50.0, QueryTime(1).encode())),
+        ):
+            me.host.receive(message.encode(), source, me.host.now)
+        me.wake()
+        with pytest.raises(TransportError, match="is already on this loopback hub"):
+            me.move(HOME)
+        assert me.controller == client
+        assert taken in me.service(Discovery).directory.all()
+        assert len(me.service(Events).subscriptions) == 1
+
+
 async def test_who_waits_for_an_ack_to_the_old_id_is_told():
     hub = LoopbackHub()
     id = jauspy.JausID.parse("101.1.7")
@@ -141,9 +162,6 @@ async def test_a_closed_component_that_moved_opens_under_its_new_id(root: Path, 
 
 
 async def test_registrations_of_others_end_when_it_leaves():
-    from jauspy.messages.core import RegisterServices, ServiceRec
-    from jauspy.services.core import Discovery
-
     hub = LoopbackHub()
     id = jauspy.JausID.parse("101.1.7")
     async with jauspy.Component(id, [Liveness()], transport=LoopbackTransport(id, hub)) as me:

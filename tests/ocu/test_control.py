@@ -206,7 +206,7 @@ async def test_a_silent_component_that_never_takes_control_back_counts_as_lost_t
         world.network.clock.pass_by(30)  # as if this program had been busy
         await asyncio.sleep(5)
         assert control.held
-        await robot.close()
+        await crash(world, robot)
         await asyncio.wait_for(control.until_lost(), 20)
         assert "101.1.1 has not answered for" in control.lost
         with pytest.raises(ControlRejected):
@@ -220,7 +220,7 @@ async def test_a_lost_control_may_be_taken_again(world):
 
     async with control:
         await driver.resume()
-        await robot.close()
+        await crash(world, robot)
         await world.robot(timeout=1)
         await asyncio.wait_for(control.until_lost(), 2)
     async with control:
@@ -285,13 +285,30 @@ async def test_all_ways_to_send_a_command_know_that_control_is_lost(world):
         assert refused.response_code == ConfirmControl.ResponseCode.INSUFFICIENT_AUTHORITY
 
 
+async def crash(world, robot) -> None:
+    """It ends without a word."""
+    before, world.network.keeps = world.network.keeps, lambda packet: packet.source != robot.id
+    await robot.close()
+    world.network.keeps = before
+
+
+async def test_a_robot_that_is_closed_says_so(world):
+    robot = await world.robot(timeout=0)
+    driver = await driver_of(await world.ocu())
+    async with driver.control() as control:
+        await driver.resume()
+        await robot.close()
+        await asyncio.sleep(0.01)
+        assert control.lost.endswith("took it back: another client outranked you, you were silent, or it ended")
+
+
 async def test_a_restart_of_the_robot_is_not_taken_for_control(world):
     robot = await world.robot(timeout=1)
     driver = await driver_of(await world.ocu())
 
     async with driver.control() as control:
         await driver.resume()
-        await robot.close()
+        await crash(world, robot)
         again = await world.robot(timeout=1)
         await asyncio.wait_for(control.until_lost(), 2)
         assert "nobody is in control; it was started anew" in control.lost
@@ -308,7 +325,7 @@ async def test_a_restart_is_noticed_even_when_it_is_not_said_who_is_in_control(w
         await driver.resume()
         await asyncio.sleep(0.5)
         world.network.lose(ReportControl)
-        await robot.close()
+        await crash(world, robot)
         await world.robot(timeout=1)
         await asyncio.wait_for(control.until_lost(), 2)
         assert "101.1.1 went from READY to STANDBY without being told to" in control.lost
@@ -319,7 +336,7 @@ async def test_a_restart_is_noticed_when_control_never_times_out(world, monkeypa
     robot = await world.robot(timeout=0)
     driver = await driver_of(await world.ocu())
     async with driver.control() as control:
-        await robot.close()
+        await crash(world, robot)
         await world.robot(timeout=0)
         await asyncio.wait_for(control.until_lost(), 2)
 

@@ -100,7 +100,7 @@ def test_angles_of_a_transform_are_those_it_was_made_of(pose: Pose) -> None:
 def test_one_frame_as_another_has_it() -> None:
     base = Transform.of(Pose(x=5.0, yaw=math.pi / 2))
     frames = FrameTree(INC1.description).frames(base, {}, "local")
-    assert frames.in_parent("base_link") == base
+    assert frames.pose("base_link", "local") == base
     assert frames.pose("lidar_link", "local").position == pytest.approx((5.0, -0.2, 0.44))
     assert frames.pose("local", "lidar_link").position == pytest.approx((0.2, 5.0, -0.44))
     assert frames.pose("tool_link", "tool_link").position == pytest.approx((0.0, 0.0, 0.0))

@@ -164,3 +164,15 @@ def test_events_never_time_out_and_know_no_commands(rig) -> None:
 def test_time_and_heartbeat_are_there(rig) -> None:
     assert isinstance(rig.ask(A, QueryTime(presence_vector=3)), ReportTime)
     assert rig.ask(A, QueryHeartbeatPulse()).NAME == "ReportHeartbeatPulse"
+
+
+def test_who_leaves_says_so_and_ends_control_and_events(rig) -> None:
+    rig.tell(A, RequestControl(100))
+    rig.tell(A, Resume())
+    first = rig.ask(A, CreateEvent(7, 0, 1.0, QueryHeartbeatPulse()))
+    second = rig.ask(B, CreateEvent(8, 0, 1.0, QueryHeartbeatPulse()))
+    rig.host.leave(rig.now)
+    assert rig.sent() == [(A, RELEASED), (A, first), (B, second)]
+    assert rig.host.state == f"{FREE}.Standby"
+    assert rig.run(10.0) == []
+    assert rig.host.counters["action_failed"] == 0

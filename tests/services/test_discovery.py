@@ -25,7 +25,8 @@ from jauspy.messages.core import (
 from jauspy.protocol.header import MAX_PAYLOAD
 from jauspy.services.core import Discovery, Identity, Liveness, directory
 from jauspy.services.core.directory import MAX_COMPONENTS, Offer
-from jauspy.services.core.discovery import LIFETIME, MAX_FILTERS, MAX_REGISTRATION, MAX_REPORT, registration
+from jauspy.services.core.discovery import LIFETIME, MAX_FILTERS, MAX_REGISTRATION, MAX_REPORT, own_offers
+from jauspy.services.host import Host
 
 A = "42.1.1"
 MANIPULATOR = ServiceRec("urn:jaus:jss:manipulator:PrimitiveManipulator", 2, 0)
@@ -33,6 +34,10 @@ MANIPULATOR = ServiceRec("urn:jaus:jss:manipulator:PrimitiveManipulator", 2, 0)
 
 def services(*wanted: tuple[int, int]) -> QueryServices:
     return QueryServices([QueryServices.NodeSeq(QueriedNodeRec(n), [QueriedComponentRec(c)]) for n, c in wanted])
+
+
+def registration(host: Host) -> RegisterServices:
+    return RegisterServices([ServiceRec(*offer) for offer in own_offers(host)])
 
 
 def listed(report: ReportServices) -> dict[tuple[int, int], list[str]]:
@@ -231,7 +236,7 @@ def test_a_name_that_does_not_fit_the_wire_is_refused(name) -> None:
         Identity(name, 10001)
 
 
-def test_a_component_without_discovery_registers_what_it_has(rig, make) -> None:
+def test_a_component_without_discovery_is_listed_with_what_it_registers(rig, make) -> None:
     other = make(Liveness())
     rig.tell("101.1.9", registration(other.host))
     assert listed(rig.ask(A, services((1, 9)))) == {

@@ -12,13 +12,18 @@ from jauspy.ids import JausID
 from jauspy.messages import registry
 from jauspy.messages.core import (
     ConfirmControl,
+    CreateEvent,
+    QueriedComponentRec,
+    QueriedNodeRec,
     QueryHeartbeatPulse,
+    QueryServices,
     QueryStatus,
     RejectControl,
     ReportHeartbeatPulse,
     ReportStatus,
     RequestControl,
     Resume,
+    SetEmergency,
 )
 from jauspy.messages.mobility import QueryWrenchEffort, ReportWrenchEffort, SetWrenchEffort
 from jauspy.protocol.header import Broadcast, Priority
@@ -333,3 +338,38 @@ def test_a_bug_that_is_met_again_and_again_does_not_fill_the_log(make, caplog) -
     assert rig.host.counters["action_failed"] == 1000
     assert len(caplog.records) == 10
     assert "(512 times)" in caplog.text
+
+
+# --- its end
+
+
+def test_a_component_that_is_closed_tells_its_clients_and_begins_anew(robot, drive) -> None:
+    robot.tell(A, RequestControl(100))
+    robot.tell(A, Resume())
+    robot.tell(A, SetWrenchEffort(propulsive_linear_effort_x=50.0))
+    confirmed = robot.ask(B, CreateEvent(1, 0, 1.0, QueryStatus()))
+    robot.host.close(robot.now)
+    assert robot.sent() == [(A, RejectControl(CONTROL_RELEASED)), (B, confirmed)]
+    assert drive.effort == (0.0, 0.0)
+    assert (robot.host.controller, robot.host.status) == (None, ReportStatus.Status.STANDBY)
+    assert robot.host.next_timeout() is None
+    robot.host.close(robot.now)
+    assert robot.sent() == []
+    services = robot.ask(B, QueryServices([QueryServices.NodeSeq(QueriedNodeRec(1), [QueriedComponentRec(1)])]))
+    assert len(services.node_list[0].component_list[0].service_list) == len(robot.host.services)
+
+
+def test_closing_stops_what_moves_in_an_emergency_too(robot, drive) -> None:
+    robot.tell(A, RequestControl(100))
+    robot.tell(B, SetEmergency(1))
+    stops = drive.stops
+    robot.host.close(robot.now)
+    assert drive.stops > stops
+    assert robot.host.status is ReportStatus.Status.EMERGENCY
+
+
+@pytest.mark.parametrize("id", ["101.255.1", "65535.1.1", "101.1.0"])
+def test_an_id_that_no_component_can_have_is_not_asked_for(robot, id) -> None:
+    with pytest.raises(ConfigError, match=f"{id} cannot be a component's id"):
+        robot.host.ask_for_id(JausID.parse(id))
+    assert robot.host.wanted_id is None

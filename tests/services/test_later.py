@@ -4,7 +4,16 @@ from __future__ import annotations
 
 import pytest
 
-from jauspy.messages.core import CancelEvent, CreateEvent, Event, QueryTime, ReportTime, TimeStamp, UpdateEvent
+from jauspy.messages.core import (
+    CancelEvent,
+    CreateEvent,
+    Event,
+    QueryTime,
+    ReportHeartbeatPulse,
+    ReportTime,
+    TimeStamp,
+    UpdateEvent,
+)
 from jauspy.services.core import Time
 from jauspy.services.later import MOST, PATIENCE
 
@@ -127,6 +136,50 @@ def test_a_bug_in_what_is_told_is_contained(rig, clock):
     clock.open[0].fulfil(ReportTime(time_stamp="noon"))
     assert rig.run(0.0) == []
     assert rig.host.counters["unencodable"] == 1
+
+
+@pytest.mark.parametrize(
+    ("wrong", "what"), [(ReportHeartbeatPulse(), "ReportHeartbeatPulse"), ("noon", "'noon'")], ids=["message", "text"]
+)
+def test_a_promise_fulfilled_with_something_else_is_a_bug_and_not_sent(rig, clock, caplog, wrong, what):
+    for client in (A, B):
+        rig.tell(client, QueryTime(1))
+        clock.open[-1].fulfil(wrong)
+    assert rig.run(0.0) == []
+    assert f"fulfilled with a ReportTime or None, and was with {what}" in caplog.text
+    assert "SlowTime.report_time failed on QueryTime" in caplog.text
+    clock.open.clear()
+    rig.tell(A, QueryTime(1))
+    clock.strike()
+    assert len(rig.run(0.0)) == 1, "it is answered again"
+
+
+def test_a_bug_of_one_who_waits_for_it_is_none_for_the_others(rig, clock):
+    rig.tell(A, QueryTime(1))
+    (later,) = clock.open
+    rig.tell(B, QueryTime(1))
+    clock.open[1].then(lambda _: 1 / 0)
+    told = []
+    clock.open[1].then(told.append)
+    clock.strike()
+    assert [to for _, to, _ in rig.run(0.0)] == [A, B]
+    assert told == [later.report]
+    assert rig.host.counters["action_failed"] == 1
+
+
+def test_a_bug_in_what_is_answered_otherwise_leaves_nothing_open(make, caplog):
+    class Poor(Time):
+        def report_time(self):
+            return self.host.later(lambda: 1 / 0)
+
+    rig = make(Poor())
+    for _ in range(2 * MOST):
+        rig.tell(A, QueryTime(1))
+        assert rig.run(PATIENCE) == []
+    assert rig.host.counters["later_overdue"] == 2 * MOST
+    assert rig.host.counters["later_refused"] == rig.host.counters["asked_again"] == 0
+    assert "Poor.report_time failed on QueryTime" in caplog.text
+    assert len(caplog.records) == 7
 
 
 # --- events

@@ -307,6 +307,18 @@ def test_everything_missing_is_told_at_once_with_service_state_and_action() -> N
         assert expected in text
 
 
+def test_what_every_service_has_is_no_action_unless_it_is_written() -> None:
+    class Written(Actions):
+        def leaving(self) -> None:
+            self.log.append("leaving")
+
+    one = definition("Machine", state("A", transitions=(on("Go", do="leaving"),)), start="A")
+    for kind, problems in ((Actions, 1), (Written, 0)):
+        binder = Binder({one.id: one}, {one.id: kind()}, lambda *_: None)
+        binder.states(merge([one])["ReceiveFSM"])
+        assert len(binder.problems) == problems
+
+
 def test_a_private_parent_does_not_lend_its_actions() -> None:
     class Private(Actions, private=True):
         pass

@@ -1,8 +1,17 @@
 from __future__ import annotations
 
+from copy import copy
+from dataclasses import replace
+from random import Random
+
 import pytest
 from hypothesis import given, strategies as st
 
+from jauspy.codec.base import Message
+from jauspy.codec.layout import Composite, Repeat, Slot
+from jauspy.fuzz.making import Maker, Style
+from jauspy.fuzz.targets import Target, targets
+from jauspy.messages import registry
 from jauspy.messages.core import QueryStatus, ReportStatus
 from jauspy.messages.mobility import (
     QueryVelocityState,
@@ -12,6 +21,7 @@ from jauspy.messages.mobility import (
     ReportVelocityStateExtRec,
     VelocityVehicleXYZRec,
 )
+from jauspy.schema import load_builtin
 from jauspy.services.presence import mask
 
 FULL = ReportVelocityState(1.0, 2.0, 3.0, 4.0, 0.1, 0.2, 0.3, 0.4)
@@ -51,3 +61,62 @@ def test_vectors_named_after_a_part_mask_that_part() -> None:
 def test_without_a_vector_nothing_is_masked(status) -> None:
     report = ReportStatus(status=status, reserved=0)
     assert mask(report, QueryStatus()) is report
+
+
+ALL, NOTHING = -1, 0
+TARGETS = {each.cls: each for each in targets(registry, load_builtin())}
+
+
+def vectors(query: type[Message]) -> list[str]:
+    return [slot.name for slot in TARGETS[query].layout.slots if slot.name.endswith("presence_vector")]
+
+
+def made(target: Target) -> Message:
+    return target.cls.decode(Maker(Random(target.cls.CODE), Style.FULL).message(target))
+
+
+@pytest.mark.parametrize(
+    ("query", "vector"),
+    [pytest.param(kind, name, id=f"{kind.NAME}-{kind.VERSION}-{name}") for kind in TARGETS for name in vectors(kind)],
+)
+def test_no_vector_of_any_query_is_without_effect(query: type[Message], vector: str) -> None:
+    report, asked = made(TARGETS[query.REPORT]), made(TARGETS[query])
+    for each in vectors(query):
+        setattr(asked, each, ALL)
+    assert mask(report, asked) == report
+    less = copy(asked)
+    setattr(less, vector, NOTHING)
+    assert mask(report, less) != report
+    assert len(mask(report, less).encode()) < len(report.encode())
+
+
+def records(kind: type[Message], field: str = "") -> list[Slot]:
+    """The lists of a message whose records are about sensors, with such a field or with optional ones."""
+    lists = [slot for slot in TARGETS[kind].layout.slots if isinstance(slot.item, Repeat)]
+    inner = [(each, each.item.item.slots) for each in lists if isinstance(each.item.item, Composite)]
+    return [each for each, slots in inner if any(field == slot.name if field else slot.optional for slot in slots)]
+
+
+ABOUT_SENSORS = [
+    kind for kind in TARGETS if kind.IS_QUERY and records(kind, "query_presence_vector") and records(kind.REPORT)
+]
+
+
+@pytest.mark.parametrize("query", ABOUT_SENSORS, ids=lambda each: f"{each.NAME}-{each.VERSION}")
+def test_a_vector_for_a_sensor_is_for_its_record(query: type[Message]) -> None:
+    (wanted,), (told,) = records(query, "query_presence_vector"), records(query.REPORT)
+    report, asked = made(TARGETS[query.REPORT]), made(TARGETS[query])
+    one, *_ = getattr(report, told.name)
+    setattr(report, told.name, [replace(one, sensor_id=each) for each in (1, 2, 3)])
+
+    def changed(*vectors: tuple[int, int]) -> list[int]:
+        """The sensors whose records lack something, when this is asked of each; 0 is all."""
+        first, *_ = getattr(asked, wanted.name)
+        setattr(asked, wanted.name, [replace(first, sensor_id=i, query_presence_vector=v) for i, v in vectors])
+        both = zip(getattr(report, told.name), getattr(mask(report, asked), told.name), strict=True)
+        return [before.sensor_id for before, after in both if before != after]
+
+    assert changed((0, ALL)) == []
+    assert changed((0, NOTHING)) == [1, 2, 3]
+    assert changed((1, ALL), (2, NOTHING), (3, ALL), (2, ALL)) == [2]
+    assert changed((2, ALL), (0, NOTHING)) == [1, 3]

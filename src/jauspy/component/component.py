@@ -15,7 +15,7 @@ from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
 from jauspy.component.shell import Shell
 from jauspy.errors import ConfigError
-from jauspy.ids import JausID
+from jauspy.ids import JausID, component_id
 from jauspy.protocol.delivery import Delivery
 from jauspy.protocol.header import Broadcast, Priority
 from jauspy.schema.model import Schema
@@ -59,7 +59,7 @@ class Component:
         clock: Callable[[], float] | None = None,
         utc_now: Callable[[], datetime] = lambda: datetime.now(UTC),
     ) -> None:
-        me = _usable(id)
+        me = component_id(id)
         check_text(name, "a component's name")
         given = checked(services)
         self.host = Host(
@@ -170,7 +170,7 @@ class Component:
         Clients are told so under the old id. Raises `TransportError` when the new id is taken on this machine; the
         component then keeps its id. An action asks for the same with `self.host.ask_for_id(id)`.
         """
-        self._open().move(_usable(id))
+        self._open().move(component_id(id))
 
     def wake(self) -> None:
         """Call this after acting on services from outside: sends what they want to send, sets their timers."""
@@ -193,13 +193,3 @@ def _loop_time() -> float:
         return asyncio.get_running_loop().time()
     except RuntimeError:
         return time.monotonic()
-
-
-def _usable(id: str | JausID) -> JausID:
-    parsed = JausID.of(id)
-    if parsed.is_wildcard or not parsed.component:
-        raise ConfigError(
-            f"{parsed} cannot be a component's id; use 1..65534, 1..254 and 1..254, as in 101.1.120; subsystem and "
-            "node may be 0 until they are given"
-        )
-    return parsed

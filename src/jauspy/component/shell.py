@@ -232,21 +232,23 @@ class Shell:
 
     def _move(self) -> TransportError | None:
         """Take the id that the host wants, after goodbyes under the old one; returns why that is not possible."""
-        wanted, now = self.host.wanted_id, self._clock()
+        wanted = self.host.wanted_id
         if wanted is None:
             return None
-        self.host.leave(now)
-        self._flush_output()
         try:
-            self.transport.move(wanted)
+            self.transport.move(wanted, self._say_goodbye)
         except TransportError as error:
-            self.host.take_id(self.id, now)
+            self.host.ask_for_id(self.id)
             self._errors["move_failed"] += 1
             return error
         self._endpoint.move(wanted)
-        self.host.take_id(wanted, now)
+        self.host.take_id(wanted, self._clock())
         self._flush_output()
         return None
+
+    def _say_goodbye(self) -> None:
+        self.host.leave(self._clock())
+        self._flush_output()
 
     def _unreachable(self, client: JausID) -> None:
         """Somebody did not acknowledge: what is done for it ends; what services say to that goes out next turn."""

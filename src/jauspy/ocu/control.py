@@ -199,7 +199,7 @@ class Control:
         """A confirmation keeps it; anything else says that it is gone."""
         if isinstance(message, RejectControl):
             if message.response_code == RejectControl.ResponseCode.CONTROL_RELEASED:
-                self._take_from(f"{source} took it back: another client outranked you, or yours was silent too long")
+                self._take_from(f"{source} took it back: another client outranked you, you were silent, or it ended")
         elif isinstance(message, ConfirmControl):
             if message.response_code == ConfirmControl.ResponseCode.INSUFFICIENT_AUTHORITY:
                 self._take_from(f"{source} gave it to another client; your authority of {self.authority} is too low")

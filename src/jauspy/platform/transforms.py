@@ -89,10 +89,6 @@ class Frames:
                 raise ConfigError(f"there is no frame {name!r}; there are: {', '.join(sorted(self.poses))}")
         return self.poses[within].inverse() @ self.poses[frame]
 
-    def in_parent(self, frame: str) -> Transform:
-        """One frame as its parent has it."""
-        return self.pose(frame, self.parents.get(frame, frame))
-
 
 def _parents_first(description: Description) -> tuple[Joint, ...]:
     reached, ordered = {description.root()}, list[Joint]()

@@ -115,14 +115,18 @@ class Binder:
         method = self._method(owner, action.name, f"{where}: action")
         call = self._by_name(method, action.arguments, f"{where}: action {action.name}")
         # Newer definitions write sendReportX(msg, transportData) for what is Send('ReportX', transportData) in others.
-        return Step(name, self._answering(call), sends=bool(need(owner, action.name).reports))
+        return Step(name, self._answering(call, method), sends=bool(need(owner, action.name).reports))
 
-    def _answering(self, call: Callable[[Trigger], object]) -> Callable[[Trigger], object]:
+    def _answering(
+        self, call: Callable[[Trigger], object], method: Callable[..., object]
+    ) -> Callable[[Trigger], object]:
         """A message that an action returns is its answer, now or later."""
         reply = self._reply
 
         def answering(trigger: Trigger) -> object:
             result = call(trigger)
+            if isinstance(result, Later):
+                result.comes_from(method.__qualname__, trigger)
             if isinstance(result, Message | Later):
                 reply(result, trigger, True)
             return result
@@ -141,6 +145,9 @@ class Binder:
 
         def report(trigger: Trigger) -> Message | Later | None:
             made = make(trigger)
+            if isinstance(made, Later):
+                made.comes_from(method.__qualname__, trigger, message)
+                return made
             return None if made is None else _checked(made, message, method)
 
         return Step(
@@ -163,7 +170,7 @@ class Binder:
         for definition in self._line(owner):
             service = self._services[definition.id]
             method = getattr(service, name, None)
-            if callable(method) and (definition is owner or not service.private):
+            if callable(method) and not _is_hook(service, name) and (definition is owner or not service.private):
                 if inspect.iscoroutinefunction(method):
                     self.problems.append(f"{what} {dotted}: {_ASYNC.format(f'{type(service).__name__}.{name}')}")
                 return method  # type: ignore[no-any-return]  # getattr by a computed name
@@ -200,13 +207,18 @@ class Binder:
         return lambda trigger: method(*[get(trigger) for get in getters])
 
 
+def _is_hook(service: Service, name: str) -> bool:
+    """True for what every service has, and this one has not made its own."""
+    return name in vars(Service) and getattr(type(service), name) is vars(Service)[name]
+
+
 def _literals(arguments: tuple[str, ...] | list[str]) -> list[str]:
     return [argument[1:-1] for argument in arguments if argument[:1] in ("'", '"')]
 
 
-def _checked(report: object, name: str, method: Callable[..., object]) -> Message | Later:
+def _checked(report: object, name: str, method: Callable[..., object]) -> Message:
     """The report, if it is the message that the definition sends."""
-    if isinstance(report, Later) or (isinstance(report, Message) and name == report.NAME):
+    if isinstance(report, Message) and name == report.NAME:
         return report
     what = report.NAME if isinstance(report, Message) else repr(report)
     raise TypeError(f"{method.__qualname__} is to return a {name}, a Later or None, and returned {what}")

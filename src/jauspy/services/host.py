@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal, TypeVar
 from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
-from jauspy.ids import JausID
+from jauspy.ids import JausID, component_id
 from jauspy.protocol.header import Broadcast, Priority
 from jauspy.schema.model import Schema, Service as Definition
 from jauspy.services.agenda import Agenda
@@ -71,9 +71,9 @@ class Host:
         self._timers = Timers()
         self.prompt: Callable[[], None] = lambda: None
         """Called when something happened outside of a call: `next_timeout` says now. For the shell to set."""
-        self._laters = Laters(self)
         self._agenda = Agenda(self._dispatch, lambda trigger: self.count("event_dropped", f"{trigger.key}"))
         self._bugs = Bugs(self.counters, self._fail if on_action_error == "failure" else lambda: None)
+        self._laters = Laters(self, self._bugs)
         self._sending = Sending(self._dispatch, self._bugs, self.counters)
         self._found: dict[type[Service], Service | None] = {}
         given = list(services)
@@ -123,7 +123,7 @@ class Host:
                 try:
                     call()
                 except Exception as error:  # noqa: BLE001 - any bug of a service
-                    self._bugs.met(f"timer {due[2]}", Trigger("timer"), error)
+                    self._bugs.met(f"timer {getattr(due[2], '__qualname__', due[2])}", Trigger("timer"), error)
 
     def unreachable(self, client: JausID, now: float) -> None:
         """Tell the services that messages to this client do not arrive any more: its events and its control end."""
@@ -131,9 +131,10 @@ class Host:
         self._tell_all(Trigger("client_lost", source=client), lambda service: service.client_lost(client))
 
     def close(self, now: float) -> None:
-        """Tell the services that nobody is in control any more: what moves stops. Twice is fine."""
-        self.now = now
+        """Say goodbye to the clients, and stop what moves whoever is in control. Twice is fine."""
+        self.leave(now)
         self.control_lost()
+        self.take_id(self.id, now)
 
     def leave(self, now: float) -> None:
         """Say goodbye under the id that is given up: the services end what clients know under it."""
@@ -144,7 +145,7 @@ class Host:
         """Have this id from now on."""
         self.now = now
         self.id, self.wanted_id = id, None
-        self._tell_all(Trigger("arrived"), lambda service: service.arrived())
+        self._tell_all(Trigger("joined"), lambda service: service.joined())
 
     # --- what may be asked ----------------------------------------------------------------------------------------
 
@@ -241,8 +242,11 @@ class Host:
         return self._agenda.begin_command()
 
     def ask_for_id(self, id: JausID) -> None:
-        """Want to be the component of this id; the shell moves there as soon as what waits is sent."""
-        self.wanted_id = None if id == self.id else id
+        """Want to be the component of this id; the shell moves there as soon as what waits is sent.
+
+        Raises `ConfigError` for an id that no component can have.
+        """
+        self.wanted_id = None if id == self.id else component_id(id)
 
     def set_timer(self, key: Hashable, at: float, call: Callable[[], None]) -> None:
         """Call `call` at time `at`; a timer with the same key is replaced."""

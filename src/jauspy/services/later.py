@@ -6,10 +6,11 @@ from collections import Counter
 from collections.abc import Callable, Hashable
 from dataclasses import dataclass
 from functools import partial
-from typing import Final, Protocol, TypeAlias
+from typing import Final, Protocol, TypeAlias, TypeVar
 
 from jauspy.codec.base import Message
 from jauspy.ids import JausID
+from jauspy.services.isolation import Bugs
 from jauspy.services.trigger import Trigger
 
 MOST: Final = 32
@@ -18,20 +19,30 @@ MOST: Final = 32
 PATIENCE: Final = 10.0
 """Seconds that an answer may stay out."""
 
+R = TypeVar("R")
 Tell: TypeAlias = Callable[[Message | None], None]
 
 
 class Later:
     """A report that is not there yet; `Host.later` makes it."""
 
-    __slots__ = ("_ready", "_told", "_waiting", "report")
+    __slots__ = ("_expects", "_ready", "_told", "_waiting", "maker", "report", "trigger")
 
     def __init__(self, ready: Callable[[Later], None]) -> None:
         self._ready: Callable[[Later], None] | None = ready
         self._waiting: list[Tell] = []
         self._told = False
+        self._expects = ""
         self.report: Message | None = None
         """What it was fulfilled with."""
+        self.maker = "a promise"
+        """The method that returned it, for the log."""
+        self.trigger = Trigger("later")
+        """What it answers, for the log."""
+
+    def comes_from(self, maker: str, trigger: Trigger, report: str = "") -> None:
+        """Note who returned it, on what, and the name of the message that the definition sends; empty takes any."""
+        self.maker, self.trigger, self._expects = maker, trigger, report
 
     def fulfil(self, report: Message | None) -> None:
         """Answer with it; None: not at all. May be called at any time, in the host's thread; only the first counts."""
@@ -47,12 +58,20 @@ class Later:
         else:
             self._waiting.append(tell)
 
-    def tell(self) -> None:
-        """Call all who wait; the host does."""
+    def check(self) -> None:
+        """Raises `TypeError` when it was fulfilled with something else than the report; then there is none."""
+        report: object = self.report
+        if report is None or (isinstance(report, Message) and self._expects in ("", report.NAME)):
+            return
+        self.report = None
+        what = report.NAME if isinstance(report, Message) else repr(report)
+        raise TypeError(f"it is to be fulfilled with a {self._expects or 'message'} or None, and was with {what}")
+
+    def close(self) -> list[Tell]:
+        """Who waits, for the host to tell; from now on nobody has to."""
         self._told = True
         waiting, self._waiting = self._waiting, []
-        for each in waiting:
-            each(self.report)
+        return waiting
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,8 +104,9 @@ class Laters:
     Counters: `later_overdue` stayed out, `later_refused` were too many, `asked_again` need no second answer.
     """
 
-    def __init__(self, host: Waking) -> None:
+    def __init__(self, host: Waking, bugs: Bugs) -> None:
         self._host = host
+        self._bugs = bugs
         self._open: set[Later] = set()
         self._asked: set[Hashable] = set()
 
@@ -121,11 +141,21 @@ class Laters:
 
     def _tell(self, later: Later) -> None:
         self._open.discard(later)
-        later.tell()
+        self._contained(later, later.check)
+        for tell in later.close():
+            self._contained(later, partial(tell, later.report))
 
     def _overdue(self, later: Later, otherwise: Callable[[], Message | None]) -> None:
         self._host.counters["later_overdue"] += 1
-        later.fulfil(otherwise())
+        later.fulfil(self._contained(later, otherwise))
+
+    def _contained(self, later: Later, call: Callable[[], R]) -> R | None:
+        """A bug for one who waits is none for the others, and leaves no promise open."""
+        try:
+            return call()
+        except Exception as error:  # noqa: BLE001 - any bug of a service
+            self._bugs.met(later.maker, later.trigger, error)
+            return None
 
 
 def _question(trigger: Trigger) -> tuple[JausID | None, object]:

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from copy import copy
-from typing import Final, TypeVar
+from typing import Any, Final, TypeVar
 
 from jauspy.codec.base import Message, Struct
-from jauspy.codec.layout import Composite, Slot
+from jauspy.codec.layout import Composite, Repeat, Slot
 
 _SUFFIX: Final = "presence_vector"
+_OF_SENSOR: Final = "query_presence_vector"
+"""In the records of a query about several sensors (AS6060): it is about the record with the same SensorID; 0 is all."""
 _VECTORS: Final[dict[type[Message], tuple[tuple[str, str], ...]]] = {}
 _OPTIONAL: Final[dict[type[Struct], tuple[str, ...]]] = {}
+_OF_SENSORS: Final[dict[type[Message], tuple[str, ...]]] = {}
 
 S = TypeVar("S", bound=Struct)
 
@@ -18,17 +22,59 @@ S = TypeVar("S", bound=Struct)
 def mask(report: Message, query: Message) -> Message:
     """The report without the optional fields that the query did not ask for.
 
-    A query's `presence_vector` masks the report's body record. A field named after a part of the body, as
-    `VelocityVarPresenceVector` is after `VelocityVar`, masks the record in that part.
+    A query's `presence_vector` masks the report's body, or when nothing in that is optional the first record in it that
+    has optional fields. A vector named after a part of the body, as `VelocityVarPresenceVector` is after `VelocityVar`
+    and `LocalPosePresenceVector` after `ReportLocalPoseExtRec`, masks the record in that part; one of a sensor masks
+    the records of that sensor.
     """
-    found = report
     for vector, part in _vectors(type(query)):
         asked = getattr(query, vector)
-        if not part:
-            found = masked(found, asked)
-        elif hasattr(found, part):
-            found = copy(found)
-            setattr(found, part, masked(getattr(found, part), asked))
+        if not part and _optional(type(report)):
+            report = masked(report, asked)
+        else:
+            report = _masked_in(report, part, asked) or report
+    for name in _of_sensors(type(query)):
+        report = _sensors_masked(report, getattr(query, name))
+    return report
+
+
+def _masked_in(whole: S, part: str, asked: int) -> S | None:
+    """`whole`, its first record that has optional fields and lies in what is called `part` masked; None: no such."""
+    for slot in _slots(type(whole)):
+        member = getattr(whole, slot.name)
+        if part in slot.name and isinstance(member, Struct):
+            changed = masked(member, asked) if _optional(type(member)) else _masked_in(member, part, asked)
+            if changed is not None:
+                whole = copy(whole)
+                setattr(whole, slot.name, changed)
+                return whole
+    return None
+
+
+def _sensors_masked(report: Message, records: Sequence[Any]) -> Message:
+    """The report with each record of its lists masked by the first of the query's records that is about its sensor."""
+    report = copy(report)
+    for slot in _slots(type(report)):
+        if isinstance(slot.item, Repeat):
+            setattr(report, slot.name, [_sensor_masked(each, records) for each in getattr(report, slot.name)])
+    return report
+
+
+def _sensor_masked(record: Any, asked: Sequence[Any]) -> Any:
+    sensor = getattr(record, "sensor_id", None)
+    found = next((each for each in asked if each.sensor_id in (0, sensor)), None)
+    return record if sensor is None or found is None else masked(record, found.query_presence_vector)
+
+
+def _of_sensors(query: type[Message]) -> tuple[str, ...]:
+    """The lists of a query whose records have a vector for each sensor."""
+    if (found := _OF_SENSORS.get(query)) is None:
+        lists = {slot.name: slot.item.item for slot in _slots(query) if isinstance(slot.item, Repeat)}
+        found = _OF_SENSORS[query] = tuple(
+            name
+            for name, record in lists.items()
+            if isinstance(record, Composite) and any(slot.name == _OF_SENSOR for slot in record.slots)
+        )
     return found
 
 

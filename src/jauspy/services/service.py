@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, ClassVar
 
-from jauspy.arguments import described
+from jauspy.arguments import check_number, described
+from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 
 if TYPE_CHECKING:
@@ -71,6 +73,9 @@ class Service:
 
         What was missed while the program hung is left out. `self.host.cancel_timer(call)` ends it.
         """
+        check_number(seconds, "the seconds of every()")
+        if not 0 < seconds < math.inf:
+            raise ConfigError(f"every() is given {seconds} s; it must be above 0")
         due = self.host.now + seconds
 
         def tick() -> None:
@@ -91,7 +96,7 @@ class Service:
         """Called when the controlling client lost or gave up control, or another took it. Stop what moves."""
 
     def leaving(self) -> None:
-        """Called before the component gives up its id. End what clients know under it; they can still be told so."""
+        """Called before the component gives up its id or is closed. End what clients know; they can still be told."""
 
-    def arrived(self) -> None:
-        """Called when the component has its new id."""
+    def joined(self) -> None:
+        """Called after `leaving`, when the component has its new id, or may be opened again under the one it had."""

@@ -28,8 +28,11 @@ class Transport(Protocol):
     def send(self, datagram: bytes) -> None:
         """Send, or drop and count; never blocks and never raises."""
 
-    def move(self, id: JausID) -> None:
-        """Be the component of this id from now on; raises `TransportError` when it is taken, and then stays."""
+    def move(self, id: JausID, goodbye: Callable[[], None]) -> None:
+        """Be the component of this id from now on; raises `TransportError` when it is taken, and then stays.
+
+        `goodbye` is called before the old id is given up, and not at all when the new one is taken.
+        """
 
     @property
     def connected(self) -> bool:

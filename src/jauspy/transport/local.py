@@ -6,7 +6,7 @@ import asyncio
 import contextlib
 import logging
 import socket
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Final
 
@@ -90,13 +90,14 @@ class LocalTransport:
         self._leave(sock, sender)
         self._accepted.clear()
 
-    def move(self, id: JausID) -> None:
+    def move(self, id: JausID, goodbye: Callable[[], None]) -> None:
         """Listen on another socket and register with the new id; raises `TransportError` when it is taken."""
         old, sender = self._socket, self._sender
         if old is None or sender is None:
             self.id = id
             return
         new = self._bind(id)
+        goodbye()
         self._leave(old, sender)
         self.id = id
         self._listen(asyncio.get_running_loop(), new)

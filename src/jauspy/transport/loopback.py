@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import logging
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 from jauspy.errors import ProtocolError, TransportError
 from jauspy.ids import JausID
@@ -61,10 +61,11 @@ class LoopbackTransport:
         if self.connected:
             del self._hub.members[int(self.id)]
 
-    def move(self, id: JausID) -> None:
+    def move(self, id: JausID, goodbye: Callable[[], None]) -> None:
         """Be another member of the hub; raises `TransportError` when the id is taken."""
         if self.connected:
             self._join(id)
+            goodbye()
             del self._hub.members[int(self.id)]
         self.id = id
 

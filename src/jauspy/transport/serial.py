@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
@@ -47,8 +47,9 @@ class SerialTransport:
         if link is not None:
             link.close()
 
-    def move(self, id: JausID) -> None:
+    def move(self, id: JausID, goodbye: Callable[[], None]) -> None:
         """Be another component; the way to it stays the same."""
+        goodbye()
         self.id = id
 
     def send(self, datagram: bytes) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import logging
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 from jauspy.errors import ProtocolError, TransportError
 from jauspy.ids import JausID
@@ -61,8 +61,9 @@ class TcpTransport:
         if dialer is not None:
             await dialer.close()
 
-    def move(self, id: JausID) -> None:
+    def move(self, id: JausID, goodbye: Callable[[], None]) -> None:
         """Be another component; the way to it stays the same."""
+        goodbye()
         self.id = id
 
     def send(self, datagram: bytes) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import logging
 import socket
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 from jauspy.errors import ProtocolError, TransportError
 from jauspy.ids import JausID
@@ -87,8 +87,9 @@ class UdpTransport:
             if sock is not None:
                 draining.detach(asyncio.get_running_loop(), sock)
 
-    def move(self, id: JausID) -> None:
+    def move(self, id: JausID, goodbye: Callable[[], None]) -> None:
         """Be another component; the way to it stays the same."""
+        goodbye()
         self.id = id
 
     def send(self, datagram: bytes) -> None:

@@ -52,8 +52,8 @@ def test_any_service_makes_a_component_that_starts(definition):
 
 
 def test_what_it_writes_is_clean_and_passes_its_tests():
-    for number, urn in enumerate(SOME):
-        result = new(f"start{number}", "--service", urn)
+    for number, (urn, id) in enumerate(zip(SOME, ("101.1.120", "0.0.120", "7.7.7", "65534.254.254"), strict=True)):
+        result = new(f"start{number}", "--service", urn, "--id", id)
         assert result.exit_code == 0, result.output
     folders = [f"start{number}" for number in range(len(SOME))]
     check("ruff", "check", *folders)
@@ -86,6 +86,10 @@ def test_what_is_there_stays():
     ("arguments", "problem"),
     [
         (["Winch", "--service", "ugv:ParkingBrakeDriver"], "no name of a Python package"),
+        (["class", "--service", "ugv:ParkingBrakeDriver"], "'class' is no name of a Python package"),
+        (["signal", "--service", "ugv:ParkingBrakeDriver"], "signal is a module already, which yours would hide"),
+        (["jauspy", "--service", "ugv:ParkingBrakeDriver"], "as in my_jauspy"),
+        (["winch", "--service", "ugv:ParkingBrakeDriver", "--id", "101.1.255"], "cannot be a component's id"),
         (["winch", "--service", "ParkingBrakDriver"], "did you mean ParkingBrakeDriver"),
         (["winch", "--service", "VelocityStateDriver", "--version", "9.9"], "has no version 9.9; it has 1.0, 1.1"),
         (["winch", "--service", "DigitalResourceDiscovery"], "several services are called"),

@@ -34,17 +34,29 @@ def component(
     """
     from jauspy.cli.new import stubs
     from jauspy.cli.new.files import write_new
-    from jauspy.errors import ConfigError
-    from jauspy.ids import JausID
+    from jauspy.ids import component_id
 
-    if not name.isidentifier() or name != name.lower():
-        raise ConfigError(f"{name!r} is no name of a Python package; use lower-case letters, digits and _")
+    _check(name)
+    me = component_id(id)
     schema = _schema(source)
     definition = _find(schema, service, version)
-    files = stubs.package(name, definition, schema, source, JausID.parse(id))
+    files = stubs.package(name, definition, schema, source, me)
     folder = Path(name)
     write_new({folder / each: text for each, text in files.items()})
     print(f"run it with `python -m {name}`, test it with `pytest {name}`")
+
+
+def _check(name: str) -> None:
+    """Raise `ConfigError` unless a package of this name can be imported, and hides none."""
+    import keyword
+    import sys
+
+    from jauspy.errors import ConfigError
+
+    if not name.isidentifier() or name != name.lower() or keyword.iskeyword(name):
+        raise ConfigError(f"{name!r} is no name of a Python package; use lower-case letters, digits and _")
+    if name in sys.stdlib_module_names or name == "jauspy":
+        raise ConfigError(f"{name} is a module already, which yours would hide; choose another name, as in my_{name}")
 
 
 def _schema(source: Path | None) -> Schema:

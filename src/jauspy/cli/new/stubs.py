@@ -32,12 +32,13 @@ def package(
         raise ConfigError(f"jauspy has {definition.id} for every component; to change what it does subclass {theirs}")
     mine = [each for each in line if each.id not in core]
     writer = _Writer(mine, line, core, own=source)
+    whole = JausID(me.subsystem or 101, me.node or 1, me.component)  # one that waits to be given is tested with this
     urns = "".join(f'            "{each.id}",\n' for each in mine)
     files: dict[str, str | bytes] = {
         "__init__.py": f'"""A JAUS component that offers {definition.id}."""\n',
         "__main__.py": _MAIN.format(name=name, id=me),
         "services.py": writer.module(),
-        f"test_{name}.py": _TEST.format(name=name, id=me, number=me.subsystem, last=me.component, urns=urns),
+        f"test_{name}.py": _TEST.format(name=name, id=whole, number=whole.subsystem, last=whole.component, urns=urns),
         "README.md": _README.format(name=name, urn=definition.id, version=definition.version),
     }
     if source is not None:

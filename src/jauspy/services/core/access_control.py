@@ -70,8 +70,8 @@ class AccessControl(Service, urn="urn:jaus:jss:core:AccessControl"):
             self.host.set_timer(_TIMER, self.host.now + self.timeout, self._time_out)
 
     def leaving(self) -> None:
-        """The client in control knows the component by its old id, and is told that control ends."""
-        self.host.fire("Timedout")
+        """The client in control is told that control ends; in an emergency it goes on until its time is up."""
+        self.host.fire(self._time_is_up)
 
     def _time_out(self) -> None:
         # Emergency swallows Timedout: the timer goes on, so that a dead client is dropped after the emergency.

@@ -92,7 +92,7 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
         """Others registered with the component of the old id."""
         self.directory = Directory()
 
-    def arrived(self) -> None:
+    def joined(self) -> None:
         """The same services under the new id."""
         self.directory.register(self.host.id, own_offers(self.host))
 
@@ -211,11 +211,6 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
         if sum(map(len, kept.values())) < sum(map(len, found.values())) or len(kept) < len(found):
             self.host.count("report_cut", f"{len(found) - len(kept)} of {len(found)} components left out")
         return kept
-
-
-def registration(host: Host) -> RegisterServices:
-    """What a component without Discovery sends to the one of its subsystem that has it."""
-    return RegisterServices(service_list=[_service(offer) for offer in own_offers(host)])
 
 
 def own_offers(host: Host) -> list[Offer]:

@@ -65,9 +65,10 @@ class Events(EventReports, EventRequests, urn="urn:jaus:jss:core:Events", privat
         self._current: Entry | None = None
 
     def leaving(self) -> None:
-        """Clients know events by the id of the component: all end, and their clients are told."""
+        """Clients know events by the id of the component: all end with it, and their clients are told."""
         for each in self.subscriptions.all():
-            self.host.fire("Timeout", each, each.client)
+            self._end(each)
+            self.host.send(each.client, _confirmation(each, each.request_id))
 
     # --- actions
 
@@ -121,11 +122,7 @@ class Events(EventReports, EventRequests, urn="urn:jaus:jss:core:Events", privat
 
     def confirm_event_request(self, msg: Request | CreateCommandEvent | Entry) -> ConfirmEventRequest | None:
         """The event as it is now, with the rate that is really kept; 0 for a command, which has none."""
-        current = self._current
-        if current is None:
-            return None
-        rate = current.confirmed if isinstance(current, Subscription) else 0.0
-        return ConfirmEventRequest(request_id=msg.request_id, event_id=current.id, confirmed_periodic_rate=rate)
+        return None if self._current is None else _confirmation(self._current, msg.request_id)
 
     def report_events(self, query: QueryEvents, source: JausID) -> ReportEvents:
         """The client's own events that report: all, or by id, kind or query message."""
@@ -145,6 +142,11 @@ class Events(EventReports, EventRequests, urn="urn:jaus:jss:core:Events", privat
     def report_event_timeout(self) -> ReportEventTimeout:
         """Minutes, 0 when events do not time out."""
         return ReportEventTimeout(timeout=self.timeout)
+
+
+def _confirmation(entry: Entry, request_id: int) -> ConfirmEventRequest:
+    rate = entry.confirmed if isinstance(entry, Subscription) else 0.0
+    return ConfirmEventRequest(request_id=request_id, event_id=entry.id, confirmed_periodic_rate=rate)
 
 
 def _matches(subscription: Subscription, query: QueryEvents) -> bool:

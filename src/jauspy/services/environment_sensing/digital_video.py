@@ -27,7 +27,6 @@ from jauspy.platform.video_settings import MAX_BIT_RATE, MAX_RATE, MIN_BIT_RATE,
 from jauspy.services.environment_sensing.frame_sizes import OFFERED, number_of, offered
 from jauspy.services.environment_sensing.viewers import Flow, Viewers
 from jauspy.services.environment_sensing.wanted import chosen
-from jauspy.services.presence import masked
 from jauspy.services.service import Service
 
 _Capabilities = ReportDigitalVideoSensorCapabilitiesExt.DigitalVideoSensorCapabilitiesRec
@@ -60,18 +59,14 @@ class DigitalVideo(Service, urn="urn:jaus:jss:environmentSensing:DigitalVideo"):
     ) -> ReportDigitalVideoSensorCapabilitiesExt:
         """What each stream can be."""
         wanted = chosen(query.query_digital_video_sensor_capabilities_list, self._cameras, known_only=True)
-        return ReportDigitalVideoSensorCapabilitiesExt(
-            [masked(_capabilities(sensor), record.query_presence_vector) for sensor, record in wanted]
-        )
+        return ReportDigitalVideoSensorCapabilitiesExt([_capabilities(sensor) for sensor, _ in wanted])
 
     def send_report_digital_video_sensor_configuration(
         self, query: QueryDigitalVideoSensorConfiguration
     ) -> ReportDigitalVideoSensorConfiguration:
         """What each stream is."""
         wanted = chosen(query.query_digital_video_configuration_list, self._cameras, known_only=True)
-        return ReportDigitalVideoSensorConfiguration(
-            [masked(self._configuration(sensor), record.query_presence_vector) for sensor, record in wanted]
-        )
+        return ReportDigitalVideoSensorConfiguration([self._configuration(sensor) for sensor, _ in wanted])
 
     def send_report_digital_video_sensor_status(
         self, query: QueryDigitalVideoSensorStatus
@@ -87,10 +82,8 @@ class DigitalVideo(Service, urn="urn:jaus:jss:environmentSensing:DigitalVideo"):
     def send_confirm_sensor_configuration(self, msg: SetDigitalVideoSensorConfiguration) -> ConfirmSensorConfiguration:
         """For each camera that it is set, or why not."""
         request = ConfirmSensorConfiguration.RequestIdRec(msg.request_id_rec.request_id)
-        report = ConfirmSensorConfiguration(request, [])
-        for sensor, record in chosen(msg.digital_video_sensor_list, self._cameras):
-            report.confirm_sensor_list.append(self._refusal(sensor, record) or SensorIdRec(sensor))
-        return report
+        wanted = chosen(msg.digital_video_sensor_list, self._cameras)
+        return ConfirmSensorConfiguration(request, [self._refusal(*each) or SensorIdRec(each[0]) for each in wanted])
 
     def update_digital_video_sensor_configuration(self, msg: SetDigitalVideoSensorConfiguration) -> None:
         """Set what can be set, from the next picture on; a setting that is left out stays."""

@@ -15,7 +15,6 @@ from jauspy.platform.force_torque import ForceTorqueSensor as Gauge
 from jauspy.platform.vectors import Transform
 from jauspy.services.axes import JAUS_FROM_REP_103
 from jauspy.services.environment_sensing.wanted import chosen
-from jauspy.services.presence import masked
 from jauspy.services.service import Service
 
 _Frame = ReportForceTorque.CoordinateSystem
@@ -44,9 +43,7 @@ class ForceTorqueSensor(Service, urn="urn:jaus:jss:environmentSensing:ForceTorqu
     def send_report_force_torque(self, query: QueryForceTorque) -> ReportForceTorque:
         """The last measurement of each sensor that is asked for; the report has no place for unknown ones."""
         wanted = chosen(query.query_force_torque_list, self._sensors, known_only=True)
-        return ReportForceTorque(
-            [masked(self._measured(sensor, record), record.query_presence_vector) for sensor, record in wanted]
-        )
+        return ReportForceTorque([self._measured(sensor, record) for sensor, record in wanted])
 
     def _measured(
         self, sensor: int, asked: QueryForceTorque.QueryForceTorqueRec
@@ -64,9 +61,7 @@ class ForceTorqueSensor(Service, urn="urn:jaus:jss:environmentSensing:ForceTorqu
     ) -> ReportForceTorqueCapabilities:
         """What each sensor can measure."""
         wanted = chosen(query.query_force_torque_capabilities_list, self._sensors, known_only=True)
-        return ReportForceTorqueCapabilities(
-            [masked(self._capabilities(sensor), record.query_presence_vector) for sensor, record in wanted]
-        )
+        return ReportForceTorqueCapabilities([self._capabilities(sensor) for sensor, _ in wanted])
 
     def _capabilities(self, sensor: int) -> ReportForceTorqueCapabilities.ReportForceTorqueCapabilitiesRec:
         setup = self._sensors[sensor].gauge.setup

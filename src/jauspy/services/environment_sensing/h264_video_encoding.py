@@ -60,10 +60,8 @@ class H264VideoEncoding(Service, urn="urn:jaus:jss:environmentSensing:H264VideoE
     def send_confirm_sensor_configuration(self, msg: SetH264VideoEncodingConfiguration) -> ConfirmSensorConfiguration:
         """For each encoder that it is set, or why not; that can be told afterwards, too."""
         request = ConfirmSensorConfiguration.RequestIdRec(msg.request_id_rec.request_id)
-        report = ConfirmSensorConfiguration(request, [])
-        for sensor, wanted in _wanted(msg, self._cameras).items():
-            report.confirm_sensor_list.append(self._refusal(sensor, wanted) or SensorIdRec(sensor))
-        return report
+        wanted = _wanted(msg, self._cameras).items()
+        return ConfirmSensorConfiguration(request, [self._refusal(*each) or SensorIdRec(each[0]) for each in wanted])
 
     def _refusal(self, sensor: int, wanted: Wanted) -> H264VideoEncodingErrorRec | None:
         if sensor not in self._cameras:

@@ -28,7 +28,6 @@ from jauspy.services.environment_sensing.mounting import Mounted, geometric_prop
 from jauspy.services.environment_sensing.points import COMPRESS, Point, data_rec, encoded, points
 from jauspy.services.environment_sensing.range_settings import Code, State, Wanted, refusal, settings
 from jauspy.services.environment_sensing.wanted import chosen
-from jauspy.services.presence import masked
 from jauspy.services.service import Service
 from jauspy.services.stamps import time_stamp
 
@@ -128,9 +127,7 @@ class RangeSensor(Service, urn="urn:jaus:jss:environmentSensing:RangeSensor"):
     ) -> ReportRangeSensorCapabilities:
         """What each sensor can do."""
         wanted = chosen(query.range_sensor_capabilities_list, self._sensors, known_only=True)
-        return ReportRangeSensorCapabilities(
-            [masked(self._capabilities(sensor), record.query_presence_vector) for sensor, record in wanted]
-        )
+        return ReportRangeSensorCapabilities([self._capabilities(sensor) for sensor, _ in wanted])
 
     def _capabilities(self, sensor: int) -> _Capabilities:
         setup = self._sensors[sensor].lidar.setup
@@ -156,9 +153,7 @@ class RangeSensor(Service, urn="urn:jaus:jss:environmentSensing:RangeSensor"):
     ) -> ReportRangeSensorConfiguration:
         """How each sensor is set."""
         wanted = chosen(query.range_sensor_configuration_list, self._sensors, known_only=True)
-        return ReportRangeSensorConfiguration(
-            [masked(self._configuration(sensor), record.query_presence_vector) for sensor, record in wanted]
-        )
+        return ReportRangeSensorConfiguration([self._configuration(sensor) for sensor, _ in wanted])
 
     def _configuration(self, sensor: int) -> _Configuration:
         now = self._sensors[sensor].lidar.settings
@@ -187,11 +182,8 @@ class RangeSensor(Service, urn="urn:jaus:jss:environmentSensing:RangeSensor"):
     def send_confirm_sensor_configuration(self, msg: SetRangeSensorConfiguration) -> ConfirmSensorConfiguration:
         """For each sensor that it is set, or why not."""
         request = ConfirmSensorConfiguration.RequestIdRec(msg.request_id_rec.request_id)
-        report = ConfirmSensorConfiguration(request, [])
-        for sensor, record in chosen(msg.range_sensor_configuration_list, self._sensors):
-            refused = self._refusal(sensor, record)
-            report.confirm_sensor_list.append(SensorIdRec(sensor) if refused is None else refused)
-        return report
+        wanted = chosen(msg.range_sensor_configuration_list, self._sensors)
+        return ConfirmSensorConfiguration(request, [self._refusal(*each) or SensorIdRec(each[0]) for each in wanted])
 
     def update_range_sensor_configuration(self, msg: SetRangeSensorConfiguration) -> None:
         """Set those that can be set so; a setting that is left out stays."""

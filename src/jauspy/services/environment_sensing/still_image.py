@@ -29,7 +29,6 @@ from jauspy.services.environment_sensing.frame_sizes import OFFERED, number_of, 
 from jauspy.services.environment_sensing.video_camera import Cameras
 from jauspy.services.environment_sensing.wanted import chosen
 from jauspy.services.later import Later
-from jauspy.services.presence import masked
 from jauspy.services.service import Service
 from jauspy.services.stamps import time_stamp
 
@@ -74,9 +73,9 @@ class StillImage(Service, urn="urn:jaus:jss:environmentSensing:StillImage"):
         """Take a picture with each camera that is asked for."""
         wanted = chosen(msg.query_still_image_data_list, self._cameras, known_only=True)
         album = Album([sensor for sensor, _ in wanted], self.host.later)
-        for sensor, record in wanted:
+        for sensor, _ in wanted:
             settings = self._settings[sensor]
-            develop = partial(self._developed, sensor, settings.format, record.query_presence_vector)
+            develop = partial(self._developed, sensor, settings.format)
             self._exposures.take(sensor, settings, partial(album.add, sensor, develop))
         self._answer = album.answer
 
@@ -85,10 +84,10 @@ class StillImage(Service, urn="urn:jaus:jss:environmentSensing:StillImage"):
         answer, self._answer = self._answer, None
         return answer
 
-    def _developed(self, sensor: int, format: StillFormat, asked: int, still: Still) -> Record:
+    def _developed(self, sensor: int, format: StillFormat, still: Still) -> Record:
         at = time_stamp(self.host.utc_time - timedelta(seconds=still.age))
         image = ReportStillImageDataExt.ImageFrame(NUMBERS[format], still.content)
-        return masked(Record(sensor, NATIVE, at, image), asked)
+        return Record(sensor, NATIVE, at, image)
 
     # --- what they are, and how they are set
 
@@ -98,21 +97,14 @@ class StillImage(Service, urn="urn:jaus:jss:environmentSensing:StillImage"):
         """Sizes and formats of each camera."""
         wanted = chosen(query.query_still_image_sensor_capabilities_list, self._cameras, known_only=True)
         formats = SupportedImageFormats(*(int(number in FORMATS) for number in _Number))
-        return ReportStillImageSensorCapabilities(
-            [
-                masked(_Capabilities(sensor, offered(), formats), record.query_presence_vector)
-                for sensor, record in wanted
-            ]
-        )
+        return ReportStillImageSensorCapabilities([_Capabilities(sensor, offered(), formats) for sensor, _ in wanted])
 
     def send_report_still_image_sensor_configuration(
         self, query: QueryStillImageSensorConfiguration
     ) -> ReportStillImageSensorConfiguration:
         """How each camera is set."""
         wanted = chosen(query.query_still_image_sensor_configuration_list, self._cameras, known_only=True)
-        return ReportStillImageSensorConfiguration(
-            [masked(self._configuration(sensor), record.query_presence_vector) for sensor, record in wanted]
-        )
+        return ReportStillImageSensorConfiguration([self._configuration(sensor) for sensor, _ in wanted])
 
     def _configuration(self, sensor: int) -> _Configuration:
         now = self._settings[sensor]
@@ -123,10 +115,8 @@ class StillImage(Service, urn="urn:jaus:jss:environmentSensing:StillImage"):
     def send_confirm_sensor_configuration(self, msg: SetStillImageSensorConfiguration) -> ConfirmSensorConfiguration:
         """For each camera that it is set, or why not."""
         request = ConfirmSensorConfiguration.RequestIdRec(msg.request_id_rec.request_id)
-        report = ConfirmSensorConfiguration(request, [])
-        for sensor, record in chosen(msg.still_image_sensor_list, self._cameras):
-            report.confirm_sensor_list.append(self._refusal(sensor, record) or SensorIdRec(sensor))
-        return report
+        wanted = chosen(msg.still_image_sensor_list, self._cameras)
+        return ConfirmSensorConfiguration(request, [self._refusal(*each) or SensorIdRec(each[0]) for each in wanted])
 
     def update_still_image_sensor_configuration(self, msg: SetStillImageSensorConfiguration) -> None:
         """Set what can be set, for the next picture; a setting that is left out stays."""

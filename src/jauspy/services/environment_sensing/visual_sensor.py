@@ -22,7 +22,6 @@ from jauspy.messages.environment_sensing.v2_0.visual_sensor import (
 from jauspy.services.environment_sensing.mounting import geometric_properties
 from jauspy.services.environment_sensing.video_camera import Cameras, VideoCamera
 from jauspy.services.environment_sensing.wanted import chosen
-from jauspy.services.presence import masked
 from jauspy.services.service import Service
 
 _Ext = ReportVisualSensorCapabilitiesExt.VisualSensorCapabilitiesRec
@@ -47,11 +46,8 @@ class VisualSensor(Service, urn="urn:jaus:jss:environmentSensing:VisualSensor"):
         wanted = chosen(query.query_visual_sensor_capabilities_list, self._cameras, known_only=True)
         return ReportVisualSensorCapabilities(
             [
-                masked(
-                    _Capabilities(sensor, self._name(sensor), supported_states=SupportedStates(1, 0, 0)),
-                    record.query_presence_vector,
-                )
-                for sensor, record in wanted
+                _Capabilities(sensor, self._name(sensor), supported_states=SupportedStates(1, 0, 0))
+                for sensor, _ in wanted
             ]
         )
 
@@ -60,18 +56,14 @@ class VisualSensor(Service, urn="urn:jaus:jss:environmentSensing:VisualSensor"):
     ) -> ReportVisualSensorCapabilitiesExt:
         """What each camera can do, and its field of view."""
         wanted = chosen(query.query_visual_sensor_capabilities_list, self._cameras, known_only=True)
-        return ReportVisualSensorCapabilitiesExt(
-            [masked(self._extended(sensor), record.query_presence_vector) for sensor, record in wanted]
-        )
+        return ReportVisualSensorCapabilitiesExt([self._extended(sensor) for sensor, _ in wanted])
 
     def send_report_visual_sensor_configuration(
         self, query: QueryVisualSensorConfiguration
     ) -> ReportVisualSensorConfiguration:
         """How each camera is set."""
         wanted = chosen(query.query_visual_sensor_configuration_list, self._cameras, known_only=True)
-        return ReportVisualSensorConfiguration(
-            [masked(self._configuration(sensor), record.query_presence_vector) for sensor, record in wanted]
-        )
+        return ReportVisualSensorConfiguration([self._configuration(sensor) for sensor, _ in wanted])
 
     def send_report_sensor_geometric_properties(
         self, query: QuerySensorGeometricProperties
@@ -85,10 +77,8 @@ class VisualSensor(Service, urn="urn:jaus:jss:environmentSensing:VisualSensor"):
     def send_confirm_sensor_configuration(self, msg: SetVisualSensorConfiguration) -> ConfirmSensorConfiguration:
         """That nothing is to be changed, or that it cannot be."""
         request = ConfirmSensorConfiguration.RequestIdRec(msg.request_id_rec.request_id)
-        report = ConfirmSensorConfiguration(request, [])
-        for sensor, record in chosen(msg.visual_sensor_configuration_list, self._cameras):
-            report.confirm_sensor_list.append(self._refusal(sensor, record) or SensorIdRec(sensor))
-        return report
+        wanted = chosen(msg.visual_sensor_configuration_list, self._cameras)
+        return ConfirmSensorConfiguration(request, [self._refusal(*each) or SensorIdRec(each[0]) for each in wanted])
 
     def update_visual_sensor_configuration(self) -> None:
         """There is nothing to set."""
