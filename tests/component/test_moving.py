@@ -76,6 +76,12 @@ async def test_it_is_given_its_id_by_what_an_action_decides(root: Path, manager:
         )
 
 
+async def test_it_is_there_as_soon_as_it_has_moved(root: Path, manager: NodeManager):
+    async with at(root, NOWHERE) as me, jauspy.OCU(OCU, connect=f"local:{root}") as ocu:
+        me.move(HOME)
+        await ocu.query(HOME, QueryTime(0xFF), timeout=5.0, retries=0)
+
+
 async def test_over_tcp_it_is_found_before_and_after(root: Path):
     config = NodeConfig(address="127.0.0.1", port=0, local_root=root, tcp=True, tcp_port=0)
     async with (
