@@ -29,7 +29,9 @@ def test_the_synchronous_ocu(node_manager: LocalNode, robot) -> None:
     assert robot.snapshot.pose.x == pytest.approx(2.0, abs=0.4)
 
 
-def test_the_first_test_of_a_component(pytester: pytest.Pytester) -> None:
-    pytester.makepyfile(program("testing.md", "from jauspy.messages.core import QueryHeartbeatPulse"))
+def test_the_first_tests_of_a_component(pytester: pytest.Pytester) -> None:
+    first = program("testing.md", "from jauspy.messages.core import QueryHeartbeatPulse")
+    without_asyncio = program("testing.md", "def test_it_is_found")
+    pytester.makepyfile("\n\n".join([first, "import jauspy", without_asyncio]))
     result = pytester.runpytest_subprocess("-p", "jauspy.testing.plugin", "-o", "asyncio_mode=auto")
-    result.assert_outcomes(passed=1)
+    result.assert_outcomes(passed=2)

@@ -50,6 +50,11 @@ def test_others_are_an_attribute_error():
         jauspy.Ocu  # noqa: B018
 
 
+def test_rooms_are_there_without_an_import_of_their_own():
+    code = "import jauspy; print(jauspy.sync.OCU, jauspy.testing.until, jauspy.ocu.Appeared, jauspy.messages.registry)"
+    subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+
+
 @pytest.mark.parametrize(
     ("statement", "unwanted"),
     [

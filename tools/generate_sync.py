@@ -57,7 +57,7 @@ class Names:
             if isinstance(node, ast.Constant) and isinstance(node.value, str) and node.value.isidentifier():
                 raise SystemExit(f"{module}: a quoted annotation {node.value!r} is not understood")
             known = isinstance(node, ast.Name) and node.id in origins and node.id not in CLASSES
-            if isinstance(node, ast.Name) and known and node.id != "AsyncIterator":
+            if isinstance(node, ast.Name) and known and not node.id.startswith("Async"):
                 self.imports.setdefault(node.id, origins[node.id])
 
     def lines(self) -> Iterator[str]:
@@ -107,13 +107,15 @@ def docstring(node: Function | ast.ClassDef, indent: str) -> Iterator[str]:
 def returned(annotation: ast.expr | None) -> str:
     """The annotation of what is returned, for a caller that does not await."""
     text = ast.unparse(annotation) if annotation else "None"
-    return text.replace("AsyncIterator[", "Iterator[").replace("AsyncGenerator[", "Generator[")
+    if text.startswith("AsyncGenerator["):
+        return text.replace("AsyncGenerator[", "Generator[").removesuffix("]") + ", None]"
+    return text.replace("AsyncIterator[", "Iterator[")
 
 
 def wrapped(call: str, annotation: ast.expr | None, *, is_async: bool) -> str:
     """The expression that makes of an asynchronous call what the facade returns."""
     text = ast.unparse(annotation) if annotation else "None"
-    if text.startswith("AsyncIterator["):
+    if text.startswith("AsyncGenerator["):
         return f"self._portal.iterate({call})"
     if is_async:
         call = f"self._portal.run({call})"
@@ -280,6 +282,7 @@ def generated() -> str:
     names.imports |= {
         "Generic": ("typing", "Generic"),
         "MutableSequence": ("collections.abc", "MutableSequence"),
+        "Generator": ("collections.abc", "Generator"),
         "Iterator": ("collections.abc", "Iterator"),
         "Portal": ("jauspy.sync.portal", "Portal"),
         "Facade": ("jauspy.sync.base", "Facade"),

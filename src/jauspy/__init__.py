@@ -6,6 +6,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from jauspy import messages as messages, ocu as ocu, sync as sync, testing as testing
     from jauspy.codec.base import Message as Message
     from jauspy.codec.dynamic import load as load
     from jauspy.codec.registry import Registry as Registry
@@ -65,7 +66,13 @@ _EXPORTS = {
 """Public names and where they live; imported on first use, so that `import jauspy` stays light."""
 
 
+_ROOMS = ("messages", "ocu", "sync", "testing")
+"""Packages that are there without an import of their own, as `jauspy.sync.OCU`."""
+
+
 def __getattr__(name: str) -> object:
+    if name in _ROOMS:
+        return import_module(f"jauspy.{name}")
     if name not in _EXPORTS:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     value: object = getattr(import_module(_EXPORTS[name]), name)
@@ -74,4 +81,4 @@ def __getattr__(name: str) -> object:
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *_EXPORTS})
+    return sorted({*globals(), *_EXPORTS, *_ROOMS})

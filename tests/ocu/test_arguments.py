@@ -110,6 +110,29 @@ async def test_of_a_robot(ocu_and_robot):
             place.service(5)
 
 
+WITHOUT_ASYNC = {
+    "an OCU": (lambda ocu, it: with_(ocu), "use `async with` with this OCU, inside `async def`; .*jauspy.sync.OCU$"),
+    "control": (lambda ocu, it: with_(it.control()), "use `async with` with this Control"),
+    "an event": (lambda ocu, it: with_(it.subscribe(QueryStatus())), "use `async with` with this Subscription"),
+    "a loop": (lambda ocu, it: list(it.subscribe(QueryStatus())), "use `async for` with this Subscription"),
+    "item": (lambda ocu, it: it.waypoints.__setitem__(0, it), r"use `await elements.replace\(index, ...\)` with"),
+    "del": (lambda ocu, it: it.waypoints.__delitem__(0), r"use `await elements.delete\(index\)` with this Elements"),
+    "+=": (lambda ocu, it: it.waypoints.__iadd__([]), r"use `await elements.extend\(...\)` with this Elements"),
+}
+
+
+def with_(it):
+    with it:
+        pytest.fail("entered")
+
+
+@pytest.mark.parametrize(("call", "words"), WITHOUT_ASYNC.values(), ids=WITHOUT_ASYNC)
+async def test_what_needs_async_says_so(ocu_and_robot, call, words):
+    ocu, robot = ocu_and_robot
+    with pytest.raises(TypeError, match=words):
+        call(ocu, robot.service("LocalWaypointListDriver"))
+
+
 async def test_where_to_connect_to_is_said_with_all_forms():
     with pytest.raises(jauspy.ConfigError, match=r"connect=5 is not understood; use 'udp://HOST"):
         await jauspy.OCU(connect=5).open()

@@ -196,6 +196,95 @@ async def test_a_silent_component_counts_as_lost(world):
             await driver.send(FULL)
 
 
+async def test_a_silent_component_that_never_takes_control_back_counts_as_lost_too(world):
+    robot = await world.robot(timeout=0)
+    driver = await driver_of(await world.ocu())
+
+    async with driver.control() as control:
+        await asyncio.sleep(60)
+        assert control.held
+        world.network.clock.pass_by(30)  # as if this program had been busy
+        await asyncio.sleep(5)
+        assert control.held
+        await crash(world, robot)
+        await asyncio.wait_for(control.until_lost(), 20)
+        assert "101.1.1 has not answered for" in control.lost
+        with pytest.raises(ControlRejected):
+            await driver.send(FULL)
+
+
+async def test_a_lost_control_may_be_taken_again(world):
+    robot = await world.robot(timeout=1)
+    driver = await driver_of(await world.ocu())
+    control = driver.control()
+
+    async with control:
+        await driver.resume()
+        await crash(world, robot)
+        await world.robot(timeout=1)
+        await asyncio.wait_for(control.until_lost(), 2)
+    async with control:
+        assert (control.held, control.lost) == (True, "")
+        await driver.resume()
+        await asyncio.sleep(3)
+        await driver.send(FULL)
+
+
+async def test_leaving_the_block_ends_the_wait_for_its_loss(world):
+    await world.robot()
+    driver = await driver_of(await world.ocu())
+    async with driver.control() as control:
+        waiting = asyncio.create_task(control.until_lost())
+        await asyncio.sleep(0)
+    await asyncio.wait_for(waiting, 1)
+    assert control.lost == ""
+
+
+@pytest.mark.parametrize("is_lost", [False, True])
+async def test_a_guard_ends_work_that_does_not_send(world, is_lost):
+    robot = await world.robot()
+    weak, strong = await driver_of(await world.ocu()), await driver_of(await world.ocu("43.1.1"))
+
+    async def guard(control) -> None:
+        await control.until_lost()
+        control.check()
+
+    async def work() -> None:
+        async with asyncio.TaskGroup() as group, weak.control(authority=100) as control:
+            group.create_task(guard(control))
+            await asyncio.sleep(1)
+            if is_lost:
+                async with strong.control(authority=200):
+                    await asyncio.sleep(60)
+
+    if is_lost:
+        with pytest.raises(ExceptionGroup) as caught:
+            await asyncio.wait_for(work(), 10)
+        assert "took it back" in str(caught.value.exceptions[0])
+    else:
+        await asyncio.wait_for(work(), 10)
+    assert robot.host.controller is None
+
+
+async def test_all_ways_to_send_a_command_know_that_control_is_lost(world):
+    await world.robot()
+    ocu = await world.ocu()
+    weak, strong = await driver_of(ocu), await driver_of(await world.ocu("43.1.1"))
+    async with weak.control(authority=100) as control, strong.control(authority=200):
+        await asyncio.wait_for(control.until_lost(), 2)
+        for call in (
+            ocu.send("101.1.1", FULL),
+            ocu.send("101.1.1", FULL, ack=True),
+            ocu.query("101.1.1", FULL, expects=ReportStatus),
+            weak.query(FULL, expects=ReportStatus),
+        ):
+            with pytest.raises(ControlRejected, match="was lost"):
+                await call
+        assert not world.network.sent(SetWrenchEffort)
+        refused = await ocu.query("101.1.1", RequestControl(authority_code=1), expects=ConfirmControl)
+        assert refused.response_code == ConfirmControl.ResponseCode.INSUFFICIENT_AUTHORITY
+
+
 async def crash(world, robot) -> None:
     """It ends without a word."""
     before, world.network.keeps = world.network.keeps, lambda packet: packet.source != robot.id
@@ -410,6 +499,15 @@ async def test_control_twice_by_the_same_ocu_is_a_mistake(world):
         assert (await ocu.query("101.1.1", QueryControl())).subsystem_id == 42
     with pytest.raises(ConfigError, match="authority 256"):
         robot.service("PrimitiveDriver").control(authority=256)
+
+
+async def test_a_component_that_does_not_obey_its_own_client_is_no_question_of_control(world):
+    await world.robot()
+    driver = await driver_of(await world.ocu())
+    async with driver.control():
+        world.network.lose(Resume)
+        with pytest.raises(RequestError, match=r"reports STANDBY 0\.2 s after Resume; you are in control, so it"):
+            await driver.resume(timeout=0.2)
 
 
 async def test_resume_without_control_says_so(world):

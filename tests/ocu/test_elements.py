@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import asyncio
 
+import numpy as np
 import pytest
 
-from jauspy.errors import ConfigError, ElementRejected, EncodeError, RequestError, ResponseTimeout
+from jauspy.errors import ConfigError, ControlRejected, ElementRejected, EncodeError, RequestError, ResponseTimeout
 from jauspy.ids import JausID
 from jauspy.messages.core import (
     ConfirmElementRequest,
@@ -19,7 +20,7 @@ from jauspy.messages.mobility import ExecuteList, ReportActiveElement, SetGlobal
 from jauspy.ocu.progress import POLL
 from jauspy.services.core import AccessControl, Discovery, Events, ListDriver, ListManager, Liveness, Management
 from jauspy.services.core.element_list import ElementList
-from jauspy.testing import LocalNode
+from jauspy.testing import LocalNode, until
 
 ROBOT = JausID(101, 1, 1)
 
@@ -197,6 +198,18 @@ async def test_the_old_list_stays_when_the_new_one_is_refused(robot, client, new
     assert order(robot) == xs(await client.waypoints.read()) == [1, 2]
 
 
+async def test_the_old_list_stays_when_the_upload_is_cancelled(virtual_network, robot, client):
+    await client.waypoints.upload(at(1, 2))
+    before = len(virtual_network.sent(SetElement))
+    virtual_network.delay = 0.01
+    task = asyncio.create_task(client.waypoints.upload(at(*range(600))))
+    await until(lambda: len(virtual_network.sent(SetElement)) == before + 2)
+    task.cancel()
+    with pytest.raises(asyncio.CancelledError):
+        await task
+    assert order(robot) == xs(await client.waypoints.read()) == [1, 2]
+
+
 async def test_the_old_list_stays_behind_what_was_taken_when_the_network_fails(virtual_network, robot, client):
     await client.waypoints.upload(at(1, 2))
     lost = [each.CODE.to_bytes(2, "little") for each in (ConfirmElementRequest, DeleteElement)]
@@ -207,6 +220,17 @@ async def test_the_old_list_stays_behind_what_was_taken_when_the_network_fails(v
     assert order(robot)[-2:] == [1, 2]
     with pytest.raises(ConfigError, match="was not read yet"):
         len(client.waypoints)
+
+
+async def test_an_old_list_that_cannot_be_deleted_is_behind_the_new_one(virtual_network, robot, client):
+    await client.waypoints.upload(at(1, 2))
+    virtual_network.lose(DeleteElement)
+    with pytest.raises(ResponseTimeout) as caught:
+        await client.waypoints.upload(at(7, 8))
+    assert "behind it what is left of the old one" in caught.value.__notes__[0]
+    assert order(robot) == [7, 8, 1, 2]
+    with pytest.raises(ConfigError, match="was not read yet"):
+        client.waypoints[-1]
 
 
 @pytest.mark.parametrize("count", [1, 3])
@@ -268,12 +292,24 @@ async def test_without_control_it_says_so(robot, ocu):
         await waypoints.append(at(1)[0])
 
 
+async def test_when_control_is_lost_a_change_says_so_at_once(virtual_network, robot, client):
+    await client.waypoints.upload(at(1, 2))
+    async with virtual_network.ocu("43.1.1") as other:
+        strong = (await other.discover(101)).service("LocalWaypointListDriver")
+        async with strong.control(authority=200):
+            await asyncio.sleep(1)
+            with pytest.raises(ControlRejected, match=r"control of 101\.1\.1 was lost"):
+                await client.waypoints.append(at(3)[0])
+    assert order(robot) == [1, 2]
+
+
 @pytest.mark.parametrize(
     ("change", "error"),
     [
         (lambda it: it.delete(4), IndexError),
         (lambda it: it.replace(-5, at(1)[0]), IndexError),
         (lambda it: it.replace(0, at(1, 2)), ConfigError),
+        (lambda it: it.replace(np.int64(0), at(1, 2)), ConfigError),
         (lambda it: it.replace(slice(0, 4, 2), at(1)), ConfigError),
         (lambda it: it.execute(), ConfigError),
         (lambda it: it.execute(1.0, start=9), IndexError),

@@ -79,6 +79,39 @@ async def test_different_queries_with_like_answers_each_get_their_own(world):
     assert (only_yaw.x, only_yaw.yaw) == (None, pytest.approx(0, abs=1e-4))
 
 
+async def test_a_query_that_had_no_turn_says_so(world):
+    ocu = await world.ocu(timeout=1)
+    first = asyncio.create_task(ocu.query(ROBOT, QueryLocalPose(presence_vector=1)))
+    await asyncio.sleep(0)
+    with pytest.raises(ResponseTimeout, match=r"QueryLocalPose was not sent to 101\.1\.1: for 0\.2 s another"):
+        await ocu.query(ROBOT, QueryLocalPose(presence_vector=2), timeout=0.2, retries=0)
+    assert ocu.stats.timeouts == 1
+    with pytest.raises(ResponseTimeout, match="was sent QueryLocalPose"):
+        await first
+
+
+async def test_a_loop_that_only_sends_lets_others_run(world):
+    ocu = await world.ocu()
+    other = asyncio.create_task(asyncio.sleep(0))
+    for _ in range(5):
+        await ocu.send(ROBOT, Resume())
+    assert other.done()
+
+
+async def test_late_answers_and_messages_that_nobody_knows_are_counted(world):
+    ocu = await world.ocu(timeout=0.1, retries=0)
+    await world.robot()
+    world.network.delay = 0.2
+    with pytest.raises(ResponseTimeout):
+        await ocu.query(ROBOT, QueryStatus())
+    stranger = world.transport(JausID(9, 1, 1))
+    await stranger.open()
+    stranger.send(pack(Packet(stranger.id, ocu.id, b"\x99\xdd\x01")))
+    await asyncio.sleep(1)
+    assert (ocu.stats.unexpected, ocu.counters["host.unknown_message"]) == (1, 1)
+    await stranger.close()
+
+
 async def test_levels_of_identification_are_not_mixed_up(world):
     await world.robot()
     ocu = await world.ocu()
@@ -198,6 +231,13 @@ async def test_all_who_answer_a_wildcard_are_told_apart_and_each_once(world):
 
     assert sorted(source for source, _ in found) == [ROBOT, JausID(102, 1, 7)]
     assert all(isinstance(answer, ReportStatus) for _, answer in found)
+
+
+@pytest.mark.parametrize("within", [0, -1, float("nan")])
+async def test_no_time_for_answers(world, within):
+    ocu = await world.ocu()
+    with pytest.raises(ConfigError, match=r"within .* s must be above 0"):
+        await anext(ocu.query_each("9.255.255", QueryStatus(), within=within))
 
 
 async def test_nobody_answers_a_wildcard(world):

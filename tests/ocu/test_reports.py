@@ -10,7 +10,7 @@ from jauspy.messages import registry
 TYPED = """
 from typing import Any, assert_type
 
-import jauspy, jauspy.sync
+import jauspy
 from jauspy.messages.core import ReportControl, ReportStatus, QueryStatus
 from jauspy.messages.mobility import QueryLocalPose, ReportLocalPose
 
@@ -23,6 +23,9 @@ async def check(ocu: jauspy.OCU, plain: jauspy.sync.OCU, unknown: jauspy.Message
     assert_type(plain.query("101.1.1", QueryStatus()), ReportStatus)
     async with driver.subscribe(QueryLocalPose(1), rate=10.0) as poses:
         assert_type(await poses.get(), ReportLocalPose)
+    await ocu.watch().aclose()
+    plain.watch().close()
+    jauspy.sync.OCU().query_each("101.255.255", QueryStatus()).close()
 """
 
 

@@ -149,6 +149,28 @@ async def test_lost_events_are_counted(world):
         assert poses.lost == 3
 
 
+@pytest.mark.parametrize("outage", [100, 127, 128, 150, 200, 250])
+async def test_all_that_a_long_outage_takes_is_counted(world, outage):
+    await world.robot()
+    sensor = await sensor_of(await world.ocu())
+    async with sensor.subscribe(POSE, rate=100.0, silence=20.0) as poses:
+        await until(lambda: poses.received == 10)
+        sent = len(world.network.sent(Event))
+        world.network.lose(Event, times=outage)
+        await until(lambda: len(world.network.sent(Event)) >= sent + outage + 20, 10.0)
+        assert poses.lost == outage
+        await until(lambda: poses.received + poses.lost == len(world.network.sent(Event)))
+
+
+async def test_what_comes_late_or_twice_is_not_lost_and_not_told_again(world):
+    await world.robot()
+    sensor = await sensor_of(await world.ocu())
+    world.network.reordering = world.network.duplication = 0.3
+    async with sensor.subscribe(POSE, rate=100.0) as poses:
+        await asyncio.sleep(20)
+        assert poses.received + poses.lost == pytest.approx(2000, abs=5)
+
+
 async def test_what_is_not_read_is_dropped_oldest_first(world):
     await world.robot()
     sensor = await sensor_of(await world.ocu())
@@ -305,6 +327,70 @@ async def test_anothers_events_do_not_count(world):
         await asyncio.sleep(0.05)
         assert statuses.received == 1
     await stranger.close()
+
+
+async def test_it_may_be_opened_again(world):
+    robot = await world.robot()
+    sensor = await sensor_of(await world.ocu())
+    poses = sensor.subscribe(POSE, rate=50.0, silence=0.3)
+    async with poses:
+        await robot.close()
+        with pytest.raises(ResponseTimeout):
+            await drain(poses)
+    await world.robot()
+    await asyncio.sleep(1)
+    async with poses:
+        await poses.get()
+        assert poses.lost == 0
+
+
+async def test_opened_again_after_another_used_the_same_event(world):
+    robot = await world.robot()
+    sensor = await sensor_of(await world.ocu())
+    first, second = (sensor.subscribe(POSE, rate=50.0) for _ in range(2))
+    async with first:
+        async with second:
+            pass
+        async with second:
+            await first.__aexit__(None, None, None)
+            assert len(events_of(robot).subscriptions) == 1
+            received = second.received
+            await until(lambda: second.received > received + 2)
+
+
+async def test_not_open_it_says_so_instead_of_waiting(world):
+    await world.robot()
+    statuses = (await sensor_of(await world.ocu())).subscribe(QueryStatus())
+    with pytest.raises(ConfigError, match="this subscription is not open; use `async with` or `async for`"):
+        await statuses.get()
+    async with statuses:
+        await statuses.get()
+        waiting = asyncio.create_task(statuses.get())
+        await asyncio.sleep(0)
+    with pytest.raises(ConfigError, match="is not open"):
+        await asyncio.wait_for(waiting, 1)
+
+
+async def test_cancelled_while_it_is_made_leaves_no_event_behind(world):
+    robot = await world.robot()
+    sensor = await sensor_of(await world.ocu())
+    world.network.delay = 0.01
+    task = asyncio.create_task(sensor.subscribe(QueryStatus()).__aenter__())
+    await until(lambda: world.network.sent(CreateEvent))
+    task.cancel()
+    with pytest.raises(asyncio.CancelledError):
+        await task
+    await until(lambda: len(events_of(robot).subscriptions) == 1)
+    await until(lambda: len(events_of(robot).subscriptions) == 0, 5)
+
+
+async def test_a_lost_cancellation_is_sent_again(world):
+    robot = await world.robot()
+    sensor = await sensor_of(await world.ocu())
+    async with sensor.subscribe(POSE, rate=50.0) as poses:
+        await poses.get()
+        world.network.lose(CancelEvent, times=2)
+    await until(lambda: len(events_of(robot).subscriptions) == 0)
 
 
 async def test_wrong_arguments(world):

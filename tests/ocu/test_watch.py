@@ -155,6 +155,29 @@ async def test_a_slow_reader_gets_the_sum(virtual_network, ocu):
     await news.aclose()
 
 
+@pytest.mark.parametrize("pause", [1.0, 3.0, 9.0])
+async def test_what_is_there_does_not_vanish_because_its_reader_is_slow(virtual_network, ocu, pause):
+    found: list = []
+
+    async def read_slowly() -> None:
+        async for each in ocu.watch():
+            found.append(each)
+            await asyncio.sleep(pause)
+
+    task = asyncio.create_task(read_slowly())
+    async with virtual_network.component(ME, [named("robot"), Liveness()], core=False):
+        await asyncio.sleep(200)
+        appeared = kinds(found)
+        assert set(appeared) >= set(ALL)
+        assert len(set(appeared)) == len(appeared)
+        assert {each[0] for each in appeared} == {"+"}
+        found.clear()
+    await asyncio.sleep(200)
+    assert kinds(found) == [each.replace("+", "-") for each in reversed(appeared)]
+    task.cancel()
+    await asyncio.wait({task})
+
+
 async def test_what_is_only_listed_vanishes_with_its_silence_although_it_stays_listed():
     sightings = Sightings()
     listing = ReportServices.decode(_listing(9))

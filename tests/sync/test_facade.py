@@ -13,7 +13,7 @@ import pytest
 from tests.ocu.test_elements import ROBOT, Driver, at, order, services, xs
 
 from jauspy.errors import ControlRejected, ElementRejected, ResponseTimeout, TransportError
-from jauspy.messages.core import QueryStatus, ReportStatus
+from jauspy.messages.core import QueryControl, QueryStatus, ReportStatus
 from jauspy.messages.mobility import QueryLocalPose, SetWrenchEffort
 from jauspy.modules.robots import load
 from jauspy.ocu import Appeared, Subsystem, Vanished
@@ -182,6 +182,62 @@ def test_what_cannot_be_opened_leaves_no_thread(tmp_path):
     with pytest.raises(TransportError, match="no node manager"):
         OCU("42.1.1", f"local:{tmp_path}").open()
     assert "jauspy" not in [each.name for each in threading.enumerate()]
+
+
+def test_figures_may_be_looked_at_while_they_grow(ocu):
+    counters = ocu._async._component.transport.counters
+    done = threading.Event()
+
+    def count() -> None:
+        while not done.is_set() and len(counters) < 20_000:
+            counters[f"reason {len(counters)}"] = 1
+
+    counting = threading.Thread(target=count)
+    interval = sys.getswitchinterval()
+    sys.setswitchinterval(1e-5)
+    counting.start()
+    try:
+        while counting.is_alive():
+            assert ocu.counters
+    finally:
+        sys.setswitchinterval(interval)
+        done.set()
+        counting.join(20)
+
+
+def test_closing_inside_a_block_leaves_standby(robot, node_manager):
+    with OCU("42.1.1", node_manager.local) as ocu:
+        driver = ocu.discover(101).service("PrimitiveDriver")
+        with driver.control() as control:
+            driver.resume()
+            ocu.close()
+            assert control.lost == "the OCU was closed"
+    with OCU("42.1.1", node_manager.local) as ocu:
+        assert ocu.query(driver.id, QueryStatus()).status == Status.STANDBY
+
+
+LEFT = """
+import sys
+import jauspy
+
+ocu = jauspy.sync.OCU("42.1.1", sys.argv[1])
+ocu.open()
+driver = ocu.discover(101).service("PrimitiveDriver")
+driver.control().__enter__()
+driver.resume()
+print(driver.status().name)
+"""
+
+
+def test_a_program_that_ends_without_closing_leaves_standby(robot, node_manager, ocu):
+    ocu.close()  # the program is 42.1.1
+    command = [sys.executable, "-c", LEFT, node_manager.local]
+    run = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
+    assert (run.stdout, run.stderr) == ("READY\n", "")
+    ocu.open()
+    assert ocu.query(MODULES[0], QueryStatus()).status == Status.STANDBY
+    control = ocu.query(MODULES[0], QueryControl())
+    assert (control.subsystem_id, control.node_id, control.component_id) == (0, 0, 0)
 
 
 INTERRUPTED = """

@@ -21,9 +21,7 @@ def test_the_committed_facade_is_what_the_generator_gives():
 
 @pytest.mark.parametrize("name", jauspy.sync.__all__)
 def test_nothing_public_is_missing_and_nothing_is_left_to_await(name):
-    from jauspy.ocu.elements import Elements
-
-    asynchronous = Elements if name == "Elements" else getattr(jauspy.ocu, name)
+    asynchronous = getattr(jauspy.ocu, name)
     facade = getattr(jauspy.sync, name)
     public = {each for each in vars(asynchronous) if not each.startswith("_")} - {"sent"}
     assert public <= set(dir(facade))

@@ -91,7 +91,8 @@ class Shell:
             "endpoint": self._endpoint.counters,
             "transport": self.transport.counters,
         }
-        return {f"{floor}.{name}": value for floor, counts in floors.items() for name, value in counts.items()}
+        copies = {floor: dict(counts) for floor, counts in floors.items()}  # other threads may look, too
+        return {f"{floor}.{name}": value for floor, counts in copies.items() for name, value in counts.items()}
 
     async def open(self) -> None:
         """Open the transport and start; raises `TransportError` when it cannot be opened. Twice is fine."""

@@ -2,6 +2,7 @@
 
 from jauspy.ocu.client import OCU
 from jauspy.ocu.control import Control
+from jauspy.ocu.elements import Elements
 from jauspy.ocu.model import Component, Node, ServiceInfo, Subsystem
 from jauspy.ocu.robot import ComponentClient, Robot
 from jauspy.ocu.service import ServiceClient
@@ -16,6 +17,7 @@ __all__ = [
     "Component",
     "ComponentClient",
     "Control",
+    "Elements",
     "Node",
     "Robot",
     "ServiceClient",

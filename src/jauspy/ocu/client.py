@@ -4,10 +4,10 @@
 
 from __future__ import annotations
 
-from collections.abc import AsyncIterator, Mapping
+from collections.abc import AsyncGenerator, Mapping
 from datetime import UTC, datetime
 from types import TracebackType
-from typing import Any, Self, TypeVar, overload
+from typing import TYPE_CHECKING, Any, Self, TypeVar, overload
 
 from jauspy.arguments import check_text, described
 from jauspy.codec.base import Message, Query
@@ -17,6 +17,7 @@ from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.ocu import discovery
 from jauspy.ocu.link import Link
+from jauspy.ocu.only_async import use
 from jauspy.ocu.patience import Patience
 from jauspy.ocu.robot import Robot
 from jauspy.ocu.stats import Stats
@@ -70,6 +71,9 @@ class OCU:
         self._link = Link(registry or _builtin(), Patience(timeout, retries))
         self._component: Shell | None = None
 
+    def __repr__(self) -> str:
+        return f"<OCU {self.id}, {'open' if self.is_open else 'closed'}>"
+
     @property
     def stats(self) -> Stats:
         """Messages and round-trip times so far."""
@@ -97,9 +101,12 @@ class OCU:
         self._link.attach(component)
 
     async def close(self) -> None:
-        """Disconnect; whatever still waits for an answer ends with `TransportError`. Twice is fine."""
+        """Give back what is controlled, in Standby, cancel events, and disconnect. Twice is fine.
+
+        Whatever still waits for an answer or an event ends with `TransportError`.
+        """
         component, self._component = self._component, None
-        self._link.attach(None)
+        self._link.detach()
         if component is not None:
             await component.close()
 
@@ -111,6 +118,9 @@ class OCU:
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         await self.close()
+
+    if not TYPE_CHECKING:
+        __enter__ = __exit__ = use("`async with`")
 
     # --- finding --------------------------------------------------------------------------------------------------
 
@@ -124,7 +134,7 @@ class OCU:
 
     async def watch(
         self, subsystem: int | None = None, *, interval: float = 2.0, silence: float = 7.0
-    ) -> AsyncIterator[News]:
+    ) -> AsyncGenerator[News, None]:
         """`async for news in ocu.watch()`: what is there, and then what appears, changes and vanishes, for ever.
 
         All are asked every `interval` seconds; who has said nothing for `silence` seconds has vanished. `subsystem`
@@ -183,20 +193,17 @@ class OCU:
 
     async def query_each(
         self, destination: str | JausID, message: Message, *, within: float = 2.0, expects: type[Message] | None = None
-    ) -> AsyncIterator[tuple[JausID, Any]]:
+    ) -> AsyncGenerator[tuple[JausID, Any], None]:
         """Ask all that a wildcard id reaches: who answered and what, as it comes in the next `within` seconds."""
         async for answer, source in self._link.query_each(JausID.of(destination), message, within, expects):
             yield source, answer
 
     async def send(self, destination: str | JausID, message: Message, *, ack: bool = False) -> None:
-        """Send to any component, or to all that a wildcard id reaches.
+        """Send to any component, or to all that a wildcard id reaches; raises `ControlRejected` as a service's `send`.
 
         With `ack` it is resent until that one component acknowledges it, or `ResponseTimeout` is raised.
         """
-        if ack:
-            await self._link.deliver(JausID.of(destination), message)
-            return
-        self._link.send(JausID.of(destination), message)
+        await self._link.tell(JausID.of(destination), message, ack=ack)
 
 
 def _services(name: str) -> list[Discovery | Liveness]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 from contextlib import ExitStack
 from types import TracebackType
-from typing import Final, Self
+from typing import TYPE_CHECKING, Final, Self
 
 from jauspy.arguments import check_number
 from jauspy.codec.base import Message
@@ -27,6 +27,7 @@ from jauspy.messages.core import (
     Standby,
 )
 from jauspy.ocu.link import Link
+from jauspy.ocu.only_async import use
 from jauspy.ocu.patience import Patience
 from jauspy.ocu.standing import NOBODY, Standing, holder, status_name
 
@@ -34,6 +35,8 @@ LEAVE: Final = Patience(timeout=0.3, retries=2)
 """How long leaving the block waits for the component to say that control is released."""
 LOOK: Final = 2.0
 """Seconds, at most, between two looks at whether the component still knows of us and does what it was told."""
+SILENCE: Final = 10.0
+"""Seconds without any answer after which a component is gone that would never take control back by itself."""
 REQUESTS: Final = 4
 """Renewals of control that are sent at most each time, until one is confirmed."""
 _CALMING: Final = tuple(each.CODE for each in (Standby, SetEmergency, Reset, Shutdown))
@@ -70,6 +73,10 @@ class Control:
         self._keeper: asyncio.Task[None] | None = None
         self._asker: asyncio.Task[None] | None = None
 
+    def __repr__(self) -> str:
+        state = "held" if self.held else self.lost or "not held"
+        return f"<control of {self.id} with authority {self.authority}: {state}>"
+
     @property
     def held(self) -> bool:
         """True while the component has not taken control back."""
@@ -81,7 +88,7 @@ class Control:
             raise self._standing.rejected(f"control of {self.id} was lost: {self.lost}")
 
     async def until_lost(self) -> None:
-        """Wait until control is lost; `lost` then says why."""
+        """Wait until control is lost, and `lost` says why, or until the block is left."""
         await self._gone.wait()
 
     def sent(self, message: Message) -> None:
@@ -91,6 +98,9 @@ class Control:
 
     async def __aenter__(self) -> Self:
         self._link.controls.take(self.id, self)
+        self.lost = ""
+        self._taken = self._ready = self._calmed = False
+        self._gone.clear()
         try:
             await self._acquire()
         except BaseException as error:
@@ -99,6 +109,7 @@ class Control:
                 self._quietly(ReleaseControl())  # it may have been granted, and nobody is there to use it
             raise
         self._stack.enter_context(self._link.replies.tapped(self.id, self._heard, ConfirmControl, RejectControl))
+        self._stack.enter_context(self._link.before_closing(self._let_go))
         self._keeper = asyncio.create_task(self._keep(), name=f"control of {self.id}")
         return self
 
@@ -113,11 +124,15 @@ class Control:
                 self._quietly(Standby())
                 await self._release()
         finally:
+            self._gone.set()
             self._link.controls.drop(self.id, self)
             if tasks := {each for each in (keeper, self._asker) if each is not None}:
                 for each in tasks:
                     each.cancel()
                 await asyncio.wait(tasks)
+
+    if not TYPE_CHECKING:
+        __enter__ = __exit__ = use("`async with`")
 
     # --- taking ---------------------------------------------------------------------------------------------------
 
@@ -141,9 +156,10 @@ class Control:
         while not self.lost:
             due = max(due + interval, clock())
             await asyncio.sleep(due - clock())
-            silence = clock() - self._confirmed_at
-            if self.timeout and silence > self.timeout:
-                self._lose(f"{self.id} has not answered for {silence:.1f} s, and its timeout is {self.timeout:g} s")
+            silence = due - self._confirmed_at  # and not until now: this event loop may have been busy since
+            if silence > (self.timeout or SILENCE):
+                most = f", and its timeout is {self.timeout:g} s" if self.timeout else ""
+                self._lose(f"{self.id} has not answered for {silence:.1f} s{most}")
                 return
             # Before asking: a component that was started anew would just give control again, and stand still.
             await self._look(patience)
@@ -165,6 +181,8 @@ class Control:
         control, status = await asyncio.gather(
             self._standing.ask(QueryControl(), patience), self._standing.ask(QueryStatus(), patience)
         )
+        if not self.timeout and (control or status):  # it is not asked to confirm
+            self._confirmed_at = asyncio.get_running_loop().time()
         if isinstance(control, ReportControl) and not self.lost:
             if self._standing.is_elsewhere(control):
                 self._taken = True
@@ -208,6 +226,13 @@ class Control:
         self._gone.set()
 
     # --- giving back ----------------------------------------------------------------------------------------------
+
+    def _let_go(self) -> None:
+        """The OCU is being closed inside the block."""
+        if not self._taken:
+            self._quietly(Standby())
+            self._quietly(ReleaseControl())
+        self._lose("the OCU was closed")
 
     async def _release(self) -> None:
         try:

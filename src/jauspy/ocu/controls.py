@@ -2,11 +2,26 @@
 
 from __future__ import annotations
 
-from typing import Protocol
+from typing import Final, Protocol
 
 from jauspy.codec.base import Message
 from jauspy.errors import ControlRejected
 from jauspy.ids import JausID
+from jauspy.messages.core import (
+    CancelEvent,
+    ClearEmergency,
+    CreateEvent,
+    ReleaseControl,
+    RequestControl,
+    SetEmergency,
+    UpdateEvent,
+)
+
+FREE_FOR_ALL: Final = frozenset(
+    each.CODE
+    for each in (RequestControl, ReleaseControl, SetEmergency, ClearEmergency, CreateEvent, UpdateEvent, CancelEvent)
+)
+"""Commands that need no control."""
 
 
 class Held(Protocol):
@@ -39,9 +54,9 @@ class Controls:
         if self._held.get(id) is control:
             del self._held[id]
 
-    def check(self, id: JausID) -> None:
-        """Raise `ControlRejected` when control of the component was taken and is lost."""
-        if id in self._held:
+    def check(self, id: JausID, message: Message) -> None:
+        """Raise `ControlRejected` for a command to a component whose control was taken and is lost."""
+        if id in self._held and message.IS_COMMAND and message.CODE not in FREE_FOR_ALL:
             self._held[id].check()
 
     def sent(self, destination: JausID, message: Message) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import AsyncIterator, Iterable, Sequence
+from collections.abc import AsyncGenerator, Iterable, Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, Final, TypeAlias, overload
 
@@ -13,6 +13,7 @@ from jauspy.messages.core import ElementRec, ReportElement, ReportStatus
 from jauspy.ocu.arguments import check_message
 from jauspy.ocu.link import Link
 from jauspy.ocu.list_requests import BATCH, ListRequests
+from jauspy.ocu.only_async import use
 from jauspy.ocu.progress import progress
 
 if TYPE_CHECKING:
@@ -79,11 +80,14 @@ class Elements(Sequence[Element]):
             await self._insert(0, records)
             await self._compare()
         except BaseException as error:
-            self._items = None
-            if isinstance(error, JausError):  # when cancelled, nobody has time for that
-                await self._take_back(old, error)
+            await self._take_back(old, error)
             raise
-        await self._delete(old)
+        try:
+            await self._delete(old)
+        except BaseException as error:
+            self._items = None
+            error.add_note("the new list is there, and behind it what is left of the old one; `upload()` cleans up")
+            raise
 
     async def append(self, element: Element) -> None:
         """Put it at the end."""
@@ -106,7 +110,7 @@ class Elements(Sequence[Element]):
         """What `list[index] = elements` does. One that is being carried out is begun anew."""
         uids = await self._at(index)
         new = _checked([elements] if isinstance(elements, Message | bytes) else elements)
-        if isinstance(index, int) and len(new) != 1:
+        if not isinstance(index, slice) and len(new) != 1:
             raise ConfigError(f"{len(new)} elements cannot replace the one at {index}; use a slice")
         if len(new) == len(uids):
             await self._set(dict(zip(uids, new, strict=True)), list(await self._known()))
@@ -124,6 +128,11 @@ class Elements(Sequence[Element]):
     async def clear(self) -> None:
         """Delete all, also what was not read yet."""
         await self.upload(())
+
+    if not TYPE_CHECKING:
+        __setitem__ = use("`await elements.replace(index, ...)`")
+        __delitem__ = use("`await elements.delete(index)`")
+        __iadd__ = use("`await elements.extend(...)`")
 
     # --- carrying out ---------------------------------------------------------------------------------------------
 
@@ -150,7 +159,7 @@ class Elements(Sequence[Element]):
         """The index of the element that is being carried out, None when there is none."""
         return await self._index((await self._report_active()).element_uid)
 
-    async def progress(self, *, rate: float | None = None, grace: float = 2.0) -> AsyncIterator[int]:
+    async def progress(self, *, rate: float | None = None, grace: float = 2.0) -> AsyncGenerator[int, None]:
         """The index of each element as it becomes the active one, until there is none any more.
 
         The component tells of changes, or, with `rate`, how it is so many times a second. `grace` is how long
@@ -239,7 +248,7 @@ class Elements(Sequence[Element]):
                 "somebody else changes it, too, or it does not link as the standard says; the old list was left there"
             )
 
-    async def _take_back(self, old: list[int], error: JausError) -> None:
+    async def _take_back(self, old: list[int], error: BaseException) -> None:
         """Delete what the component took of a new list before something went wrong."""
         try:
             await self._delete([uid for uid in await self._wire.order() if uid not in old])

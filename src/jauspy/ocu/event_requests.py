@@ -13,6 +13,7 @@ from jauspy.ids import JausID
 from jauspy.messages.core import (
     CancelEvent,
     ConfirmEventRequest,
+    CreateCommandEvent,
     CreateEvent,
     QueryEvents,
     QueryEventTimeout,
@@ -23,6 +24,7 @@ from jauspy.messages.core import (
 )
 from jauspy.ocu.link import Link
 from jauspy.ocu.patience import Patience
+from jauspy.protocol.header import Ack
 
 MAX_RATE: Final = 1092.0
 """Hz; what fits the message."""
@@ -31,7 +33,7 @@ _MEANINGS: Final[Mapping[int, str]] = {
     RejectEventRequest.ResponseCode.EVERY_CHANGE_NOT_SUPPORTED: "it has no every-change events; subscribe with a rate",
     RejectEventRequest.ResponseCode.CONNECTION_REFUSED: "it refused; it may have as many events as it can hold",
     RejectEventRequest.ResponseCode.INVALID_EVENT_SETUP: "it cannot set the event up like this; try another rate",
-    RejectEventRequest.ResponseCode.MESSAGE_NOT_SUPPORTED: "it does not answer this query",
+    RejectEventRequest.ResponseCode.MESSAGE_NOT_SUPPORTED: "it does not answer this query, or take this command",
     RejectEventRequest.ResponseCode.INVALID_EVENT_ID: "it does not know the event any more",
 }
 
@@ -98,9 +100,8 @@ class EventRequests:
         )
 
     def cancel(self, event: int) -> None:
-        """End it, whether that arrives or not; raises `TransportError` when the OCU is closed."""
-        number = self._link.next_request_id(self._request.id)
-        self._link.send(self._request.id, CancelEvent(request_id=number, event_id=event))
+        """End it; raises `TransportError` when the OCU is closed."""
+        cancel(self._link, self._request.id, event)
 
     async def lifetime(self) -> float:
         """Seconds after which the component forgets the event; 0 when it never does."""
@@ -122,20 +123,34 @@ class EventRequests:
         return self.number
 
     async def _ask(self, message: CreateEvent | UpdateEvent) -> None:
-        number = message.request_id
-        answer = await self._link.request(
-            self._request.id,
-            message,
-            ConfirmEventRequest,
-            RejectEventRequest,
-            accept=lambda each: getattr(each, "request_id", None) == number,
-            patience=self._patience,
-        )
-        if isinstance(answer, RejectEventRequest):
-            raise EventRejected(self._refusal(answer))
+        await ask(self._link, self._request.id, message, self._request.query, self._patience)
 
-    def _refusal(self, answer: RejectEventRequest) -> str:
-        code = answer.response_code
-        why = _MEANINGS.get(code, f"code {code}") if code is not None else "no reason given"
-        more = f" ({answer.error_message})" if answer.error_message else ""
-        return f"{self._request.id} rejected the event for {self._request.query.NAME}: {why}{more}"
+
+async def ask(
+    link: Link, id: JausID, request: CreateEvent | UpdateEvent | CreateCommandEvent, of: Message, patience: Patience
+) -> ConfirmEventRequest:
+    """The confirmation of an event of this query or command."""
+    answer = await link.request(
+        id,
+        request,
+        ConfirmEventRequest,
+        RejectEventRequest,
+        accept=lambda each: getattr(each, "request_id", None) == request.request_id,
+        patience=patience,
+    )
+    if isinstance(answer, RejectEventRequest):
+        raise EventRejected(f"{id} rejected the event for {of.NAME}: {_reason(answer)}")
+    assert isinstance(answer, ConfirmEventRequest)
+    return answer
+
+
+def cancel(link: Link, id: JausID, event: int) -> None:
+    """End an event; sent again until acknowledged, since components may have them for ever."""
+    number = link.next_request_id(id)
+    link.send(id, CancelEvent(request_id=number, event_id=event), ack=Ack.REQUIRED)
+
+
+def _reason(answer: RejectEventRequest) -> str:
+    code = answer.response_code
+    why = _MEANINGS.get(code, f"code {code}") if code is not None else "no reason given"
+    return f"{why} ({answer.error_message})" if answer.error_message else why

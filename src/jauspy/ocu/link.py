@@ -5,14 +5,15 @@ from __future__ import annotations
 import asyncio
 import logging
 from collections import Counter
-from collections.abc import AsyncIterator, Callable
+from collections.abc import AsyncIterator, Callable, Iterator
+from contextlib import contextmanager
 from typing import Final
 
 from jauspy.arguments import check_number
 from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
 from jauspy.component import Shell
-from jauspy.errors import ResponseTimeout, TransportError
+from jauspy.errors import ConfigError, ResponseTimeout, TransportError
 from jauspy.ids import JausID
 from jauspy.ocu.answers import answer_to
 from jauspy.ocu.arguments import check_message
@@ -44,13 +45,29 @@ class Link:
         self.controls = Controls()
         self.events = SharedEvents()
         self._component: Shell | None = None
+        self._loop: asyncio.AbstractEventLoop | None = None
+        self._farewells: list[Callable[[], None]] = []
         self._lanes = Lanes()
 
-    def attach(self, component: Shell | None) -> None:
-        """Use this component for sending; None when the OCU is closed."""
-        self._component = component
-        if component is None:
-            self.replies.fail(TransportError("the OCU was closed while this waited for an answer"))
+    def attach(self, component: Shell) -> None:
+        """Use this component for sending."""
+        self._component, self._loop = component, asyncio.get_running_loop()
+
+    def detach(self) -> None:
+        """The OCU is closed: whoever is to say goodbye does so, and nobody waits any more."""
+        for farewell in tuple(self._farewells):
+            farewell()
+        self._component = None
+        self.replies.fail(TransportError("the OCU was closed while this waited for an answer"))
+
+    @contextmanager
+    def before_closing(self, farewell: Callable[[], None]) -> Iterator[None]:
+        """Inside, `farewell` is called when the OCU is closed, while it can still send."""
+        self._farewells.append(farewell)
+        try:
+            yield
+        finally:
+            self._farewells.remove(farewell)
 
     @property
     def id(self) -> JausID:
@@ -58,7 +75,10 @@ class Link:
         return self._open().id
 
     def receive(self, packet: Packet) -> bool:
-        """Take a received packet; false for commands and queries nobody here waits for: the OCU's services answer."""
+        """Take a received packet; false for what is not known and for commands and queries: those are for the services.
+
+        An answer that nobody waits for, as one that comes too late, is counted.
+        """
         self.recorder.received += 1
         if len(packet.payload) < 2:
             self.malformed(f"{packet.payload.hex()!r} from {packet.source} is too short for a message")
@@ -66,7 +86,10 @@ class Link:
         if self.replies.deliver(packet.payload, packet.source):
             return True
         known = self.registry.by_code(int.from_bytes(packet.payload[:2], "little"))
-        return not any(each.IS_COMMAND or each.IS_QUERY for each in known)
+        if not known or any(each.IS_COMMAND or each.IS_QUERY for each in known):
+            return False
+        self.recorder.unexpected += 1
+        return True
 
     def send(
         self,
@@ -78,16 +101,23 @@ class Link:
         ack: Ack = Ack.NONE,
     ) -> None:
         """Send a message; raises `EncodeError` when a value does not fit."""
-        check_message(message, "send()", "Resume()")
         self._open().send(destination, message, priority=priority, broadcast=broadcast, ack=ack)
         self._sent(destination, message)
 
-    async def deliver(self, destination: JausID, message: Message) -> None:
-        """Send a message and wait for its ACK; raises `ResponseTimeout` when none comes after all resends."""
-        component = self._open()
+    async def tell(self, destination: JausID, message: Message, *, ack: bool) -> None:
+        """Send for a user: `ControlRejected` for a command to a component whose control is lost.
+
+        With `ack` it is resent until acknowledged; raises `ResponseTimeout` when it is not, after all resends.
+        """
         check_message(message, "send()", "Resume()")
-        self._sent(destination, message)
-        await component.deliver(destination, message)
+        self.controls.check(destination, message)
+        if ack:
+            component = self._open()
+            self._sent(destination, message)
+            await component.deliver(destination, message)
+        else:
+            self.send(destination, message)
+            await asyncio.sleep(0)  # so that a loop that only sends lets others run
 
     async def query(
         self,
@@ -112,13 +142,19 @@ class Link:
         except TimeoutError:
             if not deadline.expired():
                 raise
-            raise self._silence(destination, message, patience) from None
+            self.recorder.timeouts += 1
+            raise ResponseTimeout(
+                f"{message.NAME} was not sent to {destination}: for {patience.total:g} s another query waited for a "
+                f"{kind.NAME} from there, which could not be told from this one's"
+            ) from None
 
     async def query_each(
         self, destination: JausID, message: Message, seconds: float, expects: type[Message] | None = None
     ) -> AsyncIterator[Arrival]:
         """Every answer within `seconds`, with who gave it, as they come; one of each component."""
         check_number(seconds, "within")
+        if not seconds > 0:
+            raise ConfigError(f"within {seconds} s must be above 0")
         kind, myself = answer_to(self.registry, message, expects, "query_each()"), self.id
         answers: asyncio.Queue[Arrival] = asyncio.Queue()
         seen: set[JausID] = set()
@@ -161,6 +197,7 @@ class Link:
         answers: tuple[type[Message], ...],
         accept: Callable[[Message], bool] = lambda _: True,
     ) -> Message:
+        self.controls.check(destination, message)
         clock = asyncio.get_running_loop().time
         with self.replies.waiting(destination, *answers, accept=accept) as waiter:
             for attempt in range(patience.retries + 1):
@@ -195,6 +232,11 @@ class Link:
     def _open(self) -> Shell:
         if self._component is None:
             raise TransportError("the OCU is not open; use it inside `async with jauspy.OCU(...) as ocu:`")
+        if self._loop is not asyncio.get_running_loop():
+            raise TransportError(
+                "the OCU was opened in another event loop and cannot be used from here; open and use it inside one "
+                "`asyncio.run`, or take jauspy.sync.OCU, which any code may call"
+            )
         return self._component
 
 

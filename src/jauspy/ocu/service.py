@@ -13,9 +13,9 @@ from jauspy.arguments import check_number, check_text
 from jauspy.codec.base import Message, Query
 from jauspy.errors import ConfigError, RequestError, ResponseTimeout
 from jauspy.ids import JausID
-from jauspy.messages.core import ClearEmergency, QueryStatus, ReportStatus, Resume, SetEmergency, Standby
+from jauspy.messages.core import QueryStatus, ReportStatus, Resume, Standby
 from jauspy.ocu.answers import answer_to
-from jauspy.ocu.arguments import check_message
+from jauspy.ocu.commands import perform
 from jauspy.ocu.control import Control
 from jauspy.ocu.elements import Elements
 from jauspy.ocu.event_requests import Request
@@ -30,8 +30,10 @@ R = TypeVar("R", bound=Message)
 DEFAULT_AUTHORITY: Final = 127
 """The middle of 0..255: leaves room above for those who must be able to take over."""
 _POLL: Final = 0.05
-_FREE_FOR_ALL: Final = (SetEmergency.CODE, ClearEmergency.CODE)
+_OBEYS: Final = "it obeys only the client in control: use `control()` first"
+_REFUSES: Final = "you are in control, so it refuses or takes longer; see its log, or allow more `timeout`"
 _HINTS: Final[Mapping[int, str]] = {
+    ReportStatus.Status.INITIALIZE: "it is still starting; allow more `timeout`",
     ReportStatus.Status.EMERGENCY: "whoever set the emergency must clear it",
     ReportStatus.Status.FAILURE: "see why it failed; Reset may help",
     ReportStatus.Status.SHUTDOWN: "start the component again",
@@ -104,14 +106,17 @@ class ServiceClient:
 
         With `ack` it is resent until the component acknowledges it; raises `ResponseTimeout` when that stays out.
         """
-        check_message(message, "send()", "Resume()")
-        if message.IS_COMMAND and message.CODE not in _FREE_FOR_ALL:
-            self._link.controls.check(self.id)
-        if ack:
-            await self._link.deliver(self.id, message)
-            return
-        self._link.send(self.id, message)
-        await asyncio.sleep(0)
+        await self._link.tell(self.id, message, ack=ack)
+
+    async def perform(self, command: Message, *, within: float) -> None:
+        """Send a command and wait until it has been carried out, as until an arm is where it was told to be.
+
+        It may take `within` seconds. Raises `RequestError` when it was given up, `EventRejected` when the component
+        does not take it or tells no ends of commands (Events 1.1 does), `ControlRejected` and `ResponseTimeout`. Who
+        stops waiting, by cancellation, does not stop the command. It is sent again when no answer comes, so that it
+        may begin twice.
+        """
+        await perform(self._link, self.id, command, within)
 
     def control(
         self, authority: int = DEFAULT_AUTHORITY, *, timeout: float | None = None, retries: int | None = None
@@ -226,6 +231,7 @@ class ServiceClient:
                 f"{self.id} was sent {command.NAME} and did not report its status within {timeout:g} s; check that it "
                 "runs and that the node manager is reachable"
             )
-        hint = _HINTS.get(status, "it obeys only the client in control: use `control()` first")
+        in_control = self.id in self._link.controls
+        hint = _HINTS.get(status, _REFUSES if in_control else _OBEYS)
         name = getattr(status, "name", status)
         return RequestError(f"{self.id} still reports {name} {timeout:g} s after {command.NAME}; {hint}")

@@ -20,6 +20,8 @@ class Stats:
     answers: int = 0
     timeouts: int = 0
     malformed: int = 0
+    unexpected: int = 0
+    """Answers that nobody waited for, as those that come too late."""
     rtt_min: float = 0.0
     rtt_median: float = 0.0
     rtt_max: float = 0.0
@@ -34,6 +36,7 @@ class Recorder:
         self.answers = 0
         self.timeouts = 0
         self.malformed = 0
+        self.unexpected = 0
         self._round_trips: deque[float] = deque(maxlen=MAX_ROUND_TRIPS)
 
     def answered(self, seconds: float | None) -> None:
@@ -51,6 +54,7 @@ class Recorder:
             answers=self.answers,
             timeouts=self.timeouts,
             malformed=self.malformed,
+            unexpected=self.unexpected,
             rtt_min=min(times),
             rtt_median=median(times),
             rtt_max=max(times),

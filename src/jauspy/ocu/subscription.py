@@ -6,22 +6,26 @@ import asyncio
 import math
 from collections import deque
 from collections.abc import AsyncIterator
-from contextlib import ExitStack
+from contextlib import ExitStack, suppress
 from types import TracebackType
-from typing import Final, Generic, Self, TypeVar
+from typing import TYPE_CHECKING, Final, Generic, Self, TypeVar
 
 from jauspy.codec.base import Message
-from jauspy.errors import ConfigError, DecodeError, EventRejected, ResponseTimeout, TransportError
+from jauspy.errors import ConfigError, DecodeError, EventRejected, JausError, ResponseTimeout, TransportError
 from jauspy.ids import JausID
 from jauspy.messages.core import ConfirmEventRequest, Event
 from jauspy.ocu.event_requests import EventRequests, Request
 from jauspy.ocu.link import Link
+from jauspy.ocu.only_async import use
 from jauspy.ocu.patience import Patience
+from jauspy.ocu.sequence import Sequence
 
 R = TypeVar("R", bound=Message)
 
 CHECK_INTERVAL: Final = 5.0
 """Seconds between looking whether the component still has the event."""
+GRACE: Final = 2.0
+"""Seconds in which an event that nobody wants any more may yet be confirmed, so that it can be cancelled."""
 
 
 class Subscription(Generic[R]):
@@ -40,7 +44,7 @@ class Subscription(Generic[R]):
         self.received = 0
         """Reports that arrived."""
         self.lost = 0
-        """Reports that were sent and did not arrive, by their sequence numbers."""
+        """Reports that were sent and did not arrive, by their sequence numbers, which begin anew after 255."""
         self.dropped = 0
         """Reports that arrived and were not read in time."""
         self.latest: R | None = None
@@ -49,23 +53,36 @@ class Subscription(Generic[R]):
         self._link = link
         self._kind = kind
         self._wire = EventRequests(link, request, patience)
-        self._next: int | None = None
+        self._sequence = Sequence()
         self._buffer: deque[R] = deque(maxlen=request.buffer)
         self._news = asyncio.Event()
         self._error: Exception | None = None
         self._stack = ExitStack()
         self._keeper: asyncio.Task[None] | None = None
+        self._farewell: asyncio.TimerHandle | None = None
+
+    def __repr__(self) -> str:
+        state = f"{self.received} reports" if self._keeper else "not open"
+        return f"<subscription to {self.request.query.NAME} at {self.request.id}: {state}>"
 
     async def __aenter__(self) -> Self:
         if self._keeper is not None:
             raise ConfigError("this subscription is already open; subscribe once more for a second one")
+        if self._farewell is not None:
+            self._leave()
+        self._error, self._sequence = None, Sequence()
+        self._buffer.clear()
         tap = self._link.replies.tapped(self.request.id, self._heard, ConfirmEventRequest, Event)
         self._stack.enter_context(tap)
+        self._stack.enter_context(self._link.before_closing(self._cut_off))
         try:
             await self._wire.create()
             lifetime = await self._wire.lifetime()
-        except BaseException:
-            self._leave()
+        except BaseException as error:
+            if self.event_id is None and not isinstance(error, EventRejected):
+                self._farewell = asyncio.get_running_loop().call_later(GRACE, self._leave)
+            else:
+                self._leave()
             raise
         self._keeper = asyncio.create_task(self._keep(lifetime), name=f"event at {self.request.id}")
         return self
@@ -92,6 +109,8 @@ class Subscription(Generic[R]):
         while not self._buffer:
             if self._error is not None:
                 raise self._error
+            if self._keeper is None:
+                raise ConfigError("this subscription is not open; use `async with` or `async for` on it first")
             self._news.clear()
             try:
                 async with asyncio.timeout(self.request.silence) as limit:
@@ -101,6 +120,10 @@ class Subscription(Generic[R]):
                     raise
                 raise ResponseTimeout(self._silence()) from None
         return self._buffer.popleft()
+
+    if not TYPE_CHECKING:
+        __enter__ = __exit__ = use("`async with`")
+        __iter__ = use("`async for`")
 
     # --- what arrives ---------------------------------------------------------------------------------------------
 
@@ -115,7 +138,7 @@ class Subscription(Generic[R]):
         """Here and not when it was asked for: the first report may come in the same wake-up as the confirmation."""
         if message.event_id != self.event_id:
             self._link.events.leave(self.request.id, self.event_id, self)
-            self.event_id, self._next = message.event_id, None
+            self.event_id, self._sequence = message.event_id, Sequence()
             self._link.events.join(self.request.id, self.event_id, self)
         self.confirmed_rate = message.confirmed_periodic_rate
 
@@ -125,11 +148,11 @@ class Subscription(Generic[R]):
         except DecodeError as error:
             self._link.malformed(f"event {self.event_id} of {self.request.id}: {error}")
             return
-        gap = 0 if self._next is None else message.sequence_number - self._next & 0xFF
-        if gap >= 0x80:
-            return  # older than what came before: late or double
-        self.lost += gap
-        self._next = message.sequence_number + 1 & 0xFF
+        now = asyncio.get_running_loop().time()
+        missing = self._sequence.missing(message.sequence_number, self.confirmed_rate, now)
+        if missing is None:
+            return
+        self.lost += missing
         self.received += 1
         self.dropped += len(self._buffer) == self._buffer.maxlen
         self._buffer.append(report)
@@ -150,7 +173,7 @@ class Subscription(Generic[R]):
         try:
             await self._wire.update(self.event_id)
         except EventRejected:
-            self._next = None
+            self._sequence = Sequence()
             await self._wire.create()
 
     async def _keep(self, lifetime: float) -> None:
@@ -193,15 +216,22 @@ class Subscription(Generic[R]):
         return await self._wire.is_known(self.event_id)
 
     def _leave(self) -> None:
+        if self._farewell is not None:
+            self._farewell.cancel()
+            self._farewell = None
+        self._news.set()
         self._stack.close()
-        if self.event_id is None or not self._link.events.leave(self.request.id, self.event_id, self):
-            return
-        try:
-            self._wire.cancel(self.event_id)
-        except TransportError:
-            return  # the OCU is closed; the event ends by its timeout
-        finally:
-            self.event_id = None
+        event, self.event_id = self.event_id, None
+        if event is not None and self._link.events.leave(self.request.id, event, self):
+            with suppress(JausError):  # not open, or too much under way: it ends by its timeout
+                self._wire.cancel(event)
+
+    def _cut_off(self) -> None:
+        """The OCU is being closed."""
+        if self._keeper is not None:
+            self._keeper.cancel()
+        self._leave()
+        self._error = TransportError(f"the OCU was closed, and with it the event on {self.request.query.NAME}")
 
     def _silence(self) -> str:
         return (

@@ -81,14 +81,17 @@ async def watch(link: Link, subsystem: int | None, interval: float, silence: flo
             heard_something.set()
 
     told: _Picture = {}
-    ask_at = clock()
+    ask_at, judge_at = clock(), -math.inf
     with link.replies.tapped(EVERYONE, heard, ReportIdentification, ReportServices, ReportHeartbeatPulse):
         while True:
             if clock() >= ask_at:
+                if clock() > ask_at + interval:  # the reader was slow, so nobody was asked, and silence says nothing
+                    judge_at = clock() + silence
                 _ask_everybody(link, subsystem)
                 _follow_up(link, sightings, -math.inf)
                 ask_at = clock() + interval
-            sightings.expire(clock() - silence)
+            if clock() >= judge_at:
+                sightings.expire(clock() - silence)
             now = _picture(sightings.subsystems(clock()))
             for each in _differences(told, now):
                 yield each

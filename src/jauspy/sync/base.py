@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 from types import TracebackType
 from typing import Generic, Self, TypeVar
 
@@ -23,7 +24,7 @@ class Facade(Generic[A]):
 
 
 class OpensPortal(Facade[OCU]):
-    """The OCU: its portal is open while it is."""
+    """The OCU: its portal is open while it is. A program or notebook that ends closes it, too."""
 
     def open(self) -> None:
         """Connect; raises `TransportError` that says what to do, `ConfigError` for a wrong `connect`. Twice is fine."""
@@ -33,12 +34,16 @@ class OpensPortal(Facade[OCU]):
         except BaseException:
             self._portal.close()
             raise
+        atexit.register(self.close)
 
     def close(self) -> None:
-        """Disconnect, and end what still waits. Twice is fine."""
+        """Give back what is controlled, in Standby, disconnect, and end what still waits. Twice is fine."""
+        atexit.unregister(self.close)
         if self._portal.is_open:
-            self._portal.run(self._async.close())
-            self._portal.close()
+            try:
+                self._portal.run(self._async.close())
+            finally:
+                self._portal.close()
 
     def __enter__(self) -> Self:
         self.open()

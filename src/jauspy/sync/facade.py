@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, MutableSequence
+from collections.abc import Generator, Iterable, Iterator, Mapping, MutableSequence
 from jauspy.codec.base import Message, Query
 from jauspy.codec.registry import Registry
 from jauspy.ids import JausID
@@ -55,7 +55,7 @@ class Subscription(Facade[_Subscription[R]], Generic[R]):
 
     @property
     def lost(self) -> int:
-        """Reports that were sent and did not arrive, by their sequence numbers."""
+        """Reports that were sent and did not arrive, by their sequence numbers, which begin anew after 255."""
         return self._async.lost
 
     @property
@@ -128,7 +128,7 @@ class Control(Facade[_Control]):
         self._async.check()
 
     def until_lost(self) -> None:
-        """Wait until control is lost; `lost` then says why."""
+        """Wait until control is lost, and `lost` says why, or until the block is left."""
         self._portal.run(self._async.until_lost())
 
     def __enter__(self) -> Self:
@@ -219,7 +219,7 @@ class Elements(Facade[_Elements], MutableSequence[Element]):
         """The index of the element that is being carried out, None when there is none."""
         return self._portal.run(self._async.active())
 
-    def progress(self, *, rate: float | None = None, grace: float = 2.0) -> Iterator[int]:
+    def progress(self, *, rate: float | None = None, grace: float = 2.0) -> Generator[int, None, None]:
         """The index of each element as it becomes the active one, until there is none any more.
 
         The component tells of changes, or, with `rate`, how it is so many times a second. `grace` is how long
@@ -296,6 +296,16 @@ class ServiceClient(Facade[_ServiceClient]):
         With `ack` it is resent until the component acknowledges it; raises `ResponseTimeout` when that stays out.
         """
         self._portal.run(self._async.send(message, ack=ack))
+
+    def perform(self, command: Message, *, within: float) -> None:
+        """Send a command and wait until it has been carried out, as until an arm is where it was told to be.
+
+        It may take `within` seconds. Raises `RequestError` when it was given up, `EventRejected` when the component
+        does not take it or tells no ends of commands (Events 1.1 does), `ControlRejected` and `ResponseTimeout`. Who
+        stops waiting, by cancellation, does not stop the command. It is sent again when no answer comes, so that it
+        may begin twice.
+        """
+        self._portal.run(self._async.perform(command, within=within))
 
     def control(
         self,
@@ -490,7 +500,13 @@ class OCU(OpensPortal):
         """Everybody who answers within `timeout` seconds, other OCUs too, in the order of their numbers."""
         return tuple(Robot(self._portal, each) for each in self._portal.run(self._async.discover_all(timeout=timeout)))
 
-    def watch(self, subsystem: int | None = None, *, interval: float = 2.0, silence: float = 7.0) -> Iterator[News]:
+    def watch(
+        self,
+        subsystem: int | None = None,
+        *,
+        interval: float = 2.0,
+        silence: float = 7.0,
+    ) -> Generator[News, None, None]:
         """`for news in ocu.watch()`: what is there, and then what appears, changes and vanishes, for ever.
 
         All are asked every `interval` seconds; who has said nothing for `silence` seconds has vanished. `subsystem`
@@ -550,12 +566,12 @@ class OCU(OpensPortal):
         *,
         within: float = 2.0,
         expects: type[Message] | None = None,
-    ) -> Iterator[tuple[JausID, Any]]:
+    ) -> Generator[tuple[JausID, Any], None, None]:
         """Ask all that a wildcard id reaches: who answered and what, as it comes in the next `within` seconds."""
         return self._portal.iterate(self._async.query_each(destination, message, within=within, expects=expects))
 
     def send(self, destination: str | JausID, message: Message, *, ack: bool = False) -> None:
-        """Send to any component, or to all that a wildcard id reaches.
+        """Send to any component, or to all that a wildcard id reaches; raises `ControlRejected` as a service's `send`.
 
         With `ack` it is resent until that one component acknowledges it, or `ResponseTimeout` is raised.
         """

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import threading
-from collections.abc import AsyncGenerator, AsyncIterable, AsyncIterator, Coroutine, Iterator
+from collections.abc import AsyncGenerator, AsyncIterable, AsyncIterator, Coroutine, Generator
 from concurrent.futures import Future, wait
 from contextlib import suppress
 from types import TracebackType
@@ -72,7 +72,7 @@ class Portal:
         with suppress(TransportError):
             self.run(coroutine)
 
-    def iterate(self, iterable: AsyncIterable[T]) -> Iterator[T]:
+    def iterate(self, iterable: AsyncIterable[T]) -> Generator[T, None, None]:
         """What `async for` would give; leaving the loop ends the asynchronous iterator, too."""
         iterator = aiter(iterable)
         try:

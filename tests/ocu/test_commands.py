@@ -1,0 +1,207 @@
+"""Commands that take time, waited for until they have been carried out."""
+
+from __future__ import annotations
+
+import asyncio
+
+import pytest
+
+from jauspy.errors import ConfigError, ControlRejected, EventRejected, RequestError, ResponseTimeout
+from jauspy.messages.core import (
+    CancelEvent,
+    CommandEvent,
+    ConfirmEventRequest,
+    CreateCommandEvent,
+    QueryStatus,
+    SetTime,
+    Standby,
+    TimeStamp,
+)
+from jauspy.messages.mobility import SetLocalWaypoint, SetTravelSpeed, SetWrenchEffort
+from jauspy.services.completion import Completion
+from jauspy.services.core import AccessControl, Discovery, Events, Liveness, Management, Time
+
+SET_TIME = SetTime(time_stamp=TimeStamp(milliseconds=0, seconds=1, minutes=2, hour=3, day=4))
+
+
+class SlowClock(Time):
+    """Takes its time to be set, until a test says that it is."""
+
+    begun = 0
+    ended = Completion()
+
+    def set_time(self, msg) -> None:
+        self.ended(False)
+        self.begun += 1
+        self.ended = self.host.begin_command()
+
+
+def services(*, limit: int = 128):
+    return [SlowClock(), AccessControl(timeout=5), Management(), Events(limit=limit), Discovery(), Liveness()]
+
+
+@pytest.fixture
+async def robot(virtual_network):
+    async with virtual_network.component("101.1.1", services()) as component:
+        yield component
+
+
+@pytest.fixture
+async def client(robot, ocu):
+    found = (await ocu.discover(101)).service("Time")
+    async with found.control():
+        await found.resume()
+        yield found
+
+
+@pytest.fixture
+async def robot_inc1(virtual_network):
+    async with virtual_network.robot() as running:
+        yield running
+
+
+def clock_of(component) -> SlowClock:
+    return component.host.service(SlowClock)
+
+
+def told(component, *, success: bool) -> None:
+    clock_of(component).ended(success)
+    component.wake()
+
+
+async def begun(client, component, within: float = 30.0) -> asyncio.Task[None]:
+    """A command under way."""
+    before = clock_of(component).begun
+    task = asyncio.create_task(client.perform(SET_TIME, within=within))
+    async with asyncio.timeout(5):
+        while clock_of(component).begun == before:
+            await asyncio.sleep(0.01)
+    return task
+
+
+async def test_it_returns_when_the_command_has_been_carried_out(robot, client):
+    task = await begun(client, robot)
+    await asyncio.sleep(20)
+    assert not task.done()
+    told(robot, success=True)
+    await asyncio.wait_for(task, 0.1)
+
+
+async def test_what_takes_no_time_is_over_at_once(client):
+    await asyncio.wait_for(client.perform(Standby(), within=0), 0.1)
+
+
+async def test_given_up(robot, client):
+    task = await begun(client, robot)
+    told(robot, success=False)
+    with pytest.raises(RequestError, match=r"101\.1\.1 did not carry out SetTime within 30 s: it gave up, another"):
+        await task
+
+
+async def test_longer_than_it_may_take(virtual_network, robot, client):
+    task = await begun(client, robot, within=2.5)
+    with pytest.raises(RequestError, match=r"did not carry out SetTime within 2\.5 s"):
+        await asyncio.wait_for(task, 3.2)
+
+
+async def test_two_at_once_are_not_mixed_up(robot, client):
+    first = await begun(client, robot)
+    second = asyncio.create_task(client.perform(Standby(), within=1))
+    await second
+    assert not first.done()
+    told(robot, success=True)
+    await first
+
+
+async def test_a_lost_confirmation_is_asked_for_again(virtual_network, robot, client):
+    virtual_network.lose(ConfirmEventRequest, times=1)
+    task = await begun(client, robot)
+    await asyncio.sleep(3)
+    told(robot, success=True)
+    await task
+
+
+async def test_a_robot_that_vanishes(virtual_network, robot, ocu):
+    client = (await ocu.discover(101)).service("Time")
+    async with client.control():
+        task = await begun(client, robot)
+        virtual_network.cut("101.1.1")
+        with pytest.raises(ControlRejected, match=r"control of 101\.1\.1 was lost: 101\.1\.1 has not answered for"):
+            await asyncio.wait_for(task, 8)
+    virtual_network.mend("101.1.1")
+
+
+async def test_an_end_that_is_never_told(virtual_network, robot, client):
+    virtual_network.lose(CommandEvent)
+    with pytest.raises(ResponseTimeout, match=r"101\.1\.1 took Standby and did not say in 8 s how it ended; check"):
+        await client.perform(Standby(), within=5)
+
+
+async def test_who_stops_waiting_ends_the_event_and_not_the_command(virtual_network, robot, client):
+    task = await begun(client, robot)
+    task.cancel()
+    with pytest.raises(asyncio.CancelledError):
+        await task
+    await client.status()
+    assert len(virtual_network.sent(CancelEvent)) == 1
+    assert clock_of(robot).begun == 1
+    told(robot, success=True)
+    assert not virtual_network.sent(CommandEvent)
+
+
+async def test_preempted(virtual_network, robot, client):
+    task = await begun(client, robot)
+    async with virtual_network.ocu("43.1.1") as other:
+        strong = (await other.discover(101)).service("Time")
+        async with strong.control(authority=200):
+            with pytest.raises(ControlRejected, match="took it back"):
+                await asyncio.wait_for(task, 3)
+            with pytest.raises(ControlRejected):
+                await client.perform(SET_TIME, within=1)
+
+
+async def test_refused(virtual_network, robot, client):
+    with pytest.raises(EventRejected, match=r"101\.1\.1 rejected the event for SetWrenchEffort: .*take this command"):
+        await client.perform(SetWrenchEffort(propulsive_linear_effort_x=1.0), within=1)
+    async with virtual_network.component("102.1.1", services(limit=0)), virtual_network.ocu("43.1.1") as ocu:
+        full = (await ocu.discover(102)).service("Time")
+        with pytest.raises(EventRejected, match="as many events as it can hold"):
+            await full.perform(SET_TIME, within=1)
+
+
+async def test_a_component_that_knows_no_command_events(virtual_network, client):
+    virtual_network.lose(CreateCommandEvent)
+    with pytest.raises(ResponseTimeout, match="CreateCommandEvent 3 times"):
+        await client.perform(SET_TIME, within=1)
+
+
+async def test_a_robot_that_drives_to_a_waypoint(virtual_network, robot_inc1, ocu):
+    driver = (await ocu.discover(101)).service("mobility:LocalWaypointDriver")
+    async with driver.control():
+        await driver.resume()
+        await driver.send(SetLocalWaypoint(x=2.0, y=0.5))
+        await driver.perform(SetTravelSpeed(speed=1.0), within=60.0)
+        pose = robot_inc1.snapshot.pose
+        assert (pose.x, pose.y) == (pytest.approx(2.0, abs=0.5), pytest.approx(-0.5, abs=0.5))
+        task = asyncio.create_task(driver.perform(SetTravelSpeed(speed=1.0), within=60.0))
+        await driver.send(SetLocalWaypoint(x=9.0, y=0.5))
+        await asyncio.sleep(1)
+        await driver.standby()
+        with pytest.raises(RequestError, match="did not carry out SetTravelSpeed"):
+            await asyncio.wait_for(task, 5)
+
+
+@pytest.mark.parametrize(
+    ("call", "error", "words"),
+    [
+        (lambda it: it.perform(QueryStatus(), within=1), ConfigError, r"QueryStatus is no command; `query\(\)` asks"),
+        (lambda it: it.perform(SetTime, within=1), TypeError, r"^perform\(\) takes a message, and SetTime is only"),
+        (lambda it: it.perform(SET_TIME, within="1"), TypeError, r"^within is a number, not the str '1'$"),
+        (lambda it: it.perform(SET_TIME, within=-1), ConfigError, r"within -1 s is outside 0\.\."),
+        (lambda it: it.perform(SET_TIME, within=float("nan")), ConfigError, r"within nan s is outside 0\.\."),
+    ],
+)
+async def test_mistakes(virtual_network, client, call, error, words):
+    with pytest.raises(error, match=words):
+        await call(client)
+    assert not virtual_network.sent(CreateCommandEvent)
