@@ -160,7 +160,7 @@ async def test_inside_a_running_loop_as_in_a_notebook(node_manager):
 
 
 async def test_async_with_says_what_to_write():
-    with pytest.raises(TypeError, match="use `with` for this OCU; `async with` is for what jauspy.OCU gives"):
+    with pytest.raises(TypeError, match="use `with` for this OCU; `async with` is for what"):
         async with OCU():
             pytest.fail("entered")
 
