@@ -13,6 +13,7 @@ from typer.testing import CliRunner
 
 from jauspy.capture.reader import is_capture
 from jauspy.cli.main import app
+from jauspy.cli.run import stoppable
 
 JAUSPY = [sys.executable, "-m", "jauspy.cli.main"]
 SOME = ("--only", "01", "--only", "02", "--only", "2", "--only", "31")
@@ -66,6 +67,26 @@ def test_a_target_that_is_not_there(free_port):
     result = invoke("igvc-2015", "--target", "7.1.255", "--connect", f"udp://127.0.0.1:{free_port}", "--timeout", 0.1)
     assert result.exit_code == 2
     assert "7.1.255 answers nothing" in result.stderr
+
+
+def test_a_reader_that_has_had_enough_does_not_make_a_run_a_success(free_port):
+    where = ("--target", "7.1.255", "--connect", f"udp://127.0.0.1:{free_port}", "--timeout", "0.1")
+    command = [*JAUSPY, "conformance", "igvc-2015", *where, "--json"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        process.stdout.close()
+        errors = process.stderr.read()
+        process.wait(timeout=20)
+    assert process.returncode == 2
+    assert errors == ""
+
+
+def test_sigterm_ends_a_run_as_ctrl_c_does():
+    before = signal.getsignal(signal.SIGTERM)
+    with stoppable() as status:
+        with pytest.raises(KeyboardInterrupt):
+            signal.raise_signal(signal.SIGTERM)
+        assert status() == 143
+    assert signal.getsignal(signal.SIGTERM) is before
 
 
 def test_wrong_use():

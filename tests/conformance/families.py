@@ -14,7 +14,7 @@ from typing import Any, Final
 from unittest.mock import patch
 
 from tests.conformance.injectors import Injector, _spoilt, code, delayed, field, instead, patched, says
-from tests.conformance.mistakes import stuck, wrong_report
+from tests.conformance.mistakes import goes_on, stuck, wrong_report
 
 from jauspy.codec.base import Message, Struct
 from jauspy.codec.items import Composite
@@ -22,7 +22,7 @@ from jauspy.conformance import Bench, Part
 from jauspy.conformance.walk import neutral
 from jauspy.conformance.walk.pictures import PATIENCE as PICTURE_PATIENCE
 from jauspy.conformance.walk.trial import Trial
-from jauspy.conformance.walk.walker import CLIENTS, OBSERVER
+from jauspy.conformance.walk.walker import AUTHORITY, CLIENTS, OBSERVER
 from jauspy.ids import JausID
 from jauspy.messages import core, registry
 from jauspy.services.host import Host
@@ -110,16 +110,36 @@ def changed(change: Callable[[Any], None]) -> Callable[[bytes], list[bytes]]:
     return made
 
 
+def instead_of(kind: type[Message], change: Callable[[Any], None]) -> Callable[[bytes], list[bytes]]:
+    """Only messages of this kind are changed."""
+    return lambda payload: changed(change)(payload) if _is(payload, (kind,)) else [payload]
+
+
 def fails(report: Any) -> None:
     report.status = core.ReportStatus.Status.FAILURE
 
 
 def other_codes(message: Any) -> None:
     """Ids and codes are other ones that exist."""
-    for name in ("request_id", "response_code", "query_type", "command_result", "authority_code"):
+    for name in CODES:
         if (value := getattr(message, name, None)) is not None:
             others = list(type(value)) if isinstance(value, IntEnum) else [value ^ 1]
             setattr(message, name, next(each for each in others if each != value))
+
+
+def twice(payload: bytes) -> list[bytes]:
+    return [payload, payload]
+
+
+def other_events(report: Any) -> None:
+    """An event where there is none, and none where there is one."""
+    none = core.ReportEvents.ReportEventRec(core.CreateEvent.EventType.PERIODIC, 1, core.QueryEventTimeout())
+    report.event_list = [] if report.event_list else [none]
+
+
+def other_elements(report: Any) -> None:
+    """An element where there is none, and none where there is one."""
+    report.element_list = [] if report.element_list else [core.ReportElementList.ElementListRec(99)]
 
 
 def other_numbers(message: Any) -> None:
@@ -129,8 +149,8 @@ def other_numbers(message: Any) -> None:
             setattr(message, slot.name, value + 0.5)
 
 
-def another_event(event: Any) -> None:
-    event.event_id ^= 64
+def another_id(message: Any) -> None:
+    message.event_id ^= 64
 
 
 def empty(message: Any) -> None:
@@ -176,22 +196,27 @@ def faster(confirmation: Any) -> None:
     confirmation.confirmed_periodic_rate *= 10
 
 
+CODES: Final = (
+    *("request_id", "response_code", "query_type", "command_result", "authority_code"),
+    *("element_uid", "previous_uid", "next_uid", "element_count"),
+)
 SET_TIMER: Final = Host.set_timer
 STATES: Final[tuple[type[Message], ...]] = (core.ReportStatus, core.ReportControl, core.ReportEvents)
 """What the observer asks for in every step."""
-SECOND: Final[tuple[type[Message], ...]] = (core.ConfirmControl, core.CommandEvent)
+SECOND: Final[tuple[type[Message], ...]] = (core.ConfirmControl, core.CommandEvent, core.ReportEvents, core.Event)
 """What comes after another answer."""
 STREAM: Final = (core.Event,)
+LOWER: Final = core.ReportAuthority(AUTHORITY - 1).encode()
+"""What changes while a step looks for changes."""
 
 
 @dataclass(frozen=True)
 class Family:
-    """`trips`: the names of checks that it is for. Some need the `whole` profile, since a step lives from others."""
+    """`trips`: the names of the checks that it is for."""
 
     name: str
     trips: str
     inject: Injector
-    whole: bool = False
 
 
 def _second(name: str, inject: Injector) -> Family:
@@ -212,13 +237,13 @@ LIES: Final = says(
     )
 )
 FAMILIES: Final = (
-    Family("talks back", "nothing else comes|there is no answer|what comes is", talks_back(), whole=True),
-    Family("is in another state", "^the state is", LIES, whole=True),
-    Family("sends all fields", "and nothing else$", answers(full), whole=True),
+    Family("talks back", "nothing else comes|there is no answer|what comes is", talks_back()),
+    Family("is in another state", "^the state is", LIES),
+    Family("sends all fields", "and nothing else$", answers(full)),
     Family("is silent", " comes$", answers(silence)),
     Family("is short", "^[A-Z].* is as its definition says", answers(spoilt)),
     Family("is late", "in time$", delays(lambda payload, to: to in ROLES)),
-    Family("has other ids and codes", "has (request_id|response_code|query_type)", answers(changed(other_codes))),
+    Family("has other ids and codes", f"has ({'|'.join(CODES)})", answers(changed(other_codes))),
     Family("takes its time for a picture", "in time$", delays(lambda payload, to: to in ROLES, PICTURE_PATIENCE * 1.5)),
     Family("has no pictures", "has a picture", answers(changed(no_pictures))),
     _second("gives no second answer", answers(silence, *SECOND)),
@@ -234,9 +259,18 @@ FAMILIES: Final = (
     _effects("shows everything", shown(full)),
     _stream("confirms a rate of zero", field(core.ConfirmEventRequest, confirmed_periodic_rate=0.0)),
     _stream("confirms ten times the rate", instead(core.ConfirmEventRequest, faster)),
-    _stream("events have another id", answers(changed(another_event), *STREAM)),
+    _stream("events have another id", answers(changed(another_id), *STREAM)),
     _stream("events do not count", answers(changed(stuck), *STREAM)),
     _stream("events carry another report", answers(changed(wrong_report), *STREAM)),
+    Family("has other numbers", "has (x|y|latitude|longitude)", answers(changed(other_numbers))),
+    Family("tells of changes that are none", "nothing is told", answers(twice, *STREAM)),
+    Family("tells of changes late", "^Event .* in time", delays(lambda payload, to: payload.endswith(LOWER))),
+    Family("sends no events", "^Event .* comes$", answers(silence, *STREAM)),
+    Family("tells of other changes", "carries the new value", answers(changed(wrong_report), *STREAM)),
+    Family("knows other events", "lists the event", answers(changed(other_events), core.ReportEvents)),
+    Family("gives other ids to events", "keeps its id", answers(changed(another_id), core.ConfirmEventRequest)),
+    Family("does not end events", "^the events stop", goes_on()),
+    Family("has another list", "^ReportElementList", shown(instead_of(core.ReportElementList, other_elements))),
     Family("is impatient", "come early$", impatient()),
     Family("is late after others were", "in time$", delays(lambda payload, to: to in ROLES)),
 )

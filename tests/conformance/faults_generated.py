@@ -10,6 +10,7 @@ from tests.conformance.injectors import (
     deaf_to,
     field,
     instead,
+    later,
     patched,
     repacked,
     says,
@@ -20,10 +21,13 @@ from tests.conformance.injectors import (
 from tests.conformance.mistakes import (
     ACCEPTED,
     anybody,
+    anything,
     big_endian,
     chatty,
     clears_all,
+    confirmed,
     elsewhere,
+    goes_on,
     idle,
     not_told,
     reports_pass,
@@ -36,16 +40,16 @@ from tests.conformance.mistakes import (
 
 from jauspy.messages import core, mobility
 from jauspy.services import sending
-from jauspy.services.core import AccessControl, Events, Management
+from jauspy.services.core import AccessControl, Events, ListManager, Management, event_reports
 
 READY, STANDBY = "Controlled.Available.Ready", "Controlled.Available.Standby"
 EMERGENCY, FREE = "Controlled.NotAvailable.Emergency", "NotControlled.Available.Standby"
 
 
-def core_fault(name: str, trips: str, inject: Injector, profile: str = "core-1.1") -> Fault:
-    """Only the steps that are to be tripped are run."""
-    steps = tuple(trips.split())
-    return Fault(name, profile, steps, inject, timeout=5, motion=profile != "core-1.1", only=steps)
+def core_fault(name: str, steps: str, inject: Injector, profile: str = "core-1.1", fails: str = "") -> Fault:
+    """Only these steps are run, all of which are to be tripped, unless it is said which."""
+    only = tuple(steps.split())
+    return Fault(name, profile, tuple(fails.split()) or only, inject, timeout=5, motion=True, still=True, only=only)
 
 
 GENERATED: Final = (
@@ -146,6 +150,71 @@ GENERATED: Final = (
         "events come faster than was confirmed",
         f"{FREE}/EventOccurred/rival/an-event-is-due",
         patched(Events, _set_rate=sixty_hertz),
+    ),
+    core_fault("cancelled events go on", f"{FREE}/CancelEvent/rival/one-that-is-there", goes_on()),
+    core_fault(
+        "events are confirmed and not kept",
+        f"{FREE}/CreateEvent/rival/a-new-one",
+        instead(core.ReportEvents, lambda report: core.ReportEvents([])),
+    ),
+    core_fault(
+        "an update makes another event", f"{FREE}/UpdateEvent/rival/one-that-is-there", confirmed(2, event_id=99)
+    ),
+    core_fault("changes are not told", f"{READY}/CreateEvent/pilot/of-changes", without(core.Event)),
+    core_fault(
+        "what has not changed is told, too",
+        f"{READY}/CreateEvent/pilot/of-changes",
+        patched(event_reports, _is_due=anything),
+    ),
+    core_fault(
+        "commands never take too long",
+        f"{READY}/CommandExpired/pilot/a-command-does-not-end",
+        patched(Events, start_command_timer=idle),
+    ),
+    core_fault(
+        "elements are confirmed and not kept",
+        f"{STANDBY}/SetElement/pilot/a-new-one",
+        patched(ListManager, set_element=idle),
+    ),
+    core_fault(
+        "deleted elements stay",
+        f"{STANDBY}/DeleteElement/pilot/one-that-is-there",
+        patched(ListManager, delete_element=idle),
+    ),
+    core_fault(
+        "lists take what nobody can carry out",
+        f"{STANDBY}/SetElement/pilot/an-unknown-message",
+        instead(core.RejectElementRequest, lambda message: core.ConfirmElementRequest(message.request_id)),
+    ),
+    core_fault(
+        "Resume works once",
+        f"{STANDBY}/Resume/pilot {READY}/Standby/pilot {READY}/Reset/pilot",
+        later(core.Resume, 2, deaf_to(core.Resume)),
+        fails=f"{READY}/Reset/pilot",
+    ),
+    core_fault(
+        "travel speeds are not used",
+        f"{READY}/SetTravelSpeed/pilot",
+        deaf_to(mobility.SetTravelSpeed),
+        profile="mobility-1.1",
+    ),
+    core_fault(
+        "velocities are taken from anybody",
+        f"{READY}/SetVelocityCommand/rival/for-now",
+        patched(AccessControl, is_controlling_client=anybody),
+        profile="mobility-1.1",
+    ),
+    core_fault(
+        "waypoints are forgotten",
+        f"{READY}/QueryLocalWaypoint/pilot/all-fields-of-one-that-was-set",
+        deaf_to(mobility.SetLocalWaypoint),
+        profile="mobility-1.1",
+    ),
+    core_fault(
+        "lists are not carried out",
+        f"{READY}/ExecuteList/pilot/from-one-that-is-there",
+        deaf_to(mobility.ExecuteList),
+        profile="mobility-1.1",
     ),
     core_fault("events are numbered by twos", f"{FREE}/EventOccurred/rival/an-event-is-due", skipping()),
     core_fault(

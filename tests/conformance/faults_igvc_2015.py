@@ -212,6 +212,7 @@ IGVC_2015: Final = (
     igvc("confirmations of changes have request id 99", "08", confirmed(4, request_id=99)),
     igvc("confirmations of the end have request id 99", "09", confirmed(7, request_id=99)),
     igvc("events carry short reports", "04 76 77 78 79", instead(core.Event, short_inside)),
+    igvc("changed events come no more", "08", later(core.UpdateEvent, 1, without(core.Event))),
     igvc("changes are confirmed for event 99", "08", confirmed(4, event_id=99)),
     igvc("ends are confirmed for event 99", "09", confirmed(7, event_id=99)),
     igvc(

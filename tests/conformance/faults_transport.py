@@ -17,6 +17,7 @@ from tests.conformance.injectors import (
     repacked,
     works,
 )
+from tests.conformance.simulated import TARGET
 
 from jauspy.conformance import Bench, Part
 from jauspy.conformance.bench import STRANGE, USUAL
@@ -255,6 +256,9 @@ def _like(step: str) -> Callable[[bytes], bool]:
 
 GARBAGE: Final = {f"garbage-{number:02}": name for number, (name, _) in enumerate(garbage.GARBAGE, 1)}
 
+FIRST: Final = {"garbage-12": "restart"}
+"""Steps that send the same garbage before."""
+
 TRANSPORT: Final = (
     wire("no query is answered", "query", hears(lambda payload, source: None)),
     wire(
@@ -374,6 +378,11 @@ TRANSPORT: Final = (
         "nak-stray",
         echoes_on(lambda data: any(each.ack is Ack.NAK for each in packets(data))),
     ),
+    wire(
+        "packets for other nodes end it",
+        "other-node",
+        hangs_on(lambda data: any(each.destination.node not in (TARGET.node, 255) for each in packets(data))),
+    ),
     wire("stray ACKs end it", "ack-stray", hangs_on(lambda data: any(each.ack is Ack.ACK for each in packets(data)))),
     wire("stray NAKs end it", "nak-stray", hangs_on(lambda data: any(each.ack is Ack.NAK for each in packets(data)))),
     wire("equal queries are taken for duplicates", "repeat", handles(_once(lambda packet: True, by_payload=True))),
@@ -411,7 +420,7 @@ TRANSPORT: Final = (
     ),
     wire(
         "middle pieces end it",
-        "pieces-3 pieces-order pieces-missing",
+        "pieces-3 pieces-order",
         hangs_on(lambda data: any(each.data_flag is DataFlag.MIDDLE for each in packets(data))),
     ),
     wire(
@@ -423,10 +432,10 @@ TRANSPORT: Final = (
             )
         ),
     ),
-    *(wire(f"{name} ends it", step, hangs_on(_like(step))) for step, name in GARBAGE.items()),
+    *(wire(f"{name} ends it", FIRST.get(step, step), hangs_on(_like(step))) for step, name in GARBAGE.items()),
     *(wire(f"{name} is answered", step, echoes_on(_like(step))) for step, name in GARBAGE.items()),
     wire("bytes too many end it", "long", hangs_on(payload_is(garbage.WHO + bytes(3)))),
-    wire("bytes too few end it", "short alive", hangs_on(payload_is(garbage.WHO[:-1]))),
+    wire("bytes too few end it", "short", hangs_on(payload_is(garbage.WHO[:-1]))),
     wire("everybody is answered at port 3794", "port-other port-back port-neighbour", answers_first_port()),
     wire("a host is answered at one port", "port-back", answers_last_port()),
 )

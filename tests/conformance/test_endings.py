@@ -19,6 +19,7 @@ from jauspy.messages.core import (
     SetEmergency,
     Standby,
 )
+from jauspy.messages.mobility import SetTravelSpeed
 
 READY = bytes.fromhex("02400100000000")
 COP = "42.1.1"
@@ -76,10 +77,7 @@ def test_the_robot_is_left_in_order(profile):
     name, target = ("inc1", JausID(101, 1, 105)) if profile == "manipulator-2.0" else ("igvc", COMPONENT)
     bench = robot(name=name, tick=None)
     examined(profile, bench, target)
-    seen = examined(steps(STATUS, ask(COP, QueryControl(), ReportControl)), bench, target)
-    last = [seen.results[n].entries[-1].lines[0] for n in (0, 1)]
-    assert "STANDBY" in last[0]
-    assert "subsystem_id=0" in last[1]
+    assert is_free(bench, target)
 
 
 def test_a_bug_of_a_step_is_told_and_the_others_run():
@@ -92,6 +90,30 @@ def test_a_bug_of_a_step_is_told_and_the_others_run():
     reason = report.results[1].reason
     assert reason.startswith("the step itself has a bug: AttributeError: 'Client' object has no attribute 'nonsense' (")
     assert "test_endings.py:" in reason
+
+
+def test_a_value_that_cannot_be_sent_is_a_bug_of_the_step_as_well():
+    wire = ScriptedWire("101.1.1", dying(after=9))
+    report = run(steps(STATUS, tell(COP, SetTravelSpeed(1e9)), STATUS), wire, wire.id, began=0.0)
+    assert verdicts(report) == [Verdict.PASS, Verdict.FAIL, Verdict.PASS]
+    assert "the step itself has a bug: EncodeError: " in report.results[1].reason
+
+
+def test_whatever_ends_the_run_the_robot_is_left_in_order():
+    def full(result):
+        if result.id == "2":
+            raise OSError("no space left")
+
+    bench = robot(tick=None)
+    with pytest.raises(OSError, match="no space left"):
+        run(steps(STATUS, tell(COP, RequestControl(200)), STATUS), bench, COMPONENT, began=0.0, watch=full)
+    assert is_free(bench)
+
+
+def is_free(bench, target=COMPONENT):
+    seen = examined(steps(STATUS, ask(COP, QueryControl(), ReportControl)), bench, target)
+    status, control = (result.entries[-1].lines[0] for result in seen.results)
+    return "STANDBY" in status and "subsystem_id=0" in control
 
 
 def interrupt(tester):
@@ -107,9 +129,7 @@ def test_ctrl_c_leaves_the_robot_in_order_and_a_report():
     report = stopped.value.report
     assert report.problem == "interrupted after 3 steps"
     assert len(report.results) == 3
-    seen = examined(steps(STATUS, ask(COP, QueryControl(), ReportControl)), bench)
-    assert "STANDBY" in seen.results[0].entries[-1].lines[0]
-    assert "subsystem_id=0" in seen.results[1].entries[-1].lines[0]
+    assert is_free(bench)
 
 
 def test_a_network_that_goes_away_is_told():

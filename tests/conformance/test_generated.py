@@ -1,4 +1,4 @@
-"""Profiles made from JSIDL: our robot passes them, and no transition is forgotten."""
+"""Steps made from JSIDL: which there are, in which order, and what they say."""
 
 from __future__ import annotations
 
@@ -6,17 +6,18 @@ from collections import Counter
 from datetime import UTC, datetime
 
 import pytest
+from tests.conformance.injectors import Fault, code, instead, repacked, says, short, slow, without, works
+from tests.conformance.mistakes import elsewhere
 from tests.conformance.simulated import TARGET, examined, robot
 
 from jauspy.conformance import Bench, Part, Verdict, find, offers_of
 from jauspy.conformance.offers import Offers
-from jauspy.conformance.walk.events import PROVOKED
 from jauspy.conformance.walk.neutral import neutral
 from jauspy.conformance.walk.plan import Planner
 from jauspy.conformance.walk.subject import subject_of
 from jauspy.conformance.walk.trial import Trial
 from jauspy.ids import JausID
-from jauspy.messages import registry
+from jauspy.messages import core, registry
 from jauspy.services.core import Discovery
 from jauspy.services.host import Host
 
@@ -25,19 +26,6 @@ CORE = frozenset(
     (f"urn:jaus:jss:core:{name}", "1.1")
     for name in ("Transport", "Events", "AccessControl", "Management", "Discovery", "Liveness", "Time", "ListManager")
 )
-RECEIVING = "Receiving.Ready"
-NEVER = {
-    "Transport, Receiving: Receive": "what nothing else takes; every ignored input",
-    f"Management, {RECEIVING}.NotControlled.NotAvailable.Init: Initialized": "happens by itself, after Reset",
-    f"Management, {RECEIVING}.NotControlled.NotAvailable.Emergency: Timedout": "nobody is in control",
-    f"Events, {RECEIVING}: CreateCommandEvent [isCommandSupported(msg) && eventExists(msg)]": "no command lasts",
-    f"AccessControl, {RECEIVING}.Controlled.NotAvailable: RequestControl": "Emergency, its only state, takes it first",
-    f"AccessControl, {RECEIVING}.Controlled.NotAvailable: ReleaseControl": "Emergency, its only state, takes it first",
-    f"AccessControl, {RECEIVING}.Controlled.NotAvailable: Timedout": "Emergency, its only state, takes it first",
-}
-"""Transitions that cannot be seen from outside, and why."""
-INSIDE = {"Failure", "EventError", "CommandCompleted", "CommandExpired"}
-"""Internal events that only the component can bring about; each is a step that says so."""
 
 
 def planned(services=CORE):
@@ -46,15 +34,6 @@ def planned(services=CORE):
 
 def trials(services=CORE):
     return [step.run for step in planned(services) if isinstance(step.run, Trial)]
-
-
-def test_every_transition_of_every_core_service_is_exercised():
-    exercised = {prediction.rule for trial in trials() for prediction in trial.predictions}
-    rules = subject_of(ID, CORE).machine.rules()
-    missing = {name for name, transition in rules if transition.trigger not in INSIDE} - exercised
-    assert missing == set(NEVER)
-    listed = {step.id.partition("/")[2] for step in planned() if step.id.startswith("internal/")}
-    assert listed == INSIDE - PROVOKED
 
 
 def test_what_is_ignored_is_tried_too():
@@ -83,34 +62,32 @@ def test_steps_have_names_of_their_own():
 def test_what_ends_the_component_comes_last():
     ids = [step.id for step in planned()]
     end = ids.index("Controlled.Available.Ready/Shutdown/pilot")
-    after = [id for id in ids[end + 1 :] if not id.startswith(("NotControlled.NotAvailable.Shutdown/", "internal/"))]
+    after = [id for id in ids[end + 1 :] if not id.startswith(("NotControlled.NotAvailable.Shutdown/", "untried/"))]
     assert after == []
 
 
+KNOWN = "NotControlled.Available.Standby/QueryTime/rival/all-fields", core.ReportTime
+OPEN = "NotControlled.Available.Standby/CreateCommandEvent/rival/a-new-one", core.ConfirmEventRequest
+"""A step with one right outcome, and one whose outcome is up to the target, with what our robot answers."""
+
+
+@pytest.mark.parametrize(("step", "kind"), [KNOWN, OPEN], ids=["known", "open"])
 @pytest.mark.parametrize(
-    ("name", "module"),
+    ("mistake", "verdict", "reason"),
     [
-        ("core-1.1", "igvc 105.1.1"),
-        ("mobility-1.1", "igvc 105.1.1"),
-        ("ugv-1.0", "igvc 105.1.1"),
-        ("manipulator-2.0", "inc1 101.1.104"),
-        ("manipulator-2.0", "inc1 101.1.105"),
-        ("manipulator-2.0", "inc1 101.1.103"),
-        ("manipulator-2.0", "inc1 101.1.107"),
-        ("manipulator-2.0", "inc1_pprm 102.1.107"),
-        ("sensing-2.0", "inc1 101.1.106"),
-        ("sensing-2.0", "inc1 101.1.107"),
-        ("sensing-2.0", "inc1 101.1.108"),
+        (lambda kind: says(lambda payload, to: [payload]), Verdict.PASS, ""),
+        (without, Verdict.SILENT, " came"),
+        (slow, Verdict.LATE, "after the deadline of 1.5 s"),
+        (short, Verdict.MALFORMED, "is malformed"),
+        (lambda kind: instead(kind, lambda message: core.ReportStatus(2, 0)), Verdict.FAIL, "ReportStatus 4002h"),
+        (lambda kind: says(lambda payload, to: [payload] * (1 + (payload[:2] == code(kind)))), Verdict.FAIL, " came"),
+        (lambda kind: works(repacked(elsewhere(9, kind))), Verdict.SILENT, " came"),
     ],
+    ids=["right", "silent", "late", "short", "another", "twice", "wrong sender"],
 )
-def test_our_robot_passes(name, module):
-    robot_name, target = module.split()
-    report = examined(name, robot(name=robot_name, timeout=5), JausID.parse(target))
-    assert [f"{each.id}: {each.reason}" for each in report.failures] == []
-    assert report.status == 0
-    assert report.counts[Verdict.PASS] > 10
-    reasons = {each.reason.partition(" ")[2] for each in report.results if each.verdict is Verdict.SKIPPED}
-    assert all("inside of the component" in reason or "would end the component" in reason for reason in reasons)
+def test_every_verdict_can_be_given(step, kind, mistake, verdict, reason):
+    (result,) = Fault("x", "core-1.1", (), mistake(kind), timeout=5, only=(step,)).run().results
+    assert (result.verdict, reason in result.reason) == (verdict, True), result.reason
 
 
 @pytest.mark.parametrize("name", ["mobility-1.1", "manipulator-2.0", "sensing-2.0", "ugv-1.0"])

@@ -2,11 +2,25 @@
 
 from __future__ import annotations
 
-import pytest
-from tests.conformance.simulated import robot
+from datetime import UTC, datetime
 
-from jauspy.conformance import Part, offers_of, pytest_steps
+import pytest
+from tests.conformance.scripted import ScriptedWire
+from tests.conformance.simulated import robot
+from tests.conformance.test_endings import is_free
+
+from jauspy.conformance import Bench, Part, Profile, Step, ask, offers_of, pytest_steps, tell
 from jauspy.errors import ConfigError
+from jauspy.ids import JausID
+from jauspy.messages.core import (
+    ConfirmControl,
+    QueryStatus,
+    ReportStatus,
+    RequestControl,
+    Standby,
+)
+from jauspy.services.core import Liveness
+from jauspy.services.host import Host
 
 
 @pytest_steps("transport", robot, "105.1.255")
@@ -14,7 +28,12 @@ def test_transport(step):
     step()
 
 
-@pytest_steps("core-1.1", lambda: robot(timeout=5), "105.1.1", offers=offers_of(robot()))
+def small():
+    """A component with few services, and so with few steps."""
+    return Bench([Part(Host(JausID(105, 1, 1), [Liveness()], utc_now=lambda: datetime(2026, 1, 1, tzinfo=UTC)))])
+
+
+@pytest_steps("core-1.1", small, "105.1.1", offers=offers_of(small()))
 def test_core(step):
     step()
 
@@ -36,3 +55,42 @@ def test_failures_and_skips_are_those_of_pytest():
 def test_what_a_target_offers_must_be_known():
     with pytest.raises(ConfigError, match="say it with offers="):
         pytest_steps("core-1.1", robot, "105.1.1")
+
+
+COP = "42.1.1"
+STATUS = ask(COP, QueryStatus(), ReportStatus)
+QUIET = tell(COP, Standby())
+
+
+def calls_of(profile, wire, target="105.1.1"):
+    marked = pytest_steps(profile, lambda: wire, target)
+    return [param.values[0] for param in marked.args[1]]
+
+
+def test_silence_of_the_dead_is_no_pass():
+    alive = [[(0.01, bytes.fromhex("02400100000000"))]]
+    wire = ScriptedWire("105.1.1", lambda _: alive.pop() if alive else [])
+    profile = Profile("p", "t", tuple(Step(str(n), "s", run) for n, run in enumerate((STATUS, STATUS, QUIET))))
+    first, second, third = calls_of(profile, wire)
+    first()
+    for test in (second, third):
+        with pytest.raises(pytest.fail.Exception, match="silent: "):
+            test()
+
+
+def test_after_the_last_step_the_robot_is_left_in_order(monkeypatch):
+    bench = robot(tick=None)
+    closed = []
+    monkeypatch.setattr(bench, "close", lambda: closed.append(True))
+    steps = (Step("1", "s", ask(COP, RequestControl(200), ConfirmControl)), Step("2", "s", STATUS))
+    for test in calls_of(Profile("p", "t", steps), bench):
+        test()
+    assert closed == [True]
+    assert is_free(bench, JausID(105, 1, 1))
+
+
+def test_steps_may_be_called_in_any_order_and_again():
+    first, second = calls_of(Profile("p", "t", (Step("1", "s", STATUS), Step("2", "s", STATUS))), robot(tick=None))
+    second()
+    first()
+    second()

@@ -7,7 +7,9 @@ import re
 from html.parser import HTMLParser
 from xml.etree import ElementTree as ET
 
+import dpkt
 import pytest
+from dpkt.ip import IP
 from tests.conformance.scripted import ScriptedWire
 
 from jauspy.capture.reader import CaptureReader
@@ -16,6 +18,7 @@ from jauspy.conformance.as_json import result_json, summary_json
 from jauspy.conformance.html import page, summary
 from jauspy.conformance.junit import junit
 from jauspy.conformance.pcap import capture
+from jauspy.conformance.results import Report, Result, Transition
 from jauspy.messages.core import QueryIdentification, QueryStatus, ReportIdentification, ReportStatus
 
 NAME = b"<b>\x01\x9f&"
@@ -53,6 +56,7 @@ def test_json(report):
         "points": 1,
         "of": 3,
         "problem": "",
+        "transitions": {"declared": 0, "taken": 0, "left": []},
         "notes": [],
         "status": 1,
     }
@@ -122,7 +126,42 @@ def test_pcapng(report, tmp_path):
     with path.open("rb") as file:
         datagrams = list(CaptureReader(file, name=path.name))
     assert [each.payload for each in datagrams] == [each.data for each in report.entries]
+    with path.open("rb") as file:  # as another program reads it
+        others = [IP(data).data for _, data in dpkt.pcapng.Reader(file)]
+    assert [bytes(each.data) for each in others] == [each.data for each in report.entries]
+    assert {(each.sport, each.dport) for each in others} == {(3794, 3794)}
     assert [round(each.time - 1_700_000_000.0, 3) for each in datagrams] == [0.0, 0.1, 0.1, 0.2]
+
+
+def test_transitions_are_counted_and_those_that_are_left_have_a_reason():
+    names = ("Management, Ready: Reset", "Management, Ready: Failure", "Events, Ready: Query [known(msg)]")
+    reset, failure, query = names
+    results = (
+        Result("a", "skipped", Verdict.SKIPPED, "it comes from inside", transitions=(failure, reset)),
+        Result("b", "tried", Verdict.FAIL, "wrong", transitions=(reset, query), taken=(reset,)),
+        Result("c", "again", Verdict.PASS, transitions=(reset,), taken=(reset,)),
+    )
+    report = Report("p", "t", "1.1.1", 0.0, results=results)
+    assert report.transitions == (
+        Transition(failure, reason="it comes from inside"),
+        Transition(reset, "b"),
+        Transition(query, reason="it depends on what only the target knows, and the target decided otherwise"),
+    )
+    total = "1 of 3 transitions of its state machines were taken and judged"
+    assert summary_json(report)["transitions"] == {
+        "declared": 3,
+        "taken": 1,
+        "left": [
+            {"transition": failure, "reason": "it comes from inside"},
+            {
+                "transition": query,
+                "reason": "it depends on what only the target knows, and the target decided otherwise",
+            },
+        ],
+    }
+    assert f"{total}</summary><ul><li>Management, Ready: Failure: it comes from inside</li>" in page(report)
+    (suite,) = ET.fromstring(junit(report))
+    assert [each.attrib for each in suite.iter("property")] == [{"name": "transitions", "value": total}]
 
 
 def test_what_cannot_run_is_an_error():

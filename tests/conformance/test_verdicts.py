@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import sys
+
 import pytest
 from tests.conformance.scripted import ScriptedWire
+from typer.testing import CliRunner
 
+from jauspy.cli.main import app
 from jauspy.conformance import Profile, Settings, Skipped, Step, Verdict, ask, has, run, tell
 from jauspy.conformance.results import Report, worst
 from jauspy.errors import ConfigError
@@ -64,6 +68,23 @@ def test_of_a_target_with_several_components_the_one_that_was_asked_must_answer(
     assert result.reason == "no ReportStatus 4002h came from 101.1.2 to 42.1.1, but one from 101.1.1 to 42.1.1"
 
 
+@pytest.mark.parametrize("delay", [1.6, 2.9, 3.1, 3.5, 4.0, 4.4, 5.0, 5.5, 6.0, 7.0, 8.0])
+def test_an_old_answer_is_none_to_the_next_question(delay):
+    delays = [0.1]
+
+    def script(payload: bytes) -> list[tuple[float, bytes]]:
+        return [(delays.pop() if delays else delay, READY)] if payload[:2] == b"\x02\x20" else []
+
+    wire = ScriptedWire("101.1.1", script)
+    steps = tuple(Step(str(number), "ready", ASK.run) for number in range(6))
+    report = run(Profile("p", "t", steps), wire, wire.id, began=0.0)
+    assert [each.verdict for each in report.results[:2]] == [
+        Verdict.PASS,
+        Verdict.LATE if delay < 3.0 else Verdict.SILENT,
+    ]
+    assert report.counts[Verdict.PASS] == 1
+
+
 def test_a_command_has_no_answer():
     step = Step("1", "quiet", tell("42.1.1", QueryStatus()))
     assert outcome(step=step).results[0].verdict is Verdict.PASS
@@ -117,7 +138,8 @@ def test_only_some_steps():
 def test_a_missing_feature_skips():
     wire = ScriptedWire("101.1.1", lambda _: [(0.1, READY)])
     wire.features = ()
-    report = run(Profile("p", "t", (Step("1", "x", ASK.run, wants=frozenset({"raw"})), ASK)), wire, wire.id, began=0.0)
+    steps = (Step("0", "x", ASK.run, wants=frozenset({"raw"})), ASK)
+    report = run(Profile("p", "t", steps), wire, wire.id, began=0.0)
     assert [each.verdict for each in report.results] == [Verdict.SKIPPED, Verdict.PASS]
     assert "(raw)" in report.results[0].reason
 
@@ -130,6 +152,13 @@ def test_a_flood_is_bounded(monkeypatch):
     assert report.results[0].verdict is Verdict.FAIL
     assert len(report.entries) == 10
     assert report.notes == ("1991 datagrams were too many to keep",)
+
+
+def test_two_steps_with_one_id_are_a_mistake():
+    wire = ScriptedWire("101.1.1", lambda _: [(0.1, READY)])
+    report = run(Profile("mine", "t", (ASK, ASK)), wire, wire.id, began=0.0)
+    assert report.status == 2
+    assert report.problem == "conformance profile 'mine' has two steps '1'; ids must be unique"
 
 
 def test_unknown_profiles_are_named():
@@ -162,3 +191,46 @@ def test_profiles_of_other_packages(monkeypatch):
 
 
 MINE = Profile("mine", "of somebody else", (ASK,))
+
+
+@pytest.mark.parametrize(
+    ("source", "reason"),
+    [
+        ("PROFILE = 1 / 0", "cannot be loaded: ZeroDivisionError: division by zero"),
+        ("PROFILE = (", "cannot be loaded: SyntaxError: "),
+        ("", "cannot be loaded: AttributeError: "),
+    ],
+)
+def test_a_profile_of_an_installed_package_that_is_broken_is_told(tmp_path, monkeypatch, source, reason):
+    from jauspy.conformance import find, known
+
+    installed(tmp_path, monkeypatch, source)
+    assert "acme-brakes" in known()
+    with pytest.raises(ConfigError, match=reason):
+        find("acme-brakes")
+    listed = CliRunner().invoke(app, ["conformance", "--list"])
+    assert listed.exit_code == 0
+    assert "cannot be loaded" in listed.stdout
+    assert "igvc-2015" in listed.stdout
+
+
+def test_a_profile_of_an_installed_package_is_found(tmp_path, monkeypatch):
+    from jauspy.conformance import find
+
+    installed(tmp_path, monkeypatch, "from tests.conformance.test_verdicts import MINE as PROFILE")
+    assert find("acme-brakes") is MINE
+    assert "of somebody else" in CliRunner().invoke(app, ["conformance", "--list"]).stdout
+
+
+def installed(folder, monkeypatch, source: str) -> None:
+    """A package with the entry point of docs/conformance.md, as pip leaves it."""
+    (folder / "acme").mkdir()
+    (folder / "acme" / "__init__.py").touch()
+    (folder / "acme" / "brakes.py").write_text(source)
+    info = folder / "acme-1.0.dist-info"
+    info.mkdir()
+    (info / "METADATA").write_text("Metadata-Version: 2.1\nName: acme\nVersion: 1.0\n")
+    (info / "entry_points.txt").write_text("[jauspy.conformance]\nacme-brakes = acme.brakes:PROFILE\n")
+    monkeypatch.syspath_prepend(str(folder))
+    for name in ("acme", "acme.brakes"):
+        monkeypatch.delitem(sys.modules, name, raising=False)

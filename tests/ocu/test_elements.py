@@ -308,8 +308,10 @@ async def test_when_control_is_lost_a_change_says_so_at_once(virtual_network, ro
     [
         (lambda it: it.delete(4), IndexError),
         (lambda it: it.replace(-5, at(1)[0]), IndexError),
-        (lambda it: it.replace(0, at(1, 2)), ConfigError),
-        (lambda it: it.replace(np.int64(0), at(1, 2)), ConfigError),
+        (lambda it: it.replace(0, at(1, 2)), TypeError),
+        (lambda it: it.replace(np.int64(0), at(1, 2)), TypeError),
+        (lambda it: it.replace(0, 5), TypeError),
+        (lambda it: it.replace(slice(0, 2), at(1)[0]), TypeError),
         (lambda it: it.replace(slice(0, 4, 2), at(1)), ConfigError),
         (lambda it: it.execute(), ConfigError),
         (lambda it: it.execute(1.0, start=9), IndexError),

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -61,8 +64,8 @@ def conformance(
     """Test a robot or component of any vendor, step by step.
 
     Each step passes, fails, is silent, late, malformed, or skipped with a reason. Status 0: all passed; 1: some did
-    not; 2: the test could not run; 130: Ctrl-C. Give the robot room: some profiles make it drive, and shut it down at
-    the end. However it ends, the robot is left in Standby and free.
+    not; 2: the test could not run; 130: Ctrl-C; 143: SIGTERM. Give the robot room: some profiles make it drive, and
+    shut it down at the end. However it ends, the robot is left in Standby and free.
 
     Without --connect the test speaks UDP multicast itself, from port 3794 if it is free.
 
@@ -74,6 +77,7 @@ def conformance(
     from jauspy.cli import console
     from jauspy.cli.conformance_files import Files
     from jauspy.cli.conformance_view import show_list, show_steps
+    from jauspy.cli.run import stoppable
     from jauspy.conformance.profile import find
     from jauspy.conformance.runner import Interrupted, Settings
     from jauspy.errors import ConfigError, JausError
@@ -85,12 +89,14 @@ def conformance(
         if profile is None or target is None:
             raise ConfigError("say which test, and of what: `jauspy conformance igvc-2015 --target 101.1.255`")
         files = Files(junit=junit, html=html, pcapng=pcapng)
-        try:
-            report = _run(find(profile), target, connect, Settings(timeout, motion, tuple(only or ())), json=json)
-            status = report.status
-        except Interrupted as stop:
-            report, status = stop.report, 130
-        _show(report, json=json)
+        with stoppable() as stopped:
+            try:
+                report = _run(find(profile), target, connect, Settings(timeout, motion, tuple(only or ())), json=json)
+                status = report.status
+            except Interrupted as stop:
+                report, status = stop.report, stopped()
+        with _unread_is_fine():
+            _show(report, json=json)
         files.write(report)
     except JausError as error:
         console.error(str(error))
@@ -129,7 +135,20 @@ def _lines(result: Result) -> None:
 
     from jauspy.conformance.as_json import result_json
 
-    print(dumps(result_json(result), ensure_ascii=False), flush=True)
+    with _unread_is_fine():
+        print(dumps(result_json(result), ensure_ascii=False))
+
+
+@contextmanager
+def _unread_is_fine() -> Iterator[None]:
+    """When nobody reads the output any more, the run goes on for its files and its status."""
+    from jauspy.cli import console
+
+    try:
+        yield
+        sys.stdout.flush()
+    except BrokenPipeError:
+        console.discard_stdout()
 
 
 def _show(report: Report, *, json: bool) -> None:

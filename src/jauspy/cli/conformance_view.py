@@ -11,7 +11,7 @@ from jauspy.cli import console
 from jauspy.conformance.html import summary
 from jauspy.conformance.junit import transcript
 from jauspy.conformance.profile import Profile, find, known
-from jauspy.conformance.results import Report, Result, Verdict
+from jauspy.conformance.results import Report, Result, Verdict, transitions_sum
 from jauspy.errors import ConfigError
 
 if TYPE_CHECKING:
@@ -40,6 +40,8 @@ def show(report: Report) -> None:
         console.error(report.problem)
     for note in report.notes:
         console.note(note)
+    if total := transitions_sum(report):
+        out.print(Text(f"{total}; --json and --html name the others", style="dim"))
     style = "bold green" if report.status == 0 else "bold red"
     out.print(Text(f"{report.profile}, {report.target}: {summary(report)}", style=style))
 

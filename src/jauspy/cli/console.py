@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from functools import cache
 from typing import TYPE_CHECKING
@@ -49,6 +50,11 @@ def note(message: str) -> None:
     from rich.text import Text
 
     stderr().print(Text(message, style="dim"))
+
+
+def discard_stdout() -> None:
+    """What could not be written must not be tried again, with a complaint, when the interpreter ends."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def is_terminal() -> bool:

@@ -50,18 +50,13 @@ class Verbs(typer.core.TyperGroup):
                 sys.stdout.flush()
         except BrokenPipeError:
             # Whoever reads has had enough, as in `jauspy decode ... | head`.
-            _discard_stdout()
+            console.discard_stdout()
             raise typer.Exit(0) from None
         except JausError as error:
             if ctx.params.get("debug"):
                 raise
             console.error(str(error))
             raise typer.Exit(1) from None
-
-
-def _discard_stdout() -> None:
-    """What could not be written must not be tried again, with a complaint, when the interpreter ends."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 app = typer.Typer(
@@ -129,7 +124,7 @@ def main() -> None:
     except OSError as error:
         if error.errno not in FULL or "--debug" in sys.argv:
             raise
-        _discard_stdout()
+        console.discard_stdout()
         console.error(f"the results cannot be written: {error.strerror}")
         sys.exit(1)
 

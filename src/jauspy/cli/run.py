@@ -7,8 +7,8 @@ import os
 import signal
 import sys
 import threading
-from collections.abc import Coroutine
-from contextlib import suppress
+from collections.abc import Callable, Coroutine, Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any, Final, TypeVar
 
@@ -43,6 +43,23 @@ def run(main: Coroutine[Any, Any, T]) -> T | None:
         if terminated:
             return None
         raise
+
+
+@contextmanager
+def stoppable() -> Iterator[Callable[[], int]]:
+    """SIGTERM and a closed terminal raise `KeyboardInterrupt`, too; yields what tells the exit status then."""
+    came = [signal.SIGINT]
+
+    def stop(number: int, frame: object) -> None:  # noqa: ARG001 - a signal handler
+        came.append(signal.Signals(number))
+        raise KeyboardInterrupt
+
+    before = {each: signal.signal(each, stop) for each in (signal.SIGTERM, signal.SIGHUP)}
+    try:
+        yield lambda: 128 + came[-1]
+    finally:
+        for each, handler in before.items():
+            signal.signal(each, handler)
 
 
 def end_with_parent() -> None:

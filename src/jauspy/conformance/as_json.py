@@ -22,6 +22,7 @@ def result_json(result: Result) -> dict[str, Any]:
         "elapsed": round(result.elapsed, 6),
         "points": result.points,
         "earned": result.earned,
+        "taken": list(result.taken),
         "traffic": [entry_json(each) for each in result.entries],
     }
 
@@ -33,6 +34,16 @@ def entry_json(entry: Entry) -> dict[str, Any]:
         "direction": "sent" if entry.direction == ">" else "received",
         "hex": entry.data.hex(),
         "decoded": list(entry.lines),
+    }
+
+
+def transitions_json(report: Report) -> dict[str, Any]:
+    """Of the target's state machines: how many there are, how many were taken and judged, and why others were not."""
+    found = report.transitions
+    return {
+        "declared": len(found),
+        "taken": sum(1 for each in found if each.step),
+        "left": [{"transition": each.name, "reason": each.reason} for each in found if not each.step],
     }
 
 
@@ -48,6 +59,7 @@ def summary_json(report: Report) -> dict[str, Any]:
         "points": earned,
         "of": possible,
         "problem": report.problem,
+        "transitions": transitions_json(report),
         "notes": list(report.notes),
         "status": report.status,
     }

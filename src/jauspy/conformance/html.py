@@ -8,7 +8,7 @@ from html import escape
 from importlib.resources import files
 from typing import Final
 
-from jauspy.conformance.results import Looked, Report, Result, Verdict
+from jauspy.conformance.results import Looked, Report, Result, Verdict, transitions_sum
 from jauspy.conformance.trace import Direction, Entry
 
 _QUIET: Final = (Verdict.PASS, Verdict.SKIPPED)
@@ -48,7 +48,18 @@ def _head(report: Report) -> Iterator[str]:
     if report.problem:
         yield f'<p class="problem">{escape(report.problem)}</p>'
     yield from (f"<p>{escape(note)}</p>" for note in report.notes)
+    yield from _transitions(report)
     yield "</header>"
+
+
+def _transitions(report: Report) -> Iterator[str]:
+    if not (total := transitions_sum(report)):
+        return
+    left = [each for each in report.transitions if not each.step]
+    items = "".join(f"<li>{escape(each.name)}: {escape(each.reason)}</li>" for each in left)
+    yield (
+        f"<details><summary>{escape(total)}</summary><ul>{items}</ul></details>" if left else f"<p>{escape(total)}</p>"
+    )
 
 
 def _bar(report: Report) -> Iterator[str]:

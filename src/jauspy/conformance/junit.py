@@ -7,7 +7,7 @@ from datetime import UTC, datetime
 from typing import Final
 from xml.etree import ElementTree as ET
 
-from jauspy.conformance.results import Report, Result, Verdict
+from jauspy.conformance.results import Report, Result, Verdict, transitions_sum
 
 _FORBIDDEN: Final = re.compile(r"[^\t\n\r\x20-\uD7FF\uE000-\uFFFD]")
 """What XML 1.0 cannot say."""
@@ -28,6 +28,9 @@ def junit(report: Report) -> bytes:
         timestamp=datetime.fromtimestamp(report.began, UTC).strftime("%Y-%m-%dT%H:%M:%S"),
         hostname=report.target,
     )
+    if total := transitions_sum(report):
+        properties = ET.SubElement(suite, "properties")
+        ET.SubElement(properties, "property", name="transitions", value=total)
     for result in report.results:
         _case(suite, report, result)
     if report.problem:

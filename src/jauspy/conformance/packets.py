@@ -9,7 +9,7 @@ from typing import Any, Final
 
 from jauspy.codec.base import Message
 from jauspy.conformance.client import Client, is_answer
-from jauspy.conformance.outcome import Silent
+from jauspy.conformance.outcome import Late, Silent
 from jauspy.conformance.tester import Tester
 from jauspy.conformance.trace import Direction
 from jauspy.ids import JausID
@@ -89,11 +89,19 @@ class Hand:
         return [each for each in self.received() if each.payload[:2] == code]
 
     def expect(self, count: int, what: str) -> None:
-        """So many answers to the ping, no more and no fewer."""
+        """So many answers to the ping, no more and no fewer; in twice the time they are late."""
         self.tester.expected.append(what)
-        self.tester.pump(self.tester.now + self.tester.timeout, lambda: len(self.answers()) >= count > 0)
+        deadline = self.tester.now + self.tester.timeout
+        if not self.tester.pump(deadline, lambda: len(self.answers()) >= count):
+            self._look_later(count, what, deadline)
         self.tester.wait(SETTLE * self.tester.timeout)
         self._compare(what, count, len(self.answers()))
+
+    def _look_later(self, count: int, what: str, deadline: float) -> None:
+        if self.tester.pump(deadline + self.tester.timeout, lambda: len(self.answers()) >= count):
+            late = f"{self.tester.now - deadline:.2f} s after the deadline of {self.tester.timeout:g} s"
+            self.tester.look(what, late)
+            raise Late(f"{what}: it came {late}")
 
     def expect_none(self, what: str) -> None:
         """No packet of any kind, and the component still answers another client."""

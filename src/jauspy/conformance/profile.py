@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from importlib.metadata import EntryPoint, entry_points
@@ -47,6 +48,8 @@ class Step:
     """The robot drives: `--no-motion` leaves the step out."""
     wants: frozenset[str] = field(default=frozenset())
     """Features of the wire that it needs."""
+    transitions: tuple[str, ...] = ()
+    """Of the target's state machines: those that it is about."""
 
 
 Plan: TypeAlias = Callable[[Offers], Sequence[Step]]
@@ -71,8 +74,12 @@ class Profile:
         return callable(self.steps)
 
     def plan(self, offers: Offers) -> tuple[Step, ...]:
-        """The steps for a target."""
-        return tuple(self.steps(offers)) if callable(self.steps) else self.steps
+        """The steps for a target; raises `ConfigError` when two have the same id."""
+        steps = tuple(self.steps(offers)) if callable(self.steps) else self.steps
+        twice = sorted(id for id, count in Counter(step.id for step in steps).items() if count > 1)
+        if twice:
+            raise ConfigError(f"conformance profile {self.name!r} has two steps {twice[0]!r}; ids must be unique")
+        return steps
 
 
 def ask(
@@ -113,8 +120,9 @@ def find(name: str) -> Profile:
 def _loaded(entry: EntryPoint) -> Profile:
     try:
         profile = entry.load()
-    except (ImportError, AttributeError) as error:
-        raise ConfigError(f"conformance profile {entry.name!r} ({entry.value}) cannot be loaded: {error}") from error
+    except Exception as error:
+        what = f"{type(error).__name__}: {error}"
+        raise ConfigError(f"conformance profile {entry.name!r} ({entry.value}) cannot be loaded: {what}") from error
     if not isinstance(profile, Profile):
         raise ConfigError(f"conformance profile {entry.name!r} ({entry.value}) is no Profile")
     return profile

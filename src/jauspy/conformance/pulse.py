@@ -12,8 +12,8 @@ from jauspy.conformance.trace import Direction, Entry
 
 PATIENCE: Final = 3
 """Steps in a row without a sign of life after which no more are tried."""
-BYSTANDER: Final = "42.9.9"
-"""Who asks; no step has anything to do with it."""
+BYSTANDERS: Final = 64
+"""Who asks, one after the other: what was asked long ago is not answered to the one who asks now."""
 
 
 class Pulse:
@@ -21,6 +21,7 @@ class Pulse:
 
     def __init__(self, tester: Tester) -> None:
         self._tester = tester
+        self._asked = 0
         self._silent = 0
         self.lost = ""
 
@@ -41,18 +42,26 @@ class Pulse:
         return result
 
     def _lives(self, result: Result) -> bool:
-        """The target said something, was not spoken to, had no reason to speak, or answers now."""
-        heard = any(self._is_said(entry) for entry in result.entries)
+        """The target was not spoken to, said something, had no reason to speak, or answers now.
+
+        Once it was silent, only an answer to a new question counts: what it says then may be an old answer.
+        """
         spoken = any(entry.direction is Direction.SENT for entry in result.entries)
-        content = result.verdict is Verdict.PASS and not self.lost
-        return heard or not spoken or content or self._answers()
+        content = result.verdict is Verdict.PASS or any(self._is_said(entry) for entry in result.entries)
+        return not spoken or (content and not self.lost) or self._answers()
 
     def _answers(self) -> bool:
         tester = self._tester
-        first = len(tester.entries)
-        for ping in PINGS:
-            tester.client(BYSTANDER).send(ping, to=tester.memory.get("component"))
-        return tester.pump(tester.now + tester.timeout, lambda: any(map(self._is_said, tester.entries[first:])))
+        self._asked = self._asked % BYSTANDERS + 1
+        asking = tester.client(f"42.9.{self._asked}")
+        asking.pending.clear()
+        for to in {tester.target, tester.memory.get("component", tester.target)}:
+            for ping in PINGS:
+                asking.send(ping, to=to)
+        return tester.pump(
+            tester.now + tester.timeout,
+            lambda: any(tester.target.matches(heard.source) for heard in asking.pending),
+        )
 
     def _is_said(self, entry: Entry) -> bool:
         return entry.direction is Direction.RECEIVED and any(

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import atexit
+from collections.abc import Callable, Iterator, Sequence
+from itertools import islice
 from typing import TYPE_CHECKING
 
 from jauspy.conformance.bench import Bench
 from jauspy.conformance.offers import Offers
+from jauspy.conformance.parting import part
 from jauspy.conformance.profile import Profile, Step, find
 from jauspy.conformance.results import Result, Verdict
-from jauspy.conformance.runner import Settings, run_step
+from jauspy.conformance.runner import Settings, results
 from jauspy.conformance.tester import Tester
 from jauspy.conformance.wire import Wire
-from jauspy.errors import ConfigError
+from jauspy.errors import ConfigError, JausError
 from jauspy.ids import JausID
 from jauspy.messages import registry
 
@@ -52,7 +55,10 @@ def pytest_steps(
 
 
 class _Session:
-    """One target for all steps. Those before a step are run first, in whatever order pytest calls them."""
+    """One target for all steps. Those before a step are run first, in whatever order pytest calls them.
+
+    After the last one, or when the process ends, the target is left in order.
+    """
 
     def __init__(self, wire: Callable[[], Wire], target: JausID, settings: Settings, steps: Sequence[Step]) -> None:
         self.steps = steps
@@ -60,7 +66,11 @@ class _Session:
         self._target = target
         self._settings = settings
         self._tester: Tester | None = None
+        self._running: Iterator[Result] = iter(())
         self._results: list[Result] = []
+        self._problem: JausError | None = None
+        """Why the steps that follow cannot be run."""
+        self._closed = False
 
     def test_of(self, number: int) -> Callable[[], None]:
         """What the test calls."""
@@ -79,6 +89,21 @@ class _Session:
     def _result(self, number: int) -> Result:
         if self._tester is None:
             self._tester = Tester(self._wire(), self._target, registry=registry, timeout=self._settings.timeout)
-        for step in self.steps[len(self._results) : number + 1]:
-            self._results.append(run_step(step, self._tester, self._settings))
+            self._running = results(self.steps, self._tester, self._settings)
+            atexit.register(self._close)
+        try:
+            self._results += islice(self._running, max(0, number + 1 - len(self._results)))
+        except JausError as error:
+            self._problem = error
+        if len(self._results) == len(self.steps):
+            self._close()
+        if self._problem is not None and number >= len(self._results):
+            raise self._problem
         return self._results[number]
+
+    def _close(self) -> None:
+        atexit.unregister(self._close)
+        if self._tester is not None and not self._closed:
+            self._closed = True
+            part(self._tester)
+            self._tester.wire.close()

@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from enum import StrEnum
+from typing import Final
 
 from jauspy.conformance.trace import Entry
 
@@ -26,12 +27,25 @@ class Verdict(StrEnum):
     """Not tried; the reason says why."""
 
 
+OTHERWISE: Final = "it depends on what only the target knows, and the target decided otherwise"
+"""Why a transition was not taken although its input was sent."""
+
+
 @dataclass(frozen=True, slots=True)
 class Looked:
     """One thing that a step looked at: what should hold, and what was wrong with it (empty: nothing)."""
 
     name: str
     problem: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Transition:
+    """A transition of a state machine of the target: the first step in which it was taken, or why there is none."""
+
+    name: str
+    step: str = ""
+    reason: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,6 +65,10 @@ class Result:
     ended: float = 0.0
     points: float = 0.0
     """What the step is worth."""
+    transitions: tuple[str, ...] = ()
+    """Of state machines: those that may be taken in this step."""
+    taken: tuple[str, ...] = ()
+    """Those that were, or that should have been, and were looked at."""
 
     @property
     def earned(self) -> float:
@@ -89,6 +107,20 @@ class Report:
         return sum(each.earned for each in self.results), sum(each.points for each in self.results)
 
     @property
+    def transitions(self) -> tuple[Transition, ...]:
+        """All transitions of state machines that the steps are about."""
+        found: dict[str, Transition] = {}
+        for result in self.results:
+            for name in result.taken:
+                if name not in found or not found[name].step:
+                    found[name] = Transition(name, result.id)
+            tried = result.verdict is not Verdict.SKIPPED
+            for name in result.transitions:
+                if name not in found or (tried and not found[name].step):
+                    found[name] = Transition(name, reason=OTHERWISE if tried else result.reason)
+        return tuple(found.values())
+
+    @property
     def failures(self) -> tuple[Result, ...]:
         """The steps that neither passed nor were skipped."""
         return tuple(each for each in self.results if each.verdict not in (Verdict.PASS, Verdict.SKIPPED))
@@ -101,6 +133,13 @@ class Report:
         if self.failures:
             return 1
         return 0 if self.counts[Verdict.PASS] else 2
+
+
+def transitions_sum(report: Report) -> str:
+    """`218 of 230 transitions were taken and judged`; empty for a profile that is not about state machines."""
+    found = report.transitions
+    taken = sum(1 for each in found if each.step)
+    return f"{taken} of {len(found)} transitions of its state machines were taken and judged" if found else ""
 
 
 def worst(reports: Iterable[Report]) -> int:

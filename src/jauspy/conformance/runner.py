@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import traceback
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 from jauspy.codec.registry import Registry
@@ -16,7 +16,7 @@ from jauspy.conformance.pulse import Pulse
 from jauspy.conformance.results import Report, Result, Verdict
 from jauspy.conformance.tester import TIMEOUT, Tester
 from jauspy.conformance.wire import Wire
-from jauspy.errors import ConfigError, JausError, RequestError, TransportError
+from jauspy.errors import ConfigError, RequestError, TransportError
 from jauspy.ids import JausID
 from jauspy.messages import registry as known_messages
 
@@ -78,6 +78,9 @@ def run(
         problem = str(error) if tester.answered else DEAF.format(target=target)
     except KeyboardInterrupt:
         problem, interrupted = f"interrupted after {len(results)} steps", True
+    except BaseException:
+        part(tester)
+        raise
     problem = part(tester) or problem
     report = Report(
         profile=profile.name,
@@ -96,19 +99,24 @@ def run(
 
 
 def _results(profile: Profile, tester: Tester, settings: Settings) -> Iterator[Result]:
-    """Step by step; a target that has never answered is not tried any further, nor is one that has died."""
+    """Step by step; a target that has never answered is not tried any further."""
+    for result in results(_chosen(profile.plan(_offers(profile, tester)), settings.only), tester, settings):
+        yield result
+        if result.verdict is Verdict.SILENT and tester.entries and not tester.answered:
+            return
+
+
+def results(steps: Iterable[Step], tester: Tester, settings: Settings) -> Iterator[Result]:
+    """Each step as it is asked for; a target that has died is not tried any further."""
     pulse = Pulse(tester)
-    for step in _chosen(profile.plan(_offers(profile, tester)), settings.only):
+    for step in steps:
         if pulse.stopped:
             reason = f"the target is silent since step {pulse.lost}"
             now = tester.now
-            yield Result(step.id, step.title, Verdict.SKIPPED, reason, began=now, ended=now, points=step.points)
-            continue
-        result = run_step(step, tester, settings)
-        if result.verdict is Verdict.SILENT and tester.entries and not tester.answered:
-            yield result
-            return
-        yield pulse.judged(result)
+            skipped = Result(step.id, step.title, Verdict.SKIPPED, reason, began=now, ended=now, points=step.points)
+            yield replace(skipped, transitions=step.transitions)
+        else:
+            yield pulse.judged(run_step(step, tester, settings))
 
 
 def _offers(profile: Profile, tester: Tester) -> Offers:
@@ -136,7 +144,7 @@ def run_step(step: Step, tester: Tester, settings: Settings) -> Result:
             step.run(tester)
         except Outcome as outcome:
             verdict, reason = outcome.verdict, str(outcome)
-        except JausError:
+        except (ConfigError, TransportError):
             raise
         except Exception as error:  # noqa: BLE001 - somebody's profile has a bug; the other steps are worth reporting
             verdict, reason = Verdict.FAIL, f"the step itself has a bug: {_where(error)}"
@@ -152,6 +160,8 @@ def run_step(step: Step, tester: Tester, settings: Settings) -> Result:
         began=began,
         ended=tester.now,
         points=step.points,
+        transitions=step.transitions,
+        taken=tuple(tester.taken),
     )
 
 

@@ -9,7 +9,9 @@ from typing import Final
 from jauspy.codec.base import Message
 from jauspy.conformance.checks import has, near
 from jauspy.conformance.client import Client
+from jauspy.conformance.outcome import Silent
 from jauspy.conformance.tester import Tester
+from jauspy.conformance.trace import named
 from jauspy.errors import DecodeError
 from jauspy.ids import JausID
 from jauspy.messages.core import CancelEvent, ConfirmEventRequest, CreateEvent, Event
@@ -63,6 +65,7 @@ def judge(tester: Tester, arrivals: Arrivals, rate: float, report: type[Message]
     """Look at what came of one event."""
     name = f"{report.NAME} at {rate:.2g} Hz"
     tester.expected.append(f"Event 41F1h with {name}")
+    _there_are_some(tester, arrivals)
     tester.check(f"the stream of {name} keeps its rate", pace(arrivals, rate))
     _events_are_right(tester, arrivals, name, report)
 
@@ -76,6 +79,7 @@ def look(client: Client, event: int, rate: float, report: type[Message]) -> None
     tester.wait(0.0)
     client.forget(Event)  # of before: the tester may have been held up
     arrivals = client.collect(Event, seconds)
+    _there_are_some(tester, arrivals)
     strange = {each.event_id for _, each in arrivals} - {event}
     tester.check(
         "the events have the id that was confirmed", f"they have {sorted(strange)}, not {event}" if strange else ""
@@ -83,6 +87,12 @@ def look(client: Client, event: int, rate: float, report: type[Message]) -> None
     wrong = abs(len(arrivals) - seconds * rate) > seconds * rate * LENIENCE
     tester.check("they come at the confirmed rate", f"{len(arrivals)} came in {seconds:.3g} s" if wrong else "")
     _events_are_right(tester, arrivals, report.NAME, report)
+
+
+def _there_are_some(tester: Tester, arrivals: Arrivals) -> None:
+    tester.look(f"{named(Event)} comes", "" if arrivals else "none came")
+    if not arrivals:
+        raise Silent(f"no {named(Event)} came")
 
 
 def _events_are_right(tester: Tester, arrivals: Arrivals, name: str, report: type[Message]) -> None:

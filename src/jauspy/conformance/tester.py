@@ -44,6 +44,8 @@ class Tester:
         self.looked: list[Looked] = []
         self.expected: list[str] = []
         self.why: list[str] = []
+        self.taken: list[str] = []
+        """Transitions of state machines that the target takes in this step."""
         self._start = wire.now()
         self._clients: dict[JausID, Client] = {}
 
@@ -84,7 +86,7 @@ class Tester:
     def begin(self) -> None:
         """A new step: what came before it, and has not been looked at, is not its business."""
         self.pump(self.now, lambda: False)
-        self.looked, self.expected, self.why = [], [], []
+        self.looked, self.expected, self.why, self.taken = [], [], [], []
         for client in self._clients.values():
             client.pending.clear()
 

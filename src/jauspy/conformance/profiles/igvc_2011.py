@@ -159,7 +159,7 @@ def execute(tester: Tester) -> None:
     client.silence()
     client.ask(QueryActiveElement(), ReportActiveElement, has(element_uid=1))
     client.ask(QueryTravelSpeed(), ReportTravelSpeed, near(0.01, speed=SPEED))
-    x, y = tester.memory[CORNERS][0]
+    x, y = tester.recall(CORNERS, "there is no list of waypoints")[0]
     client.ask(QueryLocalWaypoint(drive.XY), ReportLocalWaypoint, near(0.01, x=x, y=y))
 
 

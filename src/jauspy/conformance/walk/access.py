@@ -72,4 +72,6 @@ def control_time(walker: Walker) -> float:
 
 
 ACCESS: Final = (*_requests(), *_authorities())
-SILENT_CLIENT: Final = Stimulus("Timedout", None, "the client is silent", seconds=control_time, earliest=EARLIEST)
+SILENT_CLIENT: Final = Stimulus(
+    "Timedout", None, "the client is silent", seconds=control_time, earliest=EARLIEST, by_controller=True
+)

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
 from typing import Final
 
 from jauspy.codec.base import Message
 from jauspy.conformance.checks import near
 from jauspy.conformance.outcome import Skipped
-from jauspy.conformance.walk.stimulus import Aftermath, Stimulus
+from jauspy.conformance.walk.machine import Truth
+from jauspy.conformance.walk.stimulus import Aftermath, Prepare, Stimulus, nothing
 from jauspy.conformance.walk.walker import OBSERVER, Walker
 from jauspy.messages.mobility import (
     QueryLocalPose,
@@ -24,7 +26,17 @@ BEFORE: Final = "before the command"
 
 
 def effect(
-    command: Callable[[float], Message], query: Message, report: type[Message], field: str, change: float
+    command: Callable[[float], Message],
+    query: Message,
+    report: type[Message],
+    field: str,
+    change: float,
+    *,
+    truths: Mapping[str, Truth] = MappingProxyType({}),
+    variant: str = "",
+    prepare: Prepare = nothing,
+    cleanup: Prepare = nothing,
+    of: str = "",
 ) -> Stimulus:
     """A command that changes one number by a little; afterwards the client takes the change back."""
 
@@ -34,7 +46,9 @@ def effect(
             raise Skipped(f"{report.NAME} has no {field}, which would show what the command does")
         return float(found)
 
-    def before(walker: Walker, role: str) -> None:  # noqa: ARG001 - a Prepare
+    def before(walker: Walker, role: str) -> None:
+        walker.tester.memory.pop(BEFORE, None)
+        prepare(walker, role)
         walker.tester.memory[BEFORE] = reported(walker)
 
     def verify(then: Aftermath) -> None:
@@ -44,15 +58,20 @@ def effect(
         walker.client(OBSERVER).ask(query, report, right, to=walker.component)
 
     def after(walker: Walker, role: str) -> None:
-        walker.client(role).send(command(walker.tester.memory[BEFORE]), to=walker.component)
-        walker.look()
+        if BEFORE in walker.tester.memory:
+            walker.client(role).send(command(walker.tester.memory[BEFORE]), to=walker.component)
+            walker.look()
+        cleanup(walker, role)
 
     return Stimulus(
         command(0.0).NAME,
         lambda walker: command(walker.tester.memory[BEFORE] + change),
+        variant,
+        truths,
         before=before,
         after=after,
         verify=verify,
+        of=of,
     )
 
 

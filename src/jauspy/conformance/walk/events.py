@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import Final
 
+from jauspy.codec.base import Message
 from jauspy.conformance import streams
-from jauspy.conformance.checks import has
+from jauspy.conformance.checks import has, that
 from jauspy.conformance.outcome import Skipped
 from jauspy.conformance.streams import ONE_HERTZ
 from jauspy.conformance.walk.stimulus import EARLIEST, LONGEST, Aftermath, Stimulus
@@ -13,38 +14,48 @@ from jauspy.conformance.walk.walker import OBSERVER, Walker
 from jauspy.messages.core import (
     AllEventsRec,
     CancelEvent,
-    CommandEvent,
     ConfirmEventRequest,
-    CreateCommandEvent,
     CreateEvent,
     Event,
     EventTypeRec,
+    QueryAuthority,
     QueryEvents,
     QueryEventTimeout,
+    ReportAuthority,
+    ReportEvents,
     ReportEventTimeout,
     SetAuthority,
-    Standby,
     UpdateEvent,
 )
 
 CREATE, UPDATE, CANCEL, HELD = 1, 2, 3, 9
 """Request ids."""
 UNKNOWN_ID: Final = 251
-PERIODIC: Final = CreateEvent.EventType.PERIODIC
+PERIODIC, EVERY_CHANGE = CreateEvent.EventType.PERIODIC, CreateEvent.EventType.EVERY_CHANGE
 QUERY: Final = QueryEventTimeout()
 """Every component that has Events answers it."""
 A_REPORT: Final = ReportEventTimeout(1)
-DURATION: Final = 1
-"""Seconds that a command may take."""
+PAUSE: Final = 0.3
+"""Timeouts in which no event must come any more."""
 FAST: Final = 10.0
 """Hertz of a stream that is looked at."""
 
 
 def hold_event(walker: Walker, role: str) -> None:
     """The sender has an event."""
-    wanted = CreateEvent(HELD, CreateEvent.EventType.EVERY_CHANGE, 0.0, QUERY)
-    confirmed = walker.client(role).ask(wanted, ConfirmEventRequest, has(request_id=HELD), to=walker.component)
-    walker.tester.memory["held"] = confirmed.event_id
+    wanted = CreateEvent(HELD, EVERY_CHANGE, 0.0, QUERY)
+    made = walker.client(role).ask(wanted, ConfirmEventRequest, has(request_id=HELD), to=walker.component)
+    walker.tester.memory["held"] = made.event_id
+
+
+def fast_event(walker: Walker, role: str) -> None:
+    """The sender has a periodic event, and its first report has come."""
+    wanted = CreateEvent(HELD, PERIODIC, FAST, QUERY)
+    client = walker.client(role)
+    made = client.ask(wanted, ConfirmEventRequest, has(request_id=HELD), to=walker.component)
+    walker.tester.memory["held"] = made.event_id
+    walker.tester.memory["rate"] = made.confirmed_periodic_rate
+    client.expect(Event)
 
 
 def held(walker: Walker) -> int:
@@ -56,32 +67,79 @@ def held(walker: Walker) -> int:
 def drop_events(walker: Walker, role: str) -> None:
     """Cancel what the step made."""
     client = walker.client(role)
-    for id in {walker.tester.memory.pop("held", None), *_confirmed(walker, role)} - {None}:
+    for id in {walker.tester.memory.pop("held", None), *confirmed(walker, role)} - {None}:
         client.send(CancelEvent(HELD, id), to=walker.component)
     walker.look()
 
 
-def _confirmed(walker: Walker, role: str) -> set[int]:
-    """The events that this client was told of in this step."""
-    return {
-        message.event_id
+def confirmed(walker: Walker, role: str) -> list[int]:
+    """The events that this client was told of in this step, in order."""
+    return [each.event_id for each in _confirmations(walker, role)]
+
+
+def _confirmations(walker: Walker, role: str) -> list[ConfirmEventRequest]:
+    return [
+        ConfirmEventRequest.decode(packet.payload, strict=False)[0]
         for entry in walker.tester.entries[-64:]
         for packet in entry.packets
         if packet.destination == walker.client(role).id and packet.payload[:2] == b"\xf3\x01"
-        for message in [ConfirmEventRequest.decode(packet.payload, strict=False)[0]]
-    }
+    ]
 
 
-def _end_is_told(then: Aftermath) -> None:
-    """A command event that was confirmed ends in time, one way or the other, and its client is told."""
-    if any(output.message == "ConfirmEventRequest" for output in then.outcome.outputs):
-        events = _confirmed(then.walker, then.role)
-        within = 1.0 + DURATION / then.walker.tester.timeout
-        taken = then.before.controller == then.role and "Available" in then.before.state
-        result = CommandEvent.CommandResult.SUCCESSFUL if taken else CommandEvent.CommandResult.UNSUCCESSFUL
-        then.walker.client(then.role).expect(
-            CommandEvent, has(command_result=result), where=lambda end: end.event_id in events, within=within
-        )
+def _known(then: Aftermath, id: int, kind: int | None) -> None:
+    """The component tells the client that it has this event, of this kind; or, for None, that it has it no more."""
+    wanted = [] if kind is None else [(id, kind)]
+    right = that(
+        "lists the event, as it is" if wanted else "lists the event no more",
+        lambda report: [(each.event_id, each.event_type) for each in report.event_list] == wanted,
+    )
+    client = then.walker.client(then.role)
+    client.ask(QueryEvents(QueryEvents.EventIDRec(id)), ReportEvents, right, to=then.walker.component)
+
+
+def _is_made(then: Aftermath) -> None:
+    _known(then, confirmed(then.walker, then.role)[-1], PERIODIC)
+
+
+def _is_kept(then: Aftermath) -> None:
+    _known(then, held(then.walker), EVERY_CHANGE)
+
+
+def _is_changed(then: Aftermath) -> None:
+    """It is another event now, under its old id."""
+    walker, id = then.walker, held(then.walker)
+    confirmation = _confirmations(walker, then.role)[-1]
+    same = confirmation.event_id == id
+    walker.tester.check("the event keeps its id", "" if same else f"{id} has become {confirmation.event_id}")
+    _known(then, id, PERIODIC)
+    streams.look(walker.client(then.role), id, confirmation.confirmed_periodic_rate, ReportEventTimeout)
+
+
+def _is_gone(then: Aftermath) -> None:
+    _known(then, held(then.walker), None)
+    streams.stopped(then.walker.client(then.role), held(then.walker), PAUSE * then.walker.tester.timeout)
+
+
+def _changes_are_told(then: Aftermath) -> None:
+    """The authority changes once; that is told once."""
+    walker, client = then.walker, then.walker.client(then.role)
+    if not any(output.message == "ConfirmEventRequest" for output in then.outcome.outputs):
+        return
+    id = confirmed(walker, then.role)[-1]
+    walker.tester.wait(0.1 * walker.tester.timeout)
+    client.forget(Event)  # the first report of such an event is of what is there already
+    lower = walker.authority - 1
+    client.send(SetAuthority(lower), to=walker.component)
+    new = that("carries the new value", lambda event: _carried(event) == ReportAuthority(lower).encode())
+    client.expect(Event, new, where=lambda event: event.event_id == id, source=walker.component)
+    more = client.collect(Event, PAUSE * walker.tester.timeout, lambda event: event.event_id == id)
+    walker.tester.check("nothing is told when nothing changes", f"{len(more)} events came" if more else "")
+    then.took("EventOccurred")
+
+
+def _carried(event: Event) -> bytes:
+    inside = event.report_message
+    return inside.encode(strict=False) if isinstance(inside, Message) else inside
 
 
 EVENTS: Final = (
@@ -92,10 +150,11 @@ EVENTS: Final = (
         {"isSupported": True, "eventExists": False},
         after=drop_events,
         checks={"ConfirmEventRequest": has(request_id=CREATE)},
+        verify=_is_made,
     ),
     Stimulus(
         "CreateEvent",
-        lambda _: CreateEvent(CREATE, CreateEvent.EventType.EVERY_CHANGE, 0.0, QUERY),
+        lambda _: CreateEvent(CREATE, EVERY_CHANGE, 0.0, QUERY),
         "one that is there",
         {"isSupported": True, "eventExists": True},
         before=hold_event,
@@ -111,12 +170,13 @@ EVENTS: Final = (
     ),
     Stimulus(
         "UpdateEvent",
-        lambda walker: UpdateEvent(UPDATE, UpdateEvent.EventType.PERIODIC, ONE_HERTZ, held(walker), QUERY),
+        lambda walker: UpdateEvent(UPDATE, UpdateEvent.EventType.PERIODIC, FAST, held(walker), QUERY),
         "one that is there",
         {"isSupported": True, "eventExists": True},
         before=hold_event,
         after=drop_events,
         checks={"ConfirmEventRequest": has(request_id=UPDATE)},
+        verify=_is_changed,
     ),
     Stimulus(
         "UpdateEvent",
@@ -133,15 +193,17 @@ EVENTS: Final = (
         before=hold_event,
         after=drop_events,
         checks={"RejectEventRequest": has(request_id=UPDATE)},
+        verify=_is_kept,
     ),
     Stimulus(
         "CancelEvent",
         lambda walker: CancelEvent(CANCEL, held(walker)),
         "one that is there",
         {"eventExists": True},
-        before=hold_event,
+        before=fast_event,
         after=drop_events,
         checks={"ConfirmEventRequest": has(request_id=CANCEL)},
+        verify=_is_gone,
     ),
     Stimulus(
         "CancelEvent",
@@ -151,21 +213,15 @@ EVENTS: Final = (
         checks={"RejectEventRequest": has(request_id=CANCEL)},
     ),
     Stimulus(
-        "CreateCommandEvent",
-        lambda _: CreateCommandEvent(CREATE, DURATION, Standby()),
-        "a new one",
+        "CreateEvent",
+        lambda _: CreateEvent(CREATE, EVERY_CHANGE, 0.0, QueryAuthority()),
+        "of changes",
         {"eventExists": False},
         after=drop_events,
-        verify=_end_is_told,
-    ),
-    Stimulus(
-        "CreateCommandEvent",
-        lambda walker: CreateCommandEvent(CREATE, DURATION, SetAuthority(walker.authority)),
-        "of a command that ends at once",
-        {"eventExists": False},
-        after=drop_events,
-        verify=_end_is_told,
+        verify=_changes_are_told,
         by_controller=True,
+        only_in="Ready",
+        also=("EventOccurred",),
     ),
     *(
         Stimulus("QueryEvents", lambda _, part=part: QueryEvents(part), name)  # type: ignore[misc]  # a bound loop variable
@@ -177,19 +233,6 @@ EVENTS: Final = (
         )
     ),
 )
-
-
-# --- what comes by itself -------------------------------------------------------------------------------------------
-
-
-def fast_event(walker: Walker, role: str) -> None:
-    """The sender has a periodic event, and its first report has come."""
-    wanted = CreateEvent(HELD, PERIODIC, FAST, QUERY)
-    client = walker.client(role)
-    confirmed = client.ask(wanted, ConfirmEventRequest, has(request_id=HELD), to=walker.component)
-    walker.tester.memory["held"] = confirmed.event_id
-    walker.tester.memory["rate"] = confirmed.confirmed_periodic_rate
-    client.expect(Event)
 
 
 def _stream_is_right(then: Aftermath) -> None:
@@ -226,5 +269,3 @@ DUE: Final = Stimulus(
     verify=_stream_is_right,
     seconds=lambda _: 1.0,
 )
-PROVOKED: Final = frozenset({"CommandCompleted"})
-"""Internal events that steps with other names bring about: a command event of a command that ends at once."""

@@ -6,14 +6,19 @@ are right.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Final, TypeAlias
+from functools import partial
+from itertools import product
+from typing import Final, NamedTuple, TypeAlias
 
 from jauspy.schema import guards, model
 from jauspy.services.tree import Owned, StateNode, merge, start_of
 
 MACHINE: Final = "ReceiveFSM"
+ANYTHING: Final = "Receive"
+"""The internal event of Transport: a message has come."""
 
 Truth: TypeAlias = bool | None
 """None: not known from outside."""
@@ -54,6 +59,27 @@ class Prediction:
     """The transition has actions: it does more than swallow the input."""
 
 
+class Rule(NamedTuple):
+    """A transition of the merged machine, as the definition of one service has it in one state."""
+
+    name: str
+    transition: model.Transition
+    owner: model.Service
+    node: StateNode
+
+    @property
+    def trigger(self) -> str:
+        """The message or the internal event that it takes."""
+        return trigger_of(self.transition)
+
+    @property
+    def is_input(self) -> bool:
+        """True for a message, false for an internal event, and for whatever comes."""
+        return _is_message(self.transition) and bool(self.transition.parameters)
+
+
+Way: TypeAlias = tuple[StateNode, Owned[model.Transition]]
+"""A transition, and the state that has it."""
 Judge: TypeAlias = Callable[[guards.Call, Situation], Truth]
 """Decides a predicate for the input that is looked at."""
 
@@ -65,28 +91,36 @@ class Machine:
         self.root = merge(list(definitions))[MACHINE]
         self._outputs = {message.name for each in definitions for message in each.outputs}
         self.start = Situation(start_of(self.root, MACHINE, list(definitions)).path)
+        self._names = _named(self.root)
+        self.rules = tuple(self._rules())
+        """Every transition; those of several services that cannot be told apart have one name."""
+        self.ignoring = next((each.name for each in self.rules if each.trigger == ANYTHING), "")
+        """The transition of Transport that swallows what no other one takes."""
 
-    def rules(self) -> Iterator[tuple[str, model.Transition]]:
-        """Every transition with its name."""
+    def _rules(self) -> Iterator[Rule]:
         for node in self.root.all():
             for owned in (*node.transitions, *node.defaults):
-                yield rule_name(owned, node), owned.item
+                yield Rule(self._name(owned, node), owned.item, owned.owner, node)
+
+    def _name(self, owned: Owned[model.Transition], node: StateNode) -> str:
+        return self._names[_looks(owned.item, node)]
 
     def predict(self, situation: Situation, trigger: str, role: str, judge: Judge) -> tuple[Prediction, ...]:
-        """All right outcomes of an input: a message name or that of an internal event."""
-        found: list[Prediction] = []
-        for node, owned in self._in_order(situation):
-            if not _fits(owned.item, trigger):
-                continue
-            truth = _truth(owned.item.guard, situation, judge)
-            if truth is False:
-                continue
-            found.append(self._apply(owned, node, situation, role))
-            if truth:
-                return tuple(found)
-        return (*found, Prediction((), situation))
+        """All right outcomes of an input: a message name or that of an internal event.
 
-    def _in_order(self, situation: Situation) -> Iterator[tuple[StateNode, Owned[model.Transition]]]:
+        There is one for each way in which the predicates that are not known may turn out.
+        """
+        ways = [way for way in self._in_order(situation) if trigger_of(way[1].item) == trigger]
+        guesses = _guesses([owned.item.guard for _, owned in ways], situation, judge)
+        return tuple(dict.fromkeys(self._outcome(ways, holds, situation, role) for holds in guesses))
+
+    def _outcome(self, ways: Iterable[Way], holds: Callable[[str], bool], before: Situation, role: str) -> Prediction:
+        for node, owned in ways:
+            if holds(owned.item.guard):
+                return self._apply(owned, node, before, role)
+        return Prediction((), before)
+
+    def _in_order(self, situation: Situation) -> Iterator[Way]:
         active = self._node(situation.state)
         for node in active.upwards():
             first, second = node.transitions, node.defaults
@@ -108,7 +142,7 @@ class Machine:
                 outputs.append(sent)
             after = _effect(action.name, after, role)
         moved = self._moved(owned.item, after)
-        return Prediction(tuple(outputs), moved, rule_name(owned, node), bool(owned.item.actions))
+        return Prediction(tuple(outputs), moved, self._name(owned, node), bool(owned.item.actions))
 
     def _sent(self, action: model.Action, role: str, controller: str | None) -> Output | None:
         """`Send('Message', 'CODE', transportData)`, or an action that is called `sendMessage`."""
@@ -149,42 +183,67 @@ class Machine:
         return replace(situation, state=path)
 
 
-def rule_name(owned: Owned[model.Transition], node: StateNode) -> str:
-    """`Management, Receiving.Ready: SetEmergency [guard]`."""
-    transition = owned.item
-    what = transition.parameters[0].type if transition.parameters else transition.trigger.rpartition(".")[2]
-    guard = f" [{transition.guard}]" if transition.guard.strip() else ""
-    return f"{owned.owner.name}, {node}: {what}{guard}"
+def _looks(transition: model.Transition, node: StateNode) -> str:
+    """`Receiving.Ready: SetEmergency [guard]`: where it is, what it takes and when."""
+    guard = " ".join(re.sub(r"(\w+\.)+", "", transition.guard).split())
+    return f"{node}: {trigger_of(transition)}" + (f" [{guard}]" if guard else "")
 
 
-def _fits(transition: model.Transition, trigger: str) -> bool:
-    event = transition.trigger.rpartition(".")[2]
-    if event == "Receive" and transition.parameters:
-        return transition.parameters[0].type == trigger
-    return event == trigger
+def _named(root: StateNode) -> dict[str, str]:
+    """The names of transitions by their looks: behind those of all services that have one like it."""
+    owners: dict[str, dict[str, None]] = {}
+    for node in root.all():
+        for owned in (*node.transitions, *node.defaults):
+            owners.setdefault(_looks(owned.item, node), {})[owned.owner.name] = None
+    return {looks: f"{'/'.join(names)}, {looks}" for looks, names in owners.items()}
+
+
+def trigger_of(transition: model.Transition) -> str:
+    """The message that a transition takes, or the internal event."""
+    return transition.parameters[0].type if _is_message(transition) and transition.parameters else _event(transition)
 
 
 def _is_message(transition: model.Transition) -> bool:
-    return transition.trigger.rpartition(".")[2] == "Receive"
+    return _event(transition) == ANYTHING
 
 
-def _truth(text: str, situation: Situation, judge: Judge) -> Truth:
-    return _evaluate(guards.parse(text), situation, judge) if text.strip() else True
+def _event(transition: model.Transition) -> str:
+    return transition.trigger.rpartition(".")[2]
 
 
-def _evaluate(guard: guards.Guard, situation: Situation, judge: Judge) -> Truth:
+def _short(call: guards.Call) -> str:
+    """A predicate's name without the services that it is inherited from."""
+    return call.name.rpartition(".")[2]
+
+
+def _guesses(texts: Iterable[str], situation: Situation, judge: Judge) -> Iterator[Callable[[str], bool]]:
+    """Judges of guards: one for each way in which the predicates that are not known may turn out."""
+    calls = [call for text in texts if text.strip() for call in guards.calls(guards.parse(text))]
+    unknown = list(dict.fromkeys(_short(call) for call in calls if judge(call, situation) is None))
+    for values in product((True, False), repeat=len(unknown)):
+        guess = dict(zip(unknown, values, strict=True))
+
+        def decide(call: guards.Call, guess: Mapping[str, bool] = guess) -> bool:
+            known = judge(call, situation)
+            return guess[_short(call)] if known is None else known
+
+        yield partial(_holds, decide)
+
+
+def _holds(decide: Callable[[guards.Call], bool], text: str) -> bool:
+    return _evaluate(guards.parse(text), decide) if text.strip() else True
+
+
+def _evaluate(guard: guards.Guard, decide: Callable[[guards.Call], bool]) -> bool:
     match guard:
         case guards.Call():
-            return judge(guard, situation)
+            return decide(guard)
         case guards.Not(operand):
-            inner = _evaluate(operand, situation, judge)
-            return None if inner is None else not inner
+            return not _evaluate(operand, decide)
         case guards.And(operands):
-            parts = [_evaluate(each, situation, judge) for each in operands]
-            return False if False in parts else None if None in parts else True
+            return all(_evaluate(each, decide) for each in operands)
         case guards.Or(operands):
-            parts = [_evaluate(each, situation, judge) for each in operands]
-            return True if True in parts else None if None in parts else False
+            return any(_evaluate(each, decide) for each in operands)
 
 
 def _effect(action: str, situation: Situation, role: str) -> Situation:

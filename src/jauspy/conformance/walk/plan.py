@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
 from jauspy.conformance.offers import Offers, ServiceKey
-from jauspy.conformance.outcome import Skipped
 from jauspy.conformance.profile import Profile, Step
-from jauspy.conformance.tester import Tester
 from jauspy.conformance.walk import presence
-from jauspy.conformance.walk.events import PROVOKED
 from jauspy.conformance.walk.machine import Situation
 from jauspy.conformance.walk.neutral import neutral, presence_fields
 from jauspy.conformance.walk.recipes import RECIPES, SPONTANEOUS
@@ -19,10 +16,11 @@ from jauspy.conformance.walk.routes import Path, Routes
 from jauspy.conformance.walk.stimulus import SENDER, SETTER, Stimulus
 from jauspy.conformance.walk.subject import Subject, subject_of
 from jauspy.conformance.walk.trial import Trial
+from jauspy.conformance.walk.untried import skip, untried
 from jauspy.conformance.walk.walker import MEDIC, PILOT, RIVAL
 from jauspy.errors import ConfigError
 from jauspy.messages import registry
-from jauspy.schema import guards, model
+from jauspy.schema import guards
 
 STANDARD: Final = "urn:jaus:jss:"
 PREFIX: Final = ("Receiving", "Ready")
@@ -76,87 +74,51 @@ class Planner:
         steps += [_step(trial) for trial in fatal[-1:]]
         if fatal:
             steps += [_step(trial) for end in sorted(ends, key=str) for trial in self._trials(end, ways[end])]
-        return [*steps, *self._internal()]
+        return [*steps, *untried(self.subject, self.services, steps, ways)]
 
     def _trials(self, situation: Situation, path: Path) -> Iterator[Trial]:
-        for stimulus in (*self._stimuli(), *self._spontaneous(situation)):
-            possible = not stimulus.by_controller or situation.controller
-            if possible and (not stimulus.once or situation == self.subject.machine.start):
+        for stimulus in (*self._stimuli(), *self._spontaneous()):
+            if stimulus.fits(situation) and (not stimulus.once or situation == self.subject.machine.start):
                 for role in self._roles(stimulus, situation):
                     yield Trial(self.subject, situation, path, stimulus, role)
 
     def _stimuli(self) -> Iterator[Stimulus]:
         """Each input of the services, in all variants that matter."""
-        done: set[str] = set()
-        for definition in self.subject.definitions:
-            if definition.key in self.services:
-                for message in definition.inputs:
-                    if message.name not in done:
-                        done.add(message.name)
-                        yield from self._variants(message.name)
+        mine = [each for each in self.subject.definitions if each.key in self.services]
+        names = [message.name for definition in mine for message in definition.inputs]
+        names += [rule.trigger for rule in self.subject.machine.rules if rule.is_input and rule.owner in mine]
+        for name in dict.fromkeys(names):
+            yield from self._variants(name)
 
     def _variants(self, name: str) -> Iterable[Stimulus]:
-        known = [each for each in RECIPES if each.message == name]
+        kind = self.subject.kind(name)
+        known = [each for each in RECIPES if each.message == name and kind.SERVICE.startswith(each.of)]
         if known:
             return known
-        kind = self.subject.kind(name)
         if not presence_fields(kind):
             return [Stimulus(name, lambda _: neutral(kind))]
         return presence.variants(kind, self.subject.kind(name.replace("Query", "Report", 1)))
 
-    def _spontaneous(self, situation: Situation) -> Iterator[Stimulus]:
+    def _spontaneous(self) -> Iterator[Stimulus]:
         """Internal events of these services that can be brought about."""
-        for name in self._events():
-            if name in SPONTANEOUS and (name != "Timedout" or situation.controller):
-                yield SPONTANEOUS[name]
-
-    def _events(self) -> list[str]:
-        """The internal events that the transitions of these services wait for."""
-        names = [
-            transition.trigger.rpartition(".")[2]
-            for definition in self.subject.definitions
-            if definition.key in self.services
-            for transition in _transitions(definition)
-        ]
-        internal = dict.fromkeys(name for name in names if name not in ("Receive", *SENDING))
-        return list(internal)
-
-    def _internal(self) -> Iterator[Step]:
-        """What only the inside of the component can bring about is listed, and not tried."""
-        for name in self._events():
-            if name not in SPONTANEOUS and name not in PROVOKED and name != "Initialized":
-                reason = f"{name} comes from inside of the component, and cannot be brought about from outside"
-                yield Step(f"internal/{name}", f"the internal event {name}", _skip(reason))
+        awaited = {rule.trigger for rule in self.subject.machine.rules if rule.owner.key in self.services}
+        yield from (each for each in SPONTANEOUS if each.message in awaited)
 
     def _roles(self, stimulus: Stimulus, situation: Situation) -> tuple[str, ...]:
         """The senders that the guards distinguish."""
-        if stimulus.make is None:
-            return (PILOT,) if stimulus.message == "Timedout" else (RIVAL,)
-        asked = {
-            call.name.rpartition(".")[2]
-            for _, transition in self.subject.machine.rules()
-            if transition.parameters and transition.parameters[0].type == stimulus.message and transition.guard.strip()
-            for call in guards.calls(guards.parse(transition.guard))
-        }
         if stimulus.by_controller:
             return (PILOT,)
+        if stimulus.make is None:
+            return (RIVAL,)
+        asked = {
+            call.name.rpartition(".")[2]
+            for rule in self.subject.machine.rules
+            if rule.trigger == stimulus.message and rule.transition.guard.strip()
+            for call in guards.calls(guards.parse(rule.transition.guard))
+        }
         if asked & SETTER:
             return (MEDIC, PILOT)
         return (PILOT, RIVAL) if asked & SENDER and situation.controller else (RIVAL,)
-
-
-SENDING: Final = ("Send", "BroadcastLocal", "BroadcastGlobal")
-"""Events of the machine that sends, which every other step is about."""
-
-
-def _transitions(definition: model.Service) -> Iterator[model.Transition]:
-    waiting = [
-        state for machine in (definition.behavior.machines if definition.behavior else ()) for state in machine.states
-    ]
-    while waiting:
-        state = waiting.pop(0)
-        waiting += state.states
-        yield from (*state.transitions, *state.default_transitions)
 
 
 def _step(trial: Trial) -> Step:
@@ -165,11 +127,14 @@ def _step(trial: Trial) -> Step:
     variant = f", {stimulus.variant}" if stimulus.variant else ""
     parts = [state, stimulus.message, trial.role, stimulus.variant]
     id = "/".join(part.replace(" ", "-") for part in parts if part)
-    return Step(id, f"{stimulus.message} from the {trial.role}{variant}", trial, moves=_moves(trial))
+    title = f"{stimulus.message} from the {trial.role}{variant}"
+    return Step(id, title, trial, moves=_moves(trial), transitions=trial.transitions)
 
 
 def _moves(trial: Trial) -> bool:
     """A command in Ready may make something move, however harmless it is; those of the core services do not."""
+    if trial.stimulus.moves:
+        return True
     if trial.stimulus.make is None or not set(trial.situation.state[len(PREFIX) :]) >= {"Controlled", "Ready"}:
         return False
     kind = trial.subject.kind(trial.stimulus.message)
@@ -177,11 +142,4 @@ def _moves(trial: Trial) -> bool:
 
 
 def _skipped(step: Step, instead: Step) -> Step:
-    return replace(step, run=_skip(f"it would end the component; {instead.id} is tried, at the end"))
-
-
-def _skip(reason: str) -> Callable[[Tester], None]:
-    def action(tester: Tester) -> None:  # noqa: ARG001 - nothing is tried
-        raise Skipped(reason)
-
-    return action
+    return replace(step, run=skip(f"it would end the component; {instead.id} is tried, at the end"))

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Final
 
 from jauspy.codec.base import Message
 from jauspy.conformance.checks import has
 from jauspy.conformance.offers import ALL_SERVICES
 from jauspy.conformance.walk.access import ACCESS, SILENT_CLIENT
+from jauspy.conformance.walk.arms import ARMS
+from jauspy.conformance.walk.commands import COMMANDS, EXPIRED
+from jauspy.conformance.walk.driving import DRIVING
 from jauspy.conformance.walk.effects import EFFECTS
 from jauspy.conformance.walk.events import DUE, EVENTS, NOT_RENEWED
 from jauspy.conformance.walk.lists import LISTS
@@ -27,8 +29,11 @@ def _one(message: Message, variant: str = "", **fields: object) -> Stimulus:
 RECIPES: Final[tuple[Stimulus, ...]] = (
     *ACCESS,
     *EVENTS,
+    *COMMANDS,
     *LISTS,
     *EFFECTS,
+    *DRIVING,
+    *ARMS,
     *PICTURES,
     _one(SetEmergency(STOP)),
     _one(ClearEmergency(STOP)),
@@ -38,5 +43,5 @@ RECIPES: Final[tuple[Stimulus, ...]] = (
 )
 """Of all other inputs the neutral message is sent; queries with presence vectors ask for all and for none."""
 
-SPONTANEOUS: Final[Mapping[str, Stimulus]] = {each.message: each for each in (SILENT_CLIENT, NOT_RENEWED, DUE)}
-"""Internal events that can be brought about from outside, by name."""
+SPONTANEOUS: Final[tuple[Stimulus, ...]] = (SILENT_CLIENT, NOT_RENEWED, DUE, EXPIRED)
+"""Internal events that can be brought about from outside."""

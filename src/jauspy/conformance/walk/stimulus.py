@@ -39,6 +39,8 @@ class Aftermath:
     role: str
     before: Situation
     outcome: Prediction
+    took: Callable[[str], None]
+    """To be called when the input has brought about an internal event as well, by its name."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,12 +60,25 @@ class Stimulus:
     """Looks at the effect."""
     by_controller: bool = False
     """Can only be prepared by the client in control."""
+    only_in: str = ""
+    """The name of the state, below Receiving.Ready, in which alone it shows anything."""
+    moves: bool = False
+    """Something may move, whatever the message says."""
+    of: str = ""
+    """How the URN of the service begins that is meant, when messages of others have the same name."""
+    also: tuple[str, ...] = ()
+    """Internal events that it may bring about as well."""
     seconds: Callable[[Walker], float] | None = None
     """How long to wait: for an event that comes by itself, or an answer that takes its time."""
     earliest: float = 0.0
     """The part of that time before which it must not come."""
     once: bool = False
     """Tried in the first state alone: the others would show nothing more."""
+
+    def fits(self, situation: Situation) -> bool:
+        """True where it can be prepared and shows something."""
+        controlled = situation.controller is not None or not self.by_controller
+        return controlled and (not self.only_in or self.only_in in situation.state[2:])
 
     def judge(self, role: str) -> Judge:
         """Decides predicates for this input from this sender."""

@@ -38,6 +38,10 @@ class Subject:
             known[self.component] = Walker(tester, self.component, services, self.machine.start)
         return known[self.component]
 
+    def transition(self, rule: str) -> str:
+        """A transition of this component, as reports name it."""
+        return f"{self.component} {rule}"
+
     def kind(self, name: str) -> type[Message]:
         """The class of an output, of the version that the component runs."""
         for definition in self.definitions:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Final
 
@@ -85,8 +86,9 @@ class Walker:
         self.tester = tester
         self.component = component
         self.start = start
-        self._services = services
+        self.services = services
         self._measured = False
+        self._lost: set[Situation] = set()
         self.where: Situation | None = None
         """Where the last step has left it."""
         self.default_authority = 0
@@ -115,10 +117,16 @@ class Walker:
         except Outcome as outcome:
             if not path:
                 raise  # where the component begins it must at least say where it is
-            raise Skipped(f"the component cannot be brought to {goal}: {outcome}") from outcome
+            raise self._out_of_reach(goal, str(outcome)) from outcome
         if not self.agrees(seen, goal):
-            raise Skipped(f"the component cannot be brought to {goal}: it reports {seen}")
+            raise self._out_of_reach(goal, f"it reports {seen}")
         self.quiet()
+
+    def _out_of_reach(self, goal: Situation, why: str) -> Outcome:
+        """Every situation can be reached, so the first step that wants it fails, and the others have their reason."""
+        kind = Skipped if goal in self._lost else Failed
+        self._lost.add(goal)
+        return kind(f"the component cannot be brought to {goal}: {why}")
 
     def _travel(self, path: tuple[tuple[str, str], ...]) -> Seen:
         seen = self._go_home()
@@ -133,7 +141,8 @@ class Walker:
         made = self.steering(message)
         client = self.client(role)
         if isinstance(made, RequestControl):
-            client.ask(made, ConfirmControl, to=self.component)
+            with self._unnoticed():
+                client.ask(made, ConfirmControl, to=self.component)
         else:
             client.send(made, to=self.component)
 
@@ -153,23 +162,28 @@ class Walker:
 
     def look(self) -> Seen:
         """Ask the component where it is; what it was told before, it has heard when it answers."""
+        with self._unnoticed():
+            return self._ask()
+
+    @contextmanager
+    def _unnoticed(self) -> Iterator[None]:
+        """What is asked meanwhile is no business of the report."""
         tester = self.tester
         notes = list(tester.why), list(tester.expected), list(tester.looked)
-        seen = self._ask()
+        yield
         tester.why, tester.expected, tester.looked = notes
-        return seen
 
     def _ask(self) -> Seen:
         observer = self.client(OBSERVER)
         status: ReportStatus.Status | int | None = None
         controller: JausID | None = None
-        if MANAGEMENT in self._services:
+        if MANAGEMENT in self.services:
             status = observer.ask(QueryStatus(), ReportStatus, to=self.component).status
-        if ACCESS_CONTROL in self._services:
+        if ACCESS_CONTROL in self.services:
             report = observer.ask(QueryControl(), ReportControl, to=self.component)
             id = JausID(report.subsystem_id, report.node_id, report.component_id)
             controller = id if int(id) else None
-        if not self._services & {MANAGEMENT, ACCESS_CONTROL}:
+        if not self.services & {MANAGEMENT, ACCESS_CONTROL}:
             observer.ask(QueryEvents(AllEventsRec(0)), ReportEvents, to=self.component)
         return Seen(status, controller)
 
@@ -178,8 +192,8 @@ class Walker:
         wanted = status_of(situation)
         client = JausID.parse(CLIENTS[situation.controller]) if situation.controller else None
         fits = seen.status in (wanted, STATUS["Standby"]) if wanted == STATUS["Init"] else seen.status == wanted
-        return (MANAGEMENT not in self._services or wanted is None or fits) and (
-            ACCESS_CONTROL not in self._services or seen.controller == client
+        return (MANAGEMENT not in self.services or wanted is None or fits) and (
+            ACCESS_CONTROL not in self.services or seen.controller == client
         )
 
     def settle(self, situation: Situation) -> Seen:
@@ -201,17 +215,17 @@ class Walker:
 
     def _go_home(self) -> Seen:
         """Undo everything that the tester may have done."""
-        if MANAGEMENT in self._services:
+        if MANAGEMENT in self.services:
             for role in CLIENTS:
                 self.client(role).send(ClearEmergency(STOP), to=self.component)
-        if ACCESS_CONTROL in self._services:
+        if ACCESS_CONTROL in self.services:
             for role in CLIENTS:
                 self.client(role).send(ReleaseControl(), to=self.component)
         return self.settle(self.start)
 
     def _measure(self) -> None:
         """Once, before anybody is in control: what only the component knows."""
-        if self._measured or ACCESS_CONTROL not in self._services:
+        if self._measured or ACCESS_CONTROL not in self.services:
             return
         seen = self._go_home()
         if not self.agrees(seen, self.start):

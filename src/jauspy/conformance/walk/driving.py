@@ -1,0 +1,230 @@
+"""The inputs of the drivers of mobility whose guards ask for a waypoint, for an element, or for a kind of velocity."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any, Final
+
+from jauspy.codec.base import Message
+from jauspy.conformance.checks import Check, has, near
+from jauspy.conformance.walk import lists, presence
+from jauspy.conformance.walk.effects import effect
+from jauspy.conformance.walk.events import UNKNOWN_ID
+from jauspy.conformance.walk.stimulus import Aftermath, Prepare, Stimulus
+from jauspy.conformance.walk.walker import OBSERVER, PILOT, Walker
+from jauspy.messages.core import Standby
+from jauspy.messages.mobility import (
+    ExecuteList,
+    ExecuteListExt,
+    QueryActiveElement,
+    QueryGlobalWaypoint,
+    QueryGlobalWaypointExt,
+    QueryLocalWaypoint,
+    QueryLocalWaypointExt,
+    QueryTravelSpeed,
+    QueryVelocityCommand,
+    QueryVelocityCommandExt,
+    ReportActiveElement,
+    ReportGlobalWaypoint,
+    ReportGlobalWaypointExt,
+    ReportLocalWaypoint,
+    ReportLocalWaypointExt,
+    ReportTravelSpeed,
+    ReportVelocityCommand,
+    ReportVelocityCommandExt,
+    SetGlobalWaypoint,
+    SetGlobalWaypointExt,
+    SetLocalWaypoint,
+    SetLocalWaypointExt,
+    SetTravelSpeed,
+    SetTravelSpeedExt,
+    SetVelocityCommand,
+    SetVelocityCommandExt,
+)
+
+MOBILITY: Final = "urn:jaus:jss:mobility:"
+FAR: Final = 1000.0
+"""m; nobody gets there during a step."""
+SLOW: Final = 0.05
+"""m/s; a step is over before it shows."""
+LATITUDE, LONGITUDE = 1.0, 2.0
+"""Degrees."""
+Speed = SetTravelSpeedExt.Speed
+
+
+def over_ground(speed: float) -> Any:
+    """As the wider messages have it."""
+    return Speed(Speed.Choice.SPEED_OVER_GROUND, speed)
+
+
+# --- waypoints ------------------------------------------------------------------------------------------------------
+
+
+def place(walker: Walker, waypoint: Message) -> None:
+    """The one in control sets a waypoint, before anybody drives."""
+    walker.client(PILOT).send(waypoint, to=walker.component)
+
+
+def stop(walker: Walker, role: str) -> None:  # noqa: ARG001 - a Prepare
+    """Nobody drives any more."""
+    walker.client(PILOT).send(Standby(), to=walker.component)
+    lists.clear(walker, PILOT)
+    walker.where = None
+
+
+def _far(walker: Walker) -> Message:
+    """A waypoint of a kind that the component takes."""
+    is_local = any(each.startswith(f"{MOBILITY}LocalWaypoint") for each in walker.services)
+    return SetLocalWaypoint(x=FAR, y=FAR) if is_local else SetGlobalWaypoint(latitude=LATITUDE, longitude=LONGITUDE)
+
+
+def _left_behind(waypoint: Message) -> Prepare:
+    """Set by a client that has gone since."""
+
+    def before(walker: Walker, role: str) -> None:  # noqa: ARG001 - a Prepare
+        walker.steer("RequestControl", PILOT)
+        place(walker, waypoint)
+        walker.steer("ReleaseControl", PILOT)
+        walker.look()
+
+    return before
+
+
+def _waypoint(waypoint: Message, kind: type[Message], report: type[Message], *right: Check) -> tuple[Stimulus, ...]:
+    def of_mine(each: Stimulus) -> Stimulus:
+        return replace(
+            each,
+            variant=f"{each.variant} of one that was set",
+            truths={"waypointExists": True},
+            before=lambda walker, _: place(walker, waypoint),
+            after=stop,
+            by_controller=True,
+            only_in="Available",
+            once=False,
+        )
+
+    everything, nothing, some = presence.variants(kind, report)
+    return (
+        everything,
+        of_mine(replace(everything, checks={report.NAME: right})),
+        of_mine(nothing),
+        of_mine(some),
+        replace(everything, variant="of one that was left", before=_left_behind(waypoint), once=True),
+    )
+
+
+_HERE: Final = near(0.01, x=FAR, y=FAR)
+_THERE: Final = near(1e-6, latitude=LATITUDE, longitude=LONGITUDE)
+WAYPOINTS: Final = (
+    *_waypoint(SetLocalWaypoint(x=FAR, y=FAR), QueryLocalWaypoint, ReportLocalWaypoint, *_HERE),
+    *_waypoint(SetLocalWaypointExt(x=FAR, y=FAR), QueryLocalWaypointExt, ReportLocalWaypointExt, *_HERE),
+    *_waypoint(
+        SetGlobalWaypoint(latitude=LATITUDE, longitude=LONGITUDE), QueryGlobalWaypoint, ReportGlobalWaypoint, *_THERE
+    ),
+    *_waypoint(
+        SetGlobalWaypointExt(latitude=LATITUDE, longitude=LONGITUDE),
+        QueryGlobalWaypointExt,
+        ReportGlobalWaypointExt,
+        *_THERE,
+    ),
+)
+
+
+# --- the way there --------------------------------------------------------------------------------------------------
+
+
+def _travel(command: Callable[[float], Message]) -> Stimulus:
+    return effect(
+        command,
+        QueryTravelSpeed(),
+        ReportTravelSpeed,
+        "speed",
+        SLOW,
+        truths={"waypointExists": True},
+        prepare=lambda walker, _: place(walker, _far(walker)),
+        cleanup=stop,
+    )
+
+
+def _hold(walker: Walker, role: str) -> None:  # noqa: ARG001 - a Prepare
+    """A list of one waypoint, when somebody is in control who can set it."""
+    walker.client(PILOT).send(lists.upload(_far(walker)), to=walker.component)
+    walker.look()
+
+
+def _is_active(then: Aftermath) -> None:
+    uid = lists.UID if then.outcome.acts else 0
+    observer = then.walker.client(OBSERVER)
+    observer.ask(QueryActiveElement(), ReportActiveElement, has(element_uid=uid), to=then.walker.component)
+
+
+def _execution(make: Callable[..., Message], speed: Callable[[float], Any]) -> tuple[Stimulus, ...]:
+    def under_way(walker: Walker, role: str) -> None:
+        _hold(walker, role)
+        walker.client(PILOT).send(make(speed=speed(0.0), element_uid=lists.UID), to=walker.component)
+
+    def start(variant: str, uid: int, *, exists: bool) -> Stimulus:
+        return Stimulus(
+            make(speed=speed(SLOW)).NAME,
+            lambda _: make(speed=speed(SLOW), element_uid=uid),
+            variant,
+            {"elementExists": exists, "elementSpecified": True},
+            before=_hold,
+            after=stop,
+            verify=_is_active,
+            of=MOBILITY,
+        )
+
+    return (
+        start("from one that is there", lists.UID, exists=True),
+        start("from an unknown one", UNKNOWN_ID, exists=False),
+        effect(
+            lambda value: make(speed=speed(value)),
+            QueryTravelSpeed(),
+            ReportTravelSpeed,
+            "speed",
+            SLOW,
+            truths={"elementExists": False, "elementSpecified": False},
+            variant="another speed",
+            prepare=under_way,
+            cleanup=stop,
+            of=MOBILITY,
+        ),
+    )
+
+
+# --- velocities -----------------------------------------------------------------------------------------------------
+
+CURRENT, MOST = 0, 1
+"""Kinds of velocity commands."""
+
+
+def _velocity(make: Callable[..., Message], query: Callable[..., Message], report: type[Any]) -> tuple[Stimulus, ...]:
+    def limit(walker: Walker) -> Message:
+        asked = walker.client(OBSERVER).ask(query(1, MOST), report, to=walker.component)
+        return make(command_type=MOST, velocity_x=asked.velocity_x)
+
+    return (
+        effect(
+            lambda value: make(command_type=CURRENT, velocity_x=value),
+            query(1, CURRENT),
+            report,
+            "velocity_x",
+            SLOW,
+            truths={"isCurrentVelocityCmd": True, "isCommandValueValid": True},
+            variant="for now",
+        ),
+        Stimulus(make(command_type=MOST).NAME, limit, "the limit that it has", {"isCurrentVelocityCmd": False}),
+    )
+
+
+DRIVING: Final = (
+    *WAYPOINTS,
+    _travel(SetTravelSpeed),
+    _travel(lambda speed: SetTravelSpeedExt(over_ground(speed))),
+    *_execution(ExecuteList, float),
+    *_execution(ExecuteListExt, over_ground),
+    *_velocity(SetVelocityCommand, QueryVelocityCommand, ReportVelocityCommand),
+    *_velocity(SetVelocityCommandExt, QueryVelocityCommandExt, ReportVelocityCommandExt),
+)
