@@ -76,6 +76,26 @@ async def test_it_is_given_its_id_by_what_an_action_decides(root: Path, manager:
         )
 
 
+async def test_it_is_there_as_soon_as_it_has_moved(root: Path, manager: NodeManager):
+    async with at(root, NOWHERE) as me, jauspy.OCU(OCU, connect=f"local:{root}") as ocu:
+        me.move(HOME)
+        await ocu.query(HOME, QueryTime(0xFF), timeout=5.0, retries=0)
+
+
+async def test_over_tcp_it_is_found_before_and_after(root: Path):
+    config = NodeConfig(address="127.0.0.1", port=0, local_root=root, tcp=True, tcp_port=0)
+    async with (
+        NodeManager(config) as node,
+        jauspy.OCU(OCU, connect=f"local:{root}") as ocu,
+        jauspy.Component("101.1.7", [Liveness()], connect=f"tcp://127.0.0.1:{node.tcp_port}") as me,
+    ):
+        for id in ("101.1.7", HOME):
+            me.move(id)
+            await ocu.query(id, QueryTime(0xFF))
+            robot = await ocu.discover(101)
+            assert robot.component(id).info.name == "jauspy component"
+
+
 async def test_what_runs_is_ended_under_the_old_id_and_begun_anew_under_the_new_one():
     hub = LoopbackHub()
     old, new = jauspy.JausID.parse("101.1.7"), jauspy.JausID.parse(HOME)

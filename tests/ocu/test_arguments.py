@@ -56,6 +56,11 @@ ASKING = {
         r"^a list is made of several elements, as in \[SetLocalWaypoint\(x=1.0, y=2.0\)\], not the SetLocalWaypoint",
     ),
     "tuples": (lambda it: it.elements.upload([(1.0, 2.0)]), r"^a list takes a message, as in Set.* not the tuple \(1"),
+    "one for one": (
+        lambda it: it.elements.replace(0, (1.0, 2.0)),
+        r"^a list takes a message, as in SetLocalWaypoint\(x=1.0, y=2.0\), not the tuple \(1.0, 2.0\)$",
+    ),
+    "one for several": (lambda it: it.elements.replace(slice(0, 2), 5), r"^a list is made of several elements"),
     "element class": (lambda it: it.elements.append(SetLocalWaypoint), "SetLocalWaypoint is only its class"),
     "index": (lambda it: it.elements.delete("1"), r"^index is a whole number, not the str '1'$"),
     "speed": (lambda it: it.elements.set_speed("1"), r"^speed is a number, not the str '1'$"),

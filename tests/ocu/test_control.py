@@ -442,6 +442,28 @@ async def test_cancellation_stops_and_releases_even_when_it_comes_twice(world):
     assert world.drives[0].effort == (0.0, 0.0)
 
 
+async def test_a_release_that_gets_lost_is_sent_again_behind_the_block(world):
+    robot = await world.robot(timeout=0)
+    driver = await driver_of(await world.ocu())
+    async with driver.control():
+        world.network.lose(ReleaseControl, times=5)
+    await until(lambda: robot.host.controller is None)
+
+
+async def test_control_that_nobody_waited_for_is_given_back_although_packets_get_lost(world):
+    robot = await world.robot(timeout=0)
+    driver = await driver_of(await world.ocu())
+    world.network.delay = 0.01
+    task = asyncio.create_task(driver.control().__aenter__())
+    await until(lambda: world.network.sent(RequestControl))
+    world.network.lose(ReleaseControl, times=2)
+    task.cancel()
+    with pytest.raises(asyncio.CancelledError):
+        await task
+    await until(lambda: robot.host.controller == HOLDER)
+    await until(lambda: robot.host.controller is None)
+
+
 async def test_leaving_is_bounded_when_the_robot_is_gone(world):
     robot = await world.robot()
     driver = await driver_of(await world.ocu())

@@ -159,6 +159,12 @@ async def test_inside_a_running_loop_as_in_a_notebook(node_manager):
         assert other.id.subsystem == 43
 
 
+async def test_async_with_says_what_to_write():
+    with pytest.raises(TypeError, match="use `with` for this OCU; `async with` is for what"):
+        async with OCU():
+            pytest.fail("entered")
+
+
 def test_closed_it_says_so_and_may_be_opened_again(node_manager):
     ocu = OCU("42.1.1", node_manager.local)
     with pytest.raises(TransportError, match="not open; use it inside `with`"):

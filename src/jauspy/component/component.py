@@ -34,11 +34,12 @@ class Component:
     """`async with jauspy.Component("101.1.120", [Battery()]): ...`, or `jauspy.run(component)`.
 
     The core services (Transport, Events, AccessControl, Management, Time, Liveness and Discovery) are there unless they
-    are given; with `core=False` only those that the others inherit from. `name` is what Discovery tells. `connect` says
-    where the node manager is: None (on this machine, its sockets in /tmp), or as for `OCU`; `transport` replaces it. An
-    id with zeros, as in `"0.0.101"`, waits to be given the rest, see `move`. A bug in a service is logged with the
-    message that met it; then the component stays as it is, or with `on_action_error="failure"` fails. `schema` and
-    `registry` replace the definitions and messages that are built in or that services bring along.
+    are given; with `core=False` only those that the others inherit from. `name` is what Discovery tells. `connect`
+    says where the node manager is: None (on this machine, its sockets in /tmp), or as for `OCU`, but by
+    "udp://HOST" nobody finds it who has not heard of it before; `transport` replaces it. An id with zeros, as in
+    `"0.0.101"`, waits to be given the rest, see `move`. A bug in a service is logged with the message that met it;
+    then the component stays as it is, or with `on_action_error="failure"` fails. `schema` and `registry` replace
+    the definitions and messages that are built in or that services bring along.
 
     Raises `ConfigError` that names every method which a service lacks.
     """

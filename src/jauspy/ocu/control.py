@@ -30,6 +30,7 @@ from jauspy.ocu.link import Link
 from jauspy.ocu.only_async import use
 from jauspy.ocu.patience import Patience
 from jauspy.ocu.standing import NOBODY, Standing, holder, status_name
+from jauspy.protocol.header import Ack
 
 LEAVE: Final = Patience(timeout=0.3, retries=2)
 """How long leaving the block waits for the component to say that control is released."""
@@ -106,7 +107,7 @@ class Control:
         except BaseException as error:
             self._link.controls.drop(self.id, self)
             if not isinstance(error, ControlRejected):
-                self._quietly(ReleaseControl())  # it may have been granted, and nobody is there to use it
+                self._quietly(ReleaseControl(), Ack.REQUIRED)  # it may have been granted, and nobody is there to use it
             raise
         self._stack.enter_context(self._link.replies.tapped(self.id, self._heard, ConfirmControl, RejectControl))
         self._stack.enter_context(self._link.before_closing(self._let_go))
@@ -237,11 +238,13 @@ class Control:
     async def _release(self) -> None:
         try:
             await self._link.request(self.id, ReleaseControl(), RejectControl, patience=LEAVE)
-        except (ResponseTimeout, TransportError):
-            return  # the component takes control back by itself when its timeout is over
+        except BaseException as error:
+            self._quietly(ReleaseControl(), Ack.REQUIRED)  # nobody waits for this one; most components have a timeout
+            if not isinstance(error, ResponseTimeout | TransportError):
+                raise
 
-    def _quietly(self, message: Message) -> None:
+    def _quietly(self, message: Message, ack: Ack = Ack.NONE) -> None:
         try:
-            self._link.send(self.id, message)
+            self._link.send(self.id, message, ack=ack)
         except TransportError:
             self._lose("the OCU was closed")

@@ -108,10 +108,8 @@ class Elements(Sequence[Element]):
 
     async def replace(self, index: int | slice, elements: Element | Iterable[Element]) -> None:
         """What `list[index] = elements` does. One that is being carried out is begun anew."""
+        new = _checked(elements if isinstance(index, slice) else [elements])
         uids = await self._at(index)
-        new = _checked([elements] if isinstance(elements, Message | bytes) else elements)
-        if not isinstance(index, slice) and len(new) != 1:
-            raise ConfigError(f"{len(new)} elements cannot replace the one at {index}; use a slice")
         if len(new) == len(uids):
             await self._set(dict(zip(uids, new, strict=True)), list(await self._known()))
             return
@@ -151,9 +149,9 @@ class Elements(Sequence[Element]):
                 return
 
     async def set_speed(self, speed: float) -> None:
-        """Go on at another speed, in m/s."""
+        """Go on at another speed, in m/s; raises `ResponseTimeout` when the component does not acknowledge it."""
         command = self._service.message("ExecuteList")
-        await self._service.send(command(**_speed(command, speed)))
+        await self._service.send(command(**_speed(command, speed)), ack=True)
 
     async def active(self) -> int | None:
         """The index of the element that is being carried out, None when there is none."""
@@ -272,7 +270,7 @@ class Elements(Sequence[Element]):
             return data.data
 
 
-def _checked(elements: Iterable[Element]) -> list[Element]:
+def _checked(elements: Any) -> list[Element]:
     if isinstance(elements, Message | bytes | type) or not isinstance(elements, Iterable):
         raise TypeError(f"a list is made of several elements, as in [{EXAMPLE}], not {described(elements)}")
     found = list(elements)

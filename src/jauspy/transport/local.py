@@ -100,9 +100,9 @@ class LocalTransport:
         goodbye()
         self._leave(old, sender)
         self.id = id
-        self._listen(asyncio.get_running_loop(), new)
+        self._listen(asyncio.get_running_loop(), new).send(self._node, junior.connect(id))
         self._accepted.clear()
-        self._loss.set()  # the keeper connects again at once
+        self._loss.set()  # the keeper goes on until it is accepted
 
     def send(self, datagram: bytes) -> None:
         """Hand a datagram to the node manager; what it cannot take yet waits, in bounds."""
@@ -119,10 +119,11 @@ class LocalTransport:
         path = self._path(id)
         return local_socket.bind(path, owner=f"another component {id}", advice="use another id for this one")
 
-    def _listen(self, loop: asyncio.AbstractEventLoop, sock: socket.socket) -> None:
+    def _listen(self, loop: asyncio.AbstractEventLoop, sock: socket.socket) -> LocalSender:
         self._socket = sock
-        self._sender = LocalSender(sock, self._counters, self._lost)
+        sender = self._sender = LocalSender(sock, self._counters, self._lost)
         draining.attach(loop, sock, self._take, self._failed)
+        return sender
 
     def _leave(self, sock: socket.socket, sender: LocalSender) -> None:
         sender.send(self._node, junior.cancel(self.id))
