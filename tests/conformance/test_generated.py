@@ -12,6 +12,7 @@ from tests.conformance.simulated import TARGET, examined, robot
 
 from jauspy.conformance import Bench, Part, Verdict, find, offers_of
 from jauspy.conformance.offers import Offers
+from jauspy.conformance.trace import Direction
 from jauspy.conformance.walk.neutral import neutral
 from jauspy.conformance.walk.plan import Planner
 from jauspy.conformance.walk.subject import subject_of
@@ -53,6 +54,23 @@ def test_every_lasting_state_is_visited():
         "Controlled.Available.Ready",
         "Controlled.NotAvailable.Emergency",
     }
+
+
+def test_without_motion_nothing_is_commanded_in_ready():
+    ready = "Controlled.Available.Ready"
+    report = examined("mobility-1.1", robot(timeout=5, tick=None), JausID(105, 1, 1), motion=False, only=(ready,))
+    core_codes = {kind.CODE for kind in registry if ":core:" in kind.SERVICE}
+    commands = {kind.CODE for kind in registry if kind.IS_COMMAND} - core_codes
+    moved = {
+        result.id
+        for result in report.results
+        for entry in result.entries
+        if entry.direction is Direction.SENT
+        for packet in entry.packets
+        if int.from_bytes(packet.payload[:2], "little") in commands
+    }
+    assert report.counts[Verdict.PASS] > 40
+    assert moved == set()
 
 
 def test_steps_have_names_of_their_own():
