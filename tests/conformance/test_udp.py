@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import resource
 import socket
@@ -106,3 +107,25 @@ def test_more_files_than_select_can_count(free_port):
             os.close(each)
         resource.setrlimit(resource.RLIMIT_NOFILE, (soft, hard))
     assert arrival is not None
+
+
+def test_what_arrives_while_a_step_is_busy_is_kept(free_port):
+    """As much as in a socket that asked the kernel for a large buffer."""
+    wire = UdpWire(group=(GROUP, free_port), port=free_port)
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as other:
+        other.setblocking(False)
+        other.bind(("127.0.0.1", 0))
+        multicast.hold_bursts(other)
+        held = arrived = 0
+        try:
+            for _ in range(1000):
+                say(QUESTION, ("127.0.0.1", free_port))
+                say(QUESTION, other.getsockname())
+            with contextlib.suppress(BlockingIOError):
+                while other.recv(5000):
+                    held += 1
+            while wire.receive(time.monotonic() + 0.1) is not None:
+                arrived += 1
+        finally:
+            wire.close()
+    assert arrived >= 0.9 * held

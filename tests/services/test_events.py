@@ -319,6 +319,21 @@ def test_a_first_change_is_reported_once_and_so_is_a_report_asked_for_once(make)
     assert rig.host.next_timeout() is None
 
 
+def test_periodic_reports_are_dropped_before_what_is_told_once(make) -> None:
+    rig = make(Management(), Liveness(), AccessControl(), Events(timeout=0), max_output=4)
+    rig.ask(A, create(QueryHeartbeatPulse(), rate=50.0))
+    rig.host.handle_timeout(0.0)
+    rig.host.receive(create(QueryStatus(), kind=ON_CHANGE, rate=0.0, request=9).encode(), rig.ID.parse(A), 0.0)
+    for tick in range(100):
+        rig.host.handle_timeout(tick * 0.02)
+    sent = [message for _, message in rig.sent()]
+    assert len(sent) == 4
+    assert ConfirmEventRequest(9, 2, 0.0) in sent
+    assert ReportStatus(status=ReportStatus.Status.STANDBY, reserved=0) in [
+        each.report_message for each in sent if isinstance(each, Event)
+    ]
+
+
 def test_events_of_a_client_that_cannot_be_reached_end(rig) -> None:
     rig.ask(A, create(QueryStatus()))
     rig.ask(A, create(QueryControl(), kind=ON_CHANGE))

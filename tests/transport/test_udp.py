@@ -1,6 +1,7 @@
 """A component that speaks JUDP itself: learned addresses and multicasts."""
 
 import asyncio
+import contextlib
 import errno
 import socket
 from collections.abc import Iterator
@@ -11,7 +12,7 @@ from jauspy.errors import TransportError
 from jauspy.ids import EVERYONE, JausID
 from jauspy.protocol import judp
 from jauspy.protocol.header import Broadcast, Packet
-from jauspy.transport import UdpTransport, memberships
+from jauspy.transport import UdpTransport, memberships, multicast
 
 US, PEER, OTHER = (JausID.parse(text) for text in ("42.1.1", "101.1.1", "102.1.1"))
 GROUP = "239.255.0.7"
@@ -120,3 +121,25 @@ async def test_needs_somebody_to_send_to() -> None:
 async def test_an_address_that_is_not_ours() -> None:
     with pytest.raises(TransportError, match=r"cannot use UDP 192\.0\.2\.77:0"):
         await UdpTransport(US, peer=("127.0.0.1", 3794), bind=("192.0.2.77", 0)).open()
+
+
+async def test_a_burst_is_kept_while_its_reader_is_busy(sockets: list[socket.socket]) -> None:
+    """As much as in a socket that asked the kernel for a large buffer; the usual one holds some 270 messages."""
+    sender, other = sockets
+    other.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, multicast.RECEIVE_BUFFER)
+    transport = UdpTransport(US, peer=other.getsockname())
+    await transport.open()
+    try:
+        assert transport._socket is not None
+        for address in (("127.0.0.1", transport._socket.getsockname()[1]), other.getsockname()):
+            for number in range(1000):
+                sender.sendto(judp.pack(Packet(PEER, US, b"\x02\x20", number)), address)
+        held = 0
+        with contextlib.suppress(BlockingIOError):
+            while other.recv(5000):
+                held += 1
+        async with asyncio.timeout(20):
+            while transport.counters["received"] < 0.9 * held:
+                await asyncio.sleep(0.001)
+    finally:
+        await transport.close()

@@ -85,7 +85,7 @@ class UdpWire:
             for key, _ in ready:
                 if (datagram := self._read(key.data)) is not None:
                     return Arrival(datagram, key.data is self._strange)
-            if not ready or time.monotonic() >= until:
+            if not ready:
                 return None
 
     def close(self) -> None:
@@ -136,6 +136,7 @@ def _sender(port: int, interface: str) -> socket.socket:
     sock = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
     try:
         sock.setblocking(False)
+        multicast.hold_bursts(sock)
         multicast.prepare_sender(sock, interface, judp.MULTICAST_TTL)
         multicast.hear_only_joined(sock)
         try:

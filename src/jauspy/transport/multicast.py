@@ -22,6 +22,11 @@ def prepare_sender(sock: socket.socket, interface: str, ttl: int) -> None:
         sock.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_IF, socket.inet_aton(interface))
 
 
+def hold_bursts(sock: socket.socket) -> None:
+    """What arrives while its reader is busy is kept, as far as the kernel allows."""
+    sock.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, RECEIVE_BUFFER)
+
+
 def prepare_ipv6(sock: socket.socket, hops: int) -> None:
     """Multicasts come back to this host, and only groups that this socket joins arrive."""
     sock.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_MULTICAST_HOPS, hops)
@@ -51,7 +56,7 @@ def receiver(group: tuple[str, int]) -> socket.socket:
     sock = socket.socket(family, socket.SOCK_DGRAM)
     try:
         sock.setblocking(False)
-        sock.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, RECEIVE_BUFFER)
+        hold_bursts(sock)
         sock.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         sock.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEPORT, 1)
         sock.bind(group)

@@ -66,6 +66,7 @@ class UdpTransport:
         sock = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         try:
             sock.setblocking(False)
+            multicast.hold_bursts(sock)
             multicast.prepare_sender(sock, self._interface, judp.MULTICAST_TTL)
             sock.bind(self._bind)
         except OSError as error:

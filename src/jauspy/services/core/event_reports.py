@@ -6,6 +6,7 @@ from functools import partial
 
 from jauspy.codec.base import Message
 from jauspy.messages.core import Event, RejectEventRequest
+from jauspy.protocol.header import Priority
 from jauspy.services.core.rates import Rates
 from jauspy.services.core.subscriptions import (
     FIRST_CHANGE,
@@ -50,7 +51,9 @@ class EventReports(Service):
             self._report(msg, answer)
 
     def _report(self, msg: Subscription, answer: bytes) -> None:
-        self.host.send(msg.client, Event(event_id=msg.id, sequence_number=msg.sequence, report_message=answer))
+        event = Event(event_id=msg.id, sequence_number=msg.sequence, report_message=answer)
+        # It comes again: where a client does not keep up, answers and changes, which are told once, are kept.
+        self.host.send(msg.client, event, priority=Priority.LOW if msg.kind == PERIODIC else Priority.STANDARD)
         msg.sequence = msg.sequence + 1 & 0xFF
         if msg.kind in MORE_KINDS:
             self._end(msg)
