@@ -355,12 +355,12 @@ async def test_a_lost_command_is_sent_again_and_a_lost_end_is_noticed(virtual_ne
     assert seen == [0, 1]
 
 
-async def test_from_the_middle_and_at_another_speed(robot, driver, client):
+async def test_from_the_middle_and_at_another_speed(virtual_network, robot, driver, client):
     await client.waypoints.upload(at(1, 2, 3))
     await client.waypoints.execute(speed=1.0, start=-1)
     assert await client.waypoints.active() == 2
+    virtual_network.lose(ExecuteList, times=2)
     await client.waypoints.set_speed(0.5)
-    await client.status()
     assert driver.speeds == [pytest.approx(1.0, abs=0.01), pytest.approx(0.5, abs=0.01)]
 
 

@@ -159,6 +159,12 @@ async def test_inside_a_running_loop_as_in_a_notebook(node_manager):
         assert other.id.subsystem == 43
 
 
+async def test_async_with_says_what_to_write():
+    with pytest.raises(TypeError, match="use `with` for this OCU; `async with` is for what"):
+        async with OCU():
+            pytest.fail("entered")
+
+
 def test_closed_it_says_so_and_may_be_opened_again(node_manager):
     ocu = OCU("42.1.1", node_manager.local)
     with pytest.raises(TransportError, match="not open; use it inside `with`"):
@@ -238,6 +244,29 @@ def test_a_program_that_ends_without_closing_leaves_standby(robot, node_manager,
     assert ocu.query(MODULES[0], QueryStatus()).status == Status.STANDBY
     control = ocu.query(MODULES[0], QueryControl())
     assert (control.subsystem_id, control.node_id, control.component_id) == (0, 0, 0)
+
+
+FORKED = """
+import os, sys
+import jauspy
+from jauspy.messages.core import QueryStatus
+
+ocu = jauspy.sync.OCU(connect="udp://127.0.0.1:9")
+ocu.open()
+child = os.fork()
+if not child:
+    try:
+        ocu.query("1.1.1", QueryStatus())
+    except jauspy.TransportError as error:
+        print(error, flush=True)
+    sys.exit(3)
+print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), ocu.is_open)
+"""
+
+
+def test_a_forked_process_is_told_and_does_not_hang():
+    run = subprocess.run([sys.executable, "-c", FORKED], capture_output=True, text=True, timeout=30, check=False)
+    assert run.stdout == "this is not open; use it inside `with`, and in the process that opened it\n3 True\n"
 
 
 INTERRUPTED = """

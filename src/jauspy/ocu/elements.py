@@ -149,9 +149,9 @@ class Elements(Sequence[Element]):
                 return
 
     async def set_speed(self, speed: float) -> None:
-        """Go on at another speed, in m/s."""
+        """Go on at another speed, in m/s; raises `ResponseTimeout` when the component does not acknowledge it."""
         command = self._service.message("ExecuteList")
-        await self._service.send(command(**_speed(command, speed)))
+        await self._service.send(command(**_speed(command, speed)), ack=True)
 
     async def active(self) -> int | None:
         """The index of the element that is being carried out, None when there is none."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import atexit
 from types import TracebackType
-from typing import Generic, Self, TypeVar
+from typing import TYPE_CHECKING, Generic, NoReturn, Self, TypeVar
 
 from jauspy.ocu.client import OCU
 from jauspy.sync.portal import Portal
@@ -21,6 +21,13 @@ class Facade(Generic[A]):
 
     def __repr__(self) -> str:
         return repr(self._async)
+
+    if not TYPE_CHECKING:
+
+        def __aenter__(self) -> NoReturn:
+            raise TypeError(f"use `with` for this {type(self).__name__}; `async with` is for what jauspy.OCU gives")
+
+        __aexit__ = __aenter__
 
 
 class OpensPortal(Facade[OCU]):

@@ -212,7 +212,7 @@ class Elements(Facade[_Elements], MutableSequence[Element]):
         self._portal.run(self._async.execute(speed, start=start))
 
     def set_speed(self, speed: float) -> None:
-        """Go on at another speed, in m/s."""
+        """Go on at another speed, in m/s; raises `ResponseTimeout` when the component does not acknowledge it."""
         self._portal.run(self._async.set_speed(speed))
 
     def active(self) -> int | None:
