@@ -29,6 +29,8 @@ from jauspy.messages.mobility import (
     QueryGlobalVectorExt,
     QueryGlobalWaypoint,
     QueryGlobalWaypointExt,
+    QueryLocalPose,
+    QueryLocalPoseExt,
     QueryLocalVector,
     QueryLocalVectorExt,
     QueryLocalWaypoint,
@@ -42,6 +44,8 @@ from jauspy.messages.mobility import (
     SetGlobalVectorExt,
     SetGlobalWaypoint,
     SetGlobalWaypointExt,
+    SetLocalPose,
+    SetLocalPoseExt,
     SetLocalVector,
     SetLocalVectorExt,
     SetLocalWaypoint,
@@ -427,3 +431,27 @@ def test_geomagnetic_property_is_kept(rig) -> None:
 def test_services_on_the_globe_need_an_origin(make, drive, kind) -> None:
     with pytest.raises(ConfigError, match="need an origin"):
         make(kind(Vehicle(drive)))
+
+
+def test_what_is_too_far_away_for_a_message_is_left_out(rig) -> None:
+    """Clients set by the wider forms what the narrower ones cannot say; that is no bug of the component."""
+    rig.tell(A, RequestControl(100))
+    rig.tell(A, SetLocalWaypointExt(x=150_000.0, y=2.0))
+    assert rig.tell(B, QueryLocalWaypoint(ALL)) == []
+    assert rig.ask(B, QueryLocalWaypointExt(ALL)).x == near(150_000.0, 0.01)
+    rig.tell(A, SetLocalPoseExt(x=150_000.0, y=2.0))
+    narrow = rig.ask(B, QueryLocalPose(0x1FF))
+    assert (narrow.x, narrow.y) == (None, near(2.0, 0.01))
+    assert rig.ask(B, QueryLocalPoseExt(0xFFFF)).x == near(150_000.0, 0.01)
+    rig.tell(A, SetLocalPose(z=100_000.0))
+    assert rig.ask(B, QueryLocalPose(0x1FF)).z == near(100_000.0)
+    assert rig.ask(B, QueryLocalPoseExt(0xFFFF)).z_local is None
+    rig.tell(A, SetLocalWaypoint(x=1.0, y=2.0, z=-100_000.0))
+    assert rig.ask(B, QueryLocalWaypoint(ALL)).z == near(-100_000.0)
+    assert rig.ask(B, QueryLocalWaypointExt(ALL)).z_position is None
+    rig.tell(A, Resume())
+    deep = ZPosition(ZPosition.Choice.Z_LOCAL, 40_000.0)
+    rig.tell(A, SetLocalVectorExt(speed=Speed(OVER_GROUND, 0.0), z_position=deep))
+    assert rig.ask(B, QueryLocalVector(ALL)).z is None
+    assert rig.ask(B, QueryLocalVectorExt(ALL)).z_position.value == near(40_000.0)
+    assert rig.host.counters["unencodable"] == 0

@@ -77,3 +77,11 @@ def test_sensors_stamp_with_the_time_that_was_set(robot) -> None:
 def test_without_the_service_the_wall_clock_is_the_time(make) -> None:
     rig = make(Liveness())
     assert rig.host.utc_time == rig.host.utc_now()
+
+
+def test_a_year_that_32_bits_of_seconds_do_not_reach_leaves_the_pose(robot) -> None:
+    robot.tell(A, RequestControl(100))
+    robot.tell(A, SetTime(TimeStamp(0, 1, 2, 3, 31), DateStamp(31, 12, 107)))
+    report = robot.ask(A, QueryLocalPoseExt(0xFFFF))
+    assert (report.time_seconds, report.time_nano_seconds) == (None, None)
+    assert report.x is not None

@@ -177,13 +177,6 @@ def test_closed_it_says_so_and_may_be_opened_again(node_manager):
     assert "jauspy" not in threads
 
 
-def test_closing_inside_a_block_does_not_hang(robot, node_manager):
-    with OCU("42.1.1", node_manager.local) as ocu:
-        driver = ocu.discover(101).service("PrimitiveDriver")
-        with driver.control(), driver.subscribe(QueryStatus()):
-            ocu.close()
-
-
 def test_what_cannot_be_opened_leaves_no_thread(tmp_path):
     with pytest.raises(TransportError, match="no node manager"):
         OCU("42.1.1", f"local:{tmp_path}").open()
@@ -211,10 +204,10 @@ def test_figures_may_be_looked_at_while_they_grow(ocu):
         counting.join(20)
 
 
-def test_closing_inside_a_block_leaves_standby(robot, node_manager):
+def test_closing_inside_a_block_leaves_standby_and_does_not_hang(robot, node_manager):
     with OCU("42.1.1", node_manager.local) as ocu:
         driver = ocu.discover(101).service("PrimitiveDriver")
-        with driver.control() as control:
+        with driver.control() as control, driver.subscribe(QueryStatus()):
             driver.resume()
             ocu.close()
             assert control.lost == "the OCU was closed"
@@ -244,6 +237,29 @@ def test_a_program_that_ends_without_closing_leaves_standby(robot, node_manager,
     assert ocu.query(MODULES[0], QueryStatus()).status == Status.STANDBY
     control = ocu.query(MODULES[0], QueryControl())
     assert (control.subsystem_id, control.node_id, control.component_id) == (0, 0, 0)
+
+
+FORKED = """
+import os, sys
+import jauspy
+from jauspy.messages.core import QueryStatus
+
+ocu = jauspy.sync.OCU(connect="udp://127.0.0.1:9")
+ocu.open()
+child = os.fork()
+if not child:
+    try:
+        ocu.query("1.1.1", QueryStatus())
+    except jauspy.TransportError as error:
+        print(error, flush=True)
+    sys.exit(3)
+print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), ocu.is_open)
+"""
+
+
+def test_a_forked_process_is_told_and_does_not_hang():
+    run = subprocess.run([sys.executable, "-c", FORKED], capture_output=True, text=True, timeout=30, check=False)
+    assert run.stdout == "this is not open; use it inside `with`, and in the process that opened it\n3 True\n"
 
 
 INTERRUPTED = """

@@ -37,17 +37,20 @@ class Lanes:
                 yield
             finally:
                 lane.active -= 1
-                if not lane.active:
-                    lane.turn.set()
         finally:
-            if not lane.active and not lane.waiting:
-                self._lanes.pop(key, None)
+            if not lane.active:
+                lane.turn.set()
+                if not lane.waiting:
+                    self._lanes.pop(key, None)
 
     async def _wait(self, lane: _Lane, content: bytes) -> None:
+        """Who comes new goes behind all who wait, or these might wait for ever."""
+        has_turn = not lane.waiting
         lane.waiting += 1
         try:
-            while lane.active and lane.content != content:
+            while not has_turn or (lane.active and lane.content != content):
                 lane.turn.clear()
                 await lane.turn.wait()
+                has_turn = True
         finally:
             lane.waiting -= 1

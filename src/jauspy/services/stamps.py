@@ -19,6 +19,7 @@ def date_stamp(at: datetime) -> DateStamp:
     return DateStamp(day=at.day, month=at.month, year=at.year - 2000)
 
 
-def epoch_seconds(at: datetime) -> tuple[int, int]:
-    """Whole seconds since 1970, and the nanoseconds after them."""
-    return int(at.timestamp()), at.microsecond * 1000
+def epoch_seconds(at: datetime) -> tuple[int, int] | tuple[None, None]:
+    """Whole seconds since 1970, and the nanoseconds after them; a client may set a year that 32 bits do not reach."""
+    seconds = int(at.timestamp())
+    return (seconds, at.microsecond * 1000) if 0 <= seconds <= 0xFFFFFFFF else (None, None)

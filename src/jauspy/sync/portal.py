@@ -33,13 +33,13 @@ class Portal:
 
     @property
     def is_open(self) -> bool:
-        """True between `open` and `close`."""
-        return self._loop is not None
+        """True between `open` and `close`; false in a process that was forked, which has the thread no more."""
+        return self._loop is not None and self._thread is not None and self._thread.is_alive()
 
     def open(self) -> None:
         """Start the thread; twice is fine."""
         with self._lock:
-            if self._loop is None:
+            if not self.is_open:
                 ready: Future[asyncio.AbstractEventLoop] = Future()
                 self._thread = threading.Thread(target=_live, args=(ready,), name=self._name, daemon=True)
                 self._thread.start()
@@ -92,8 +92,8 @@ class Portal:
         self.close()
 
     def _usable(self) -> asyncio.AbstractEventLoop:
-        if self._loop is None:
-            raise TransportError("this is not open; use it inside `with`")
+        if self._loop is None or not self.is_open:
+            raise TransportError("this is not open; use it inside `with`, and in the process that opened it")
         if threading.current_thread() is self._thread:
             raise TransportError("called from its own event loop, which would wait for itself; use `await` there")
         return self._loop

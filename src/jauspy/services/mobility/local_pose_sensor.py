@@ -12,6 +12,7 @@ from jauspy.messages.mobility import (
     ZPosition,
 )
 from jauspy.platform.contract import Pose
+from jauspy.services.mobility.reach import HIGH, NARROW, WIDE, within
 from jauspy.services.mobility.vehicle import Vehicle
 from jauspy.services.service import Service
 from jauspy.services.stamps import epoch_seconds, time_stamp
@@ -48,12 +49,12 @@ class LocalPoseSensor(Service, urn="urn:jaus:jss:mobility:LocalPoseSensor"):
         self._vehicle.local.set(self._vehicle.pose, shown)
 
     def report_local_pose(self) -> ReportLocalPose:
-        """Everything that is measured; there is no estimate of the errors."""
+        """Everything that is measured and can be said; there is no estimate of the errors."""
         pose = self.pose
         return ReportLocalPose(
-            x=pose.x,
-            y=pose.y,
-            z=pose.z,
+            x=within(pose.x, NARROW),
+            y=within(pose.y, NARROW),
+            z=within(pose.z, NARROW),
             roll=pose.roll,
             pitch=pose.pitch,
             yaw=pose.yaw,
@@ -65,9 +66,9 @@ class LocalPoseSensor(Service, urn="urn:jaus:jss:mobility:LocalPoseSensor"):
         pose = self.pose
         seconds, nanoseconds = epoch_seconds(self.host.utc_time)
         return ReportLocalPoseExt(
-            x=pose.x,
-            y=pose.y,
-            z_local=pose.z,
+            x=within(pose.x, WIDE),
+            y=within(pose.y, WIDE),
+            z_local=within(pose.z, HIGH),
             roll=pose.roll,
             pitch=pose.pitch,
             heading=pose.yaw,

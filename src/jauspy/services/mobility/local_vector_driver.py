@@ -11,6 +11,7 @@ from jauspy.messages.mobility import (
     SetLocalVectorExt,
     ZPosition,
 )
+from jauspy.services.mobility.reach import local_z
 from jauspy.services.mobility.speeds import over_ground
 from jauspy.services.mobility.vector_driver import Vector, VectorDriver
 from jauspy.services.mobility.vehicle import Vehicle
@@ -48,10 +49,10 @@ class LocalVectorDriver(VectorDriver, urn="urn:jaus:jss:mobility:LocalVectorDriv
 
     def report_local_vector(self) -> ReportLocalVector:
         """What was commanded; the speed without its direction, which only the wider form has."""
-        vector, z = self.vector, self._z
+        vector = self.vector
         return ReportLocalVector(
             speed=abs(vector.speed),
-            z=z.value if z is not None and z.choice == ZPosition.Choice.Z_LOCAL else None,
+            z=local_z(self._z, -10_000.0, 35_000.0),
             heading=vector.heading,
             roll=vector.roll,
             pitch=vector.pitch,

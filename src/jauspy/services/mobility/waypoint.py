@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TypeAlias
+from typing import Final, TypeAlias
 
 from jauspy.messages.mobility import (
     GlobalZPosition,
@@ -17,8 +17,9 @@ from jauspy.messages.mobility import (
     SetLocalWaypointExt,
     ZPosition,
 )
+from jauspy.services.mobility.reach import NARROW, local_z, sayable
 
-WIDEST: float = 100.0
+WIDEST: Final = 100.0
 """Metres; a larger tolerance fits only the wider form of a waypoint."""
 
 
@@ -47,13 +48,15 @@ class LocalWaypoint:
     attitude: Attitude
     z: ZPosition | None = None
 
-    def report(self) -> ReportLocalWaypoint:
-        """As it was set; a height above some datum is no z of the local frame."""
-        z, attitude = self.z, self.attitude
+    def report(self) -> ReportLocalWaypoint | None:
+        """As it was set; None when it is too far away for that."""
+        attitude = self.attitude
+        if max(abs(self.x), abs(self.y)) > NARROW:
+            return None
         return ReportLocalWaypoint(
             x=self.x,
             y=self.y,
-            z=z.value if z is not None and z.choice == ZPosition.Choice.Z_LOCAL else None,
+            z=local_z(self.z),
             roll=attitude.roll,
             pitch=attitude.pitch,
             yaw=attitude.yaw,
@@ -67,7 +70,7 @@ class LocalWaypoint:
         return ReportLocalWaypointExt(
             x=self.x,
             y=self.y,
-            z_position=self.z,
+            z_position=sayable(self.z),
             roll=attitude.roll,
             pitch=attitude.pitch,
             heading=attitude.yaw,

@@ -1,0 +1,31 @@
+"""How far from the origin the messages about poses and waypoints reach (AS6009)."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from jauspy.messages.mobility import ZPosition
+
+NARROW: Final = 100_000.0
+"""Metres along x, y and z that fit the narrower forms; clients may set more by the wider ones."""
+WIDE: Final = 20_000_000.0
+"""Metres along x and y that fit the wider forms."""
+HIGH: Final = 50_000.0
+"""Metres along z that fit the wider forms."""
+
+
+def local_z(position: ZPosition | None, lowest: float = -NARROW, highest: float = NARROW) -> float | None:
+    """The z of a narrower form: a height above some datum is none, and what does not fit is left out."""
+    if position is None or position.choice != ZPosition.Choice.Z_LOCAL:
+        return None
+    return position.value if lowest <= position.value <= highest else None
+
+
+def sayable(z: ZPosition | None) -> ZPosition | None:
+    """As `within`, for the vertical position of the wider forms."""
+    return None if z is None or within(z.value, HIGH) is None else z
+
+
+def within(value: float, most: float) -> float | None:
+    """The value, or None, which leaves the field out, when the message cannot say it."""
+    return value if abs(value) <= most else None
