@@ -177,6 +177,11 @@ GENERATED: Final = (
         patched(ListManager, set_element=idle),
     ),
     core_fault(
+        "lists take nothing",
+        f"{STANDBY}/SetElement/pilot/a-new-one",
+        patched(ListManager, is_element_supported=lambda self, msg: False),
+    ),
+    core_fault(
         "deleted elements stay",
         f"{STANDBY}/DeleteElement/pilot/one-that-is-there",
         patched(ListManager, delete_element=idle),
