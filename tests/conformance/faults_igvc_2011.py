@@ -42,7 +42,8 @@ def rules(name: str, trips: str, inject: Injector, *, motion: bool = False, only
 
 
 def waypoints(name: str, trips: str, inject: Injector) -> Fault:
-    return rules(name, trips, inject, motion=True, only="1.4 3.2 6")
+    """Nobody needs to drive when that does not even begin."""
+    return rules(name, trips, inject, motion=True, only="1.4 3.2 6.1 6.4" if trips == "6.4" else "1.4 3.2 6")
 
 
 def announces_every(seconds: float) -> Injector:
@@ -104,13 +105,13 @@ TASKS: Final[tuple[type[Message], ...]] = (
     core.ReportElementCount,
     core.ReportElementList,
 )
-FOLLOWING: Final[tuple[type[Message], ...]] = (
-    core.ConfirmControl,
-    core.ReportStatus,
-    mobility.ReportActiveElement,
-    mobility.ReportTravelSpeed,
-    mobility.ReportLocalWaypoint,
-    mobility.ReportLocalPose,
+FOLLOWING: Final[tuple[tuple[str, type[Message]], ...]] = (
+    ("6.5", core.ConfirmControl),
+    ("6.4", core.ReportStatus),
+    ("6.4", mobility.ReportActiveElement),
+    ("6.4", mobility.ReportTravelSpeed),
+    ("6.4", mobility.ReportLocalWaypoint),
+    ("6.5", mobility.ReportLocalPose),
 )
 
 IGVC_2011: Final = (
@@ -165,9 +166,11 @@ IGVC_2011: Final = (
     rules("lists are confirmed as request 99", "6.1", field(core.ConfirmElementRequest, request_id=99)),
     rules("the list is empty", "6.2", field(core.ReportElementCount, element_count=0)),
     rules("no element is listed", "6.3", instead(core.ReportElementList, half_listed)),
-    *(waypoints(f"driving: {kind.NAME} is never sent", "", later(core.Resume, 1, without(kind))) for kind in FOLLOWING),
-    *(waypoints(f"driving: {kind.NAME} is short", "", later(core.Resume, 1, short(kind))) for kind in FOLLOWING),
-    *(waypoints(f"driving: {kind.NAME} is late", "", later(core.Resume, 1, slow(kind))) for kind in FOLLOWING),
+    *(
+        waypoints(f"driving: {kind.NAME} {name}", step, later(core.Resume, 1, make(kind)))
+        for name, make in (("is never sent", without), ("is short", short), ("is late", slow))
+        for step, kind in FOLLOWING
+    ),
     waypoints("Resume is ignored", "6.4", deaf_to(core.Resume)),
     waypoints("ExecuteList is answered", "6.4", chatty(mobility.ExecuteList)),
     waypoints("the active element is always 3", "6.4", field(mobility.ReportActiveElement, element_uid=3)),

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from datetime import UTC, datetime, timedelta
+from functools import cache
 
 from jauspy.conformance import Bench, Part, Profile, Report, Settings, find, run
 from jauspy.ids import JausID
@@ -15,6 +16,7 @@ from jauspy.modules.description import robot_model
 from jauspy.modules.hosts import host_of
 from jauspy.modules.robot import announced
 from jauspy.platform import backends
+from jauspy.platform.description import RobotModel
 from jauspy.platform.stills import Still, StillSettings
 from jauspy.video.camera_process import CameraProcess
 from jauspy.video.still_orders import Then
@@ -23,6 +25,12 @@ START = datetime(2026, 3, 14, 15, 9, 26, 535000, tzinfo=UTC)
 TARGET = JausID(105, 1, 255)
 
 Maker = Callable[..., Bench]
+
+
+@cache
+def _model(name: str) -> RobotModel:
+    """The body, which no robot changes; reading it takes longer than most runs."""
+    return robot_model(robots.load(name))
 
 
 class Cameraman(CameraProcess):
@@ -46,7 +54,7 @@ def robot(
         access = config.modules[0].access_control.model_copy(update={"timeout": timeout})
         modules = tuple(each.model_copy(update={"access_control": access}) for each in config.modules)
         config = config.model_copy(update={"modules": modules})
-    model = robot_model(config)
+    model = _model(name)
     body = backends.find("kinematic").open(model, config.world)
     videos = {each.name: Cameraman(body.cameras[each.name], each.settings()) for each in config.cameras}
     made: list[Bench] = []

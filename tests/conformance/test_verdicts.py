@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import sys
+from pathlib import Path
 
 import pytest
 from tests.conformance.scripted import ScriptedWire
 from typer.testing import CliRunner
 
+import jauspy
 from jauspy.cli.main import app
 from jauspy.conformance import Profile, Settings, Skipped, Step, Verdict, ask, has, run, tell
 from jauspy.conformance.results import Report, worst
@@ -15,6 +17,7 @@ from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages.core import QueryStatus, ReportStatus
 
+LAMP = Path(__file__).parents[1] / "vendor" / "Lamp.xml"
 READY = bytes.fromhex("02400100000000")
 STANDBY = bytes.fromhex("02400200000000")
 SHORT = bytes.fromhex("0240010000")
@@ -83,6 +86,14 @@ def test_an_old_answer_is_none_to_the_next_question(delay):
         Verdict.LATE if delay < 3.0 else Verdict.SILENT,
     ]
     assert report.counts[Verdict.PASS] == 1
+
+
+@pytest.mark.parametrize(("answer", "verdict"), [("03d032", Verdict.PASS), ("03d0", Verdict.MALFORMED)])
+def test_steps_may_be_about_a_service_of_a_vendor(answer, verdict):
+    lamps = jauspy.load(LAMP)
+    asked = ask("42.1.1", lamps.by_name("QueryLamp")(), lamps.by_name("ReportLamp"), has(brightness=50))
+    (result,) = outcome((0.1, bytes.fromhex(answer)), step=Step("1", "lamp", asked)).results
+    assert result.verdict is verdict, result.reason
 
 
 def test_a_command_has_no_answer():

@@ -41,7 +41,8 @@ def show(report: Report) -> None:
     for note in report.notes:
         console.note(note)
     if total := transitions_sum(report):
-        out.print(Text(f"{total}; --json and --html name the others", style="dim"))
+        rest = "; --json and --html name the others" if any(not each.step for each in report.transitions) else ""
+        out.print(Text(f"{total}{rest}", style="dim"))
     style = "bold green" if report.status == 0 else "bold red"
     out.print(Text(f"{report.profile}, {report.target}: {summary(report)}", style=style))
 

@@ -9,7 +9,7 @@ from typing import Any, Final
 from jauspy.codec.base import Message
 from jauspy.conformance.checks import Check, has, near
 from jauspy.conformance.walk import lists, presence
-from jauspy.conformance.walk.effects import effect
+from jauspy.conformance.walk.effects import SLOW, effect
 from jauspy.conformance.walk.events import UNKNOWN_ID
 from jauspy.conformance.walk.stimulus import Aftermath, Prepare, Stimulus
 from jauspy.conformance.walk.walker import OBSERVER, PILOT, Walker
@@ -46,8 +46,6 @@ from jauspy.messages.mobility import (
 MOBILITY: Final = "urn:jaus:jss:mobility:"
 FAR: Final = 1000.0
 """m; nobody gets there during a step."""
-SLOW: Final = 0.05
-"""m/s; a step is over before it shows."""
 LATITUDE, LONGITUDE = 1.0, 2.0
 """Degrees."""
 Speed = SetTravelSpeedExt.Speed

@@ -12,16 +12,35 @@ from jauspy.conformance.outcome import Skipped
 from jauspy.conformance.walk.machine import Truth
 from jauspy.conformance.walk.stimulus import Aftermath, Prepare, Stimulus, nothing
 from jauspy.conformance.walk.walker import OBSERVER, Walker
+from jauspy.messages.manipulator import (
+    QueryEndEffectorEffort,
+    QueryToolOffset,
+    ReportEndEffectorEffort,
+    ReportToolOffset,
+    SetEndEffectorEffort,
+    SetToolOffset,
+)
 from jauspy.messages.mobility import (
+    QueryGlobalPose,
+    QueryGlobalVector,
     QueryLocalPose,
+    QueryLocalVector,
     QueryWrenchEffort,
+    ReportGlobalPose,
+    ReportGlobalVector,
     ReportLocalPose,
+    ReportLocalVector,
     ReportWrenchEffort,
+    SetGlobalPose,
+    SetGlobalVector,
     SetLocalPose,
+    SetLocalVector,
     SetWrenchEffort,
 )
 from jauspy.messages.ugv import QuerySkidSteerEffort, ReportSkidSteerEffort, SetSkidSteerEffort
 
+SLOW: Final = 0.05
+"""m/s; a step is over before it shows."""
 BEFORE: Final = "before the command"
 
 
@@ -90,6 +109,11 @@ EFFECTS: Final = (
         "left_side_propulsive_effort",
         1.0,
     ),
+    effect(SetEndEffectorEffort, QueryEndEffectorEffort(), ReportEndEffectorEffort, "end_effector_effort", 1.0),
     effect(lambda x: SetLocalPose(x=x), QueryLocalPose(1), ReportLocalPose, "x", 2.0),
+    effect(lambda degrees: SetGlobalPose(latitude=degrees), QueryGlobalPose(1), ReportGlobalPose, "latitude", 0.001),
+    effect(SetLocalVector, QueryLocalVector(0), ReportLocalVector, "speed", SLOW),
+    effect(SetGlobalVector, QueryGlobalVector(1), ReportGlobalVector, "speed", SLOW),
+    effect(lambda x: SetToolOffset(x, 0.0, 0.0), QueryToolOffset(), ReportToolOffset, "tool_point_coordinate_x", 0.1),
 )
 """So little effort moves no robot."""
