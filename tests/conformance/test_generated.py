@@ -12,14 +12,17 @@ from tests.conformance.simulated import TARGET, examined, robot
 
 from jauspy.conformance import Bench, Part, Verdict, find, offers_of
 from jauspy.conformance.offers import Offers
+from jauspy.conformance.trace import Direction
 from jauspy.conformance.walk.neutral import neutral
 from jauspy.conformance.walk.plan import Planner
 from jauspy.conformance.walk.subject import subject_of
 from jauspy.conformance.walk.trial import Trial
 from jauspy.ids import JausID
 from jauspy.messages import core, registry
-from jauspy.services.core import Discovery
+from jauspy.messages.core import RegisterServices, ServiceRec
+from jauspy.services.core import Discovery, Liveness
 from jauspy.services.host import Host
+from jauspy.services.service import Service
 
 ID = JausID(101, 1, 1)
 CORE = frozenset(
@@ -53,6 +56,23 @@ def test_every_lasting_state_is_visited():
         "Controlled.Available.Ready",
         "Controlled.NotAvailable.Emergency",
     }
+
+
+def test_without_motion_nothing_is_commanded_in_ready():
+    ready = "Controlled.Available.Ready"
+    report = examined("mobility-1.1", robot(timeout=5, tick=None), JausID(105, 1, 1), motion=False, only=(ready,))
+    core_codes = {kind.CODE for kind in registry if ":core:" in kind.SERVICE}
+    commands = {kind.CODE for kind in registry if kind.IS_COMMAND} - core_codes
+    moved = {
+        result.id
+        for result in report.results
+        for entry in result.entries
+        if entry.direction is Direction.SENT
+        for packet in entry.packets
+        if int.from_bytes(packet.payload[:2], "little") in commands
+    }
+    assert report.counts[Verdict.PASS] > 40
+    assert moved == set()
 
 
 def test_steps_have_names_of_their_own():
@@ -133,6 +153,26 @@ def test_of_a_wildcard_every_component_is_asked():
     found = discover(Tester(bench, JausID(101, 1, 255), registry=registry))
     assert found == offers_of(bench)
     assert len(found.components) > 5
+
+
+def component(number: int, *services: Service) -> Part:
+    host = Host(JausID(101, 1, number), services, utc_now=lambda: datetime(2026, 1, 1, tzinfo=UTC))
+    return Part(host)
+
+
+def test_of_a_component_without_discovery_its_node_tells():
+    discovery, lonely = component(1, Discovery()), component(7, Liveness())
+    offer = RegisterServices([ServiceRec("urn:jaus:jss:core:Liveness", 1, 1)])
+    discovery.host.receive(offer.encode(), lonely.host.id, 0.0)
+    report = examined("core-1.1", Bench([discovery, lonely]), lonely.host.id)
+    assert report.problem == ""
+    assert report.status == 0
+
+
+def test_a_target_that_lives_and_tells_no_services_is_not_called_dead():
+    report = examined("core-1.1", Bench([component(7, Liveness())]), JausID(101, 1, 7))
+    assert report.status == 2
+    assert "101.1.7 does not say which services it offers: no ReportServices" in report.problem
 
 
 def test_offers_of_a_bench_are_what_discovery_tells():

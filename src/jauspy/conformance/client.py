@@ -89,17 +89,21 @@ class Client:
         self, kind: type[M], seconds: float, where: Callable[[M], bool] = lambda _: True
     ) -> list[tuple[float, M]]:
         """All messages of this kind within a time, with when they came."""
-        return [(heard.at, message) for heard, message in self._collected(kind, seconds, where)]
+        expectation = Expectation(self, kind, [], where)
+        return [(heard.at, message) for heard, message in self._collected(expectation, seconds)]
 
-    def answers(self, message: Message, answer: type[M], seconds: float) -> list[tuple[JausID, M]]:
-        """Send, and take all answers of the target's components within a time, with who has sent them."""
+    def answers(
+        self, message: Message, answer: type[M], seconds: float, *, of: JausID | None = None
+    ) -> list[tuple[JausID, M]]:
+        """Send, and take all answers within a time, with who has sent them; `of` others than the target if need be."""
         self.forget(answer)
-        self.send(message)
-        return [(heard.source, found) for heard, found in self._collected(answer, seconds, lambda _: True)]
+        self.send(message, to=of)
+        expectation = Expectation(self, answer, [], lambda _: True, of)
+        return [(heard.source, found) for heard, found in self._collected(expectation, seconds)]
 
-    def _collected(self, kind: type[M], seconds: float, where: Callable[[M], bool]) -> list[tuple[Heard, M]]:
+    def _collected(self, expectation: Expectation[M], seconds: float) -> list[tuple[Heard, M]]:
         self.tester.wait(seconds)
-        read = [(heard, Expectation(self, kind, [], where).readable(heard)) for heard in list(self.pending)]
+        read = [(heard, expectation.readable(heard)) for heard in list(self.pending)]
         taken = [(heard, message) for heard, message in read if message is not None]
         for heard, _ in taken:
             self.pending.remove(heard)

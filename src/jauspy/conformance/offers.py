@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
 from typing import Final, TypeAlias
 
 from jauspy.conformance.checks import that
 from jauspy.conformance.outcome import Outcome
+from jauspy.conformance.packets import PINGS
 from jauspy.conformance.tester import Tester
 from jauspy.errors import RequestError
 from jauspy.ids import JausID
@@ -40,19 +41,42 @@ class Offers:
 
 
 def discover(tester: Tester) -> Offers:
-    """Ask the target for all of its services; raises `RequestError` when it does not say.
+    """Ask the target for all of its services; raises `RequestError` when nobody says which these are.
 
-    Some components tell of all on their node, others of themselves alone. So a wildcard is asked until all had time.
+    Some components tell of all on their node, others of themselves alone. So a wildcard is asked until all had time. Of
+    a component that does not tell, others of its node may: many have one Discovery for all.
     """
     listed = that("lists a component", lambda report: any(each.component_list for each in report.node_list))
     client = tester.client(ASKER)
     try:
         first = client.ask(ALL_SERVICES, ReportServices, listed, within=2.0)
     except Outcome as error:
+        found = _merged(tester, _told_by_others(tester))
+        if found.components:
+            return found
+        _wake(tester)
         raise RequestError(f"{tester.target} does not say which services it offers: {error}") from error
     reports = [(tester.component, first)]
     if tester.target.is_wildcard:
         reports += client.answers(ALL_SERVICES, ReportServices, tester.timeout)
+    return _merged(tester, reports)
+
+
+def _told_by_others(tester: Tester) -> list[tuple[JausID, ReportServices]]:
+    if tester.target.is_wildcard:
+        return []
+    node = replace(tester.target, component=255)
+    return tester.client(ASKER).answers(ALL_SERVICES, ReportServices, tester.timeout, of=node)
+
+
+def _wake(tester: Tester) -> None:
+    """Whether the target answers anything at all, which decides about what the report says."""
+    for ping in PINGS:
+        tester.client(ASKER).send(ping)
+    tester.pump(tester.now + tester.timeout, lambda: tester.answered)
+
+
+def _merged(tester: Tester, reports: Iterable[tuple[JausID, ReportServices]]) -> Offers:
     found: dict[JausID, frozenset[ServiceKey]] = {}
     for source, report in reports:
         for id, services in _listed(source, report):

@@ -99,6 +99,7 @@ def _waypoint(waypoint: Message, kind: type[Message], report: type[Message], *ri
             after=stop,
             by_controller=True,
             only_in="Available",
+            moves=True,
             once=False,
         )
 

@@ -133,10 +133,10 @@ def _step(trial: Trial) -> Step:
 
 def _moves(trial: Trial) -> bool:
     """A command in Ready may make something move, however harmless it is; those of the core services do not."""
-    if trial.stimulus.moves:
-        return True
-    if trial.stimulus.make is None or not set(trial.situation.state[len(PREFIX) :]) >= {"Controlled", "Ready"}:
+    if not set(trial.situation.state[len(PREFIX) :]) >= {"Controlled", "Ready"}:
         return False
+    if trial.stimulus.moves or trial.stimulus.make is None:
+        return trial.stimulus.moves
     kind = trial.subject.kind(trial.stimulus.message)
     return kind.IS_COMMAND and ":core:" not in kind.SERVICE
 

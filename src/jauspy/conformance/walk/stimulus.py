@@ -63,7 +63,7 @@ class Stimulus:
     only_in: str = ""
     """The name of the state, below Receiving.Ready, in which alone it shows anything."""
     moves: bool = False
-    """Something may move, whatever the message says."""
+    """Something may move in Ready, whatever the message says."""
     of: str = ""
     """How the URN of the service begins that is meant, when messages of others have the same name."""
     also: tuple[str, ...] = ()
