@@ -450,6 +450,8 @@ def test_what_is_too_far_away_for_a_message_is_left_out(rig) -> None:
     assert rig.ask(B, QueryLocalWaypoint(ALL)).z == near(-100_000.0)
     assert rig.ask(B, QueryLocalWaypointExt(ALL)).z_position is None
     rig.tell(A, Resume())
+    rig.tell(A, SetLocalVectorExt(speed=Speed(OVER_GROUND, -327.68)))
+    assert rig.ask(B, QueryLocalVector(ALL)).speed == near(327.67, 0.01)
     deep = ZPosition(ZPosition.Choice.Z_LOCAL, 40_000.0)
     rig.tell(A, SetLocalVectorExt(speed=Speed(OVER_GROUND, 0.0), z_position=deep))
     assert rig.ask(B, QueryLocalVector(ALL)).z is None
