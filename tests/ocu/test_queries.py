@@ -133,8 +133,27 @@ async def test_late_answers_and_messages_that_nobody_knows_are_counted(world):
     await stranger.open()
     stranger.send(pack(Packet(stranger.id, ocu.id, b"\x99\xdd\x01")))
     await asyncio.sleep(1)
-    assert (ocu.stats.unexpected, ocu.counters["host.unknown_message"]) == (1, 1)
+    assert ocu.stats.unexpected == 2
     await stranger.close()
+
+
+async def test_an_answer_of_another_kind_is_named(world):
+    await world.robot()
+    ocu = await world.ocu(timeout=0.1, retries=0)
+    with pytest.raises(ResponseTimeout, match=r"no ReportControl came, but ReportStatus did \(`expects` says what to"):
+        await ocu.query(ROBOT, QueryStatus(), expects=ReportControl)
+    with pytest.raises(ResponseTimeout, match="no answer came"):
+        await ocu.query("101.1.9", QueryStatus())
+
+
+async def test_an_answer_that_is_not_known_is_named(world):
+    ocu = await world.ocu(timeout=0.1, retries=0)
+    peer = world.transport(ROBOT)
+    await peer.open()
+    peer.received = lambda _: peer.send(pack(Packet(peer.id, ocu.id, b"\x99\xdd\x01")))
+    with pytest.raises(ResponseTimeout, match=r"no ReportStatus came, but DD99h, which is not known here, did"):
+        await ocu.query(ROBOT, QueryStatus())
+    await peer.close()
 
 
 async def test_levels_of_identification_are_not_mixed_up(world):

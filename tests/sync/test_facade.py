@@ -177,13 +177,6 @@ def test_closed_it_says_so_and_may_be_opened_again(node_manager):
     assert "jauspy" not in threads
 
 
-def test_closing_inside_a_block_does_not_hang(robot, node_manager):
-    with OCU("42.1.1", node_manager.local) as ocu:
-        driver = ocu.discover(101).service("PrimitiveDriver")
-        with driver.control(), driver.subscribe(QueryStatus()):
-            ocu.close()
-
-
 def test_what_cannot_be_opened_leaves_no_thread(tmp_path):
     with pytest.raises(TransportError, match="no node manager"):
         OCU("42.1.1", f"local:{tmp_path}").open()
@@ -211,10 +204,10 @@ def test_figures_may_be_looked_at_while_they_grow(ocu):
         counting.join(20)
 
 
-def test_closing_inside_a_block_leaves_standby(robot, node_manager):
+def test_closing_inside_a_block_leaves_standby_and_does_not_hang(robot, node_manager):
     with OCU("42.1.1", node_manager.local) as ocu:
         driver = ocu.discover(101).service("PrimitiveDriver")
-        with driver.control() as control:
+        with driver.control() as control, driver.subscribe(QueryStatus()):
             driver.resume()
             ocu.close()
             assert control.lost == "the OCU was closed"

@@ -20,7 +20,7 @@ from jauspy.ocu.arguments import check_message
 from jauspy.ocu.controls import Controls
 from jauspy.ocu.lanes import Lanes
 from jauspy.ocu.patience import Patience
-from jauspy.ocu.replies import Arrival, Replies
+from jauspy.ocu.replies import Arrival, Replies, Waiter
 from jauspy.ocu.shared_events import SharedEvents
 from jauspy.ocu.stats import Recorder
 from jauspy.protocol.header import Ack, Broadcast, Packet, Priority
@@ -75,9 +75,9 @@ class Link:
         return self._open().id
 
     def receive(self, packet: Packet) -> bool:
-        """Take a received packet; false for what is not known and for commands and queries: those are for the services.
+        """Take a received packet; false for commands and queries nobody here waits for: the OCU's services answer.
 
-        An answer that nobody waits for, as one that comes too late, is counted.
+        What nobody waits for, as an answer that comes too late, is counted, and told to those who wait in vain.
         """
         self.recorder.received += 1
         if len(packet.payload) < 2:
@@ -85,10 +85,12 @@ class Link:
             return True
         if self.replies.deliver(packet.payload, packet.source):
             return True
-        known = self.registry.by_code(int.from_bytes(packet.payload[:2], "little"))
-        if not known or any(each.IS_COMMAND or each.IS_QUERY for each in known):
+        code = int.from_bytes(packet.payload[:2], "little")
+        known = self.registry.by_code(code)
+        if any(each.IS_COMMAND or each.IS_QUERY for each in known):
             return False
         self.recorder.unexpected += 1
+        self.replies.unexpected(known[0].NAME if known else f"{code:04X}h, which is not known here,", packet.source)
         return True
 
     def send(
@@ -209,11 +211,8 @@ class Link:
                     # After a repetition nobody knows which one was answered, so it says nothing about time.
                     self.recorder.answered(clock() - sent_at if attempt == 0 else None)
                     return answer
-            raise self._silence(destination, message, patience, waiter.problem)
-
-    def _silence(self, destination: JausID, message: Message, patience: Patience, problem: str = "") -> ResponseTimeout:
-        self.recorder.timeouts += 1
-        return ResponseTimeout(_no_answer(destination, message, patience, problem))
+            self.recorder.timeouts += 1
+            raise ResponseTimeout(_no_answer(destination, message, patience, waiter))
 
     def next_request_id(self, destination: JausID) -> int:
         """A number for the next event request, 0..255 and round again."""
@@ -240,9 +239,13 @@ class Link:
         return self._component
 
 
-def _no_answer(destination: JausID, message: Message, patience: Patience, problem: str) -> str:
+def _no_answer(destination: JausID, message: Message, patience: Patience, waiter: Waiter) -> str:
     times = f"{patience.retries + 1} times" if patience.retries else "once"
-    what = f"an answer came but could not be read ({problem})" if problem else "no answer came"
+    what = "no answer came"
+    if waiter.problem:
+        what = f"an answer came but could not be read ({waiter.problem})"
+    elif waiter.instead:
+        what = f"no {waiter.kinds[0].NAME} came, but {waiter.instead} did (`expects` says what to wait for)"
     return (
         f"{destination} was sent {message.NAME} {times} in {patience.total:g} s and {what}; check that the component "
         "runs and offers this, and that the node manager is reachable (`jauspy ls` shows who answers)"

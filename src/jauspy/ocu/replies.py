@@ -19,13 +19,17 @@ Tap: TypeAlias = Callable[[Message, JausID], None]
 
 @dataclass(slots=True, eq=False)
 class Waiter:
-    """One answer somebody waits for; `problem` says what was wrong with answers that could not be read."""
+    """One answer somebody waits for.
+
+    `problem` says what was wrong with answers that could not be read, `instead` what else came that nobody wanted.
+    """
 
     source: JausID
     kinds: tuple[type[Message], ...]
     accept: Callable[[Message], bool]
     arrival: asyncio.Future[Arrival]
     problem: str = ""
+    instead: str = ""
 
     def take(self, payload: bytes, source: JausID, registry: Registry) -> bool:
         """Use it up when it is what is waited for; raises `DecodeError` for a malformed one."""
@@ -69,6 +73,12 @@ class Replies:
                     self.malformed(waiter.problem)
                 return True
         return bool(used)
+
+    def unexpected(self, name: str, source: JausID) -> None:
+        """A message came that nobody wanted; perhaps it is what somebody should have waited for."""
+        for waiter in self._waiters:
+            if waiter.source.matches(source):
+                waiter.instead = name
 
     @contextmanager
     def waiting(

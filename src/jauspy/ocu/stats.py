@@ -21,7 +21,7 @@ class Stats:
     timeouts: int = 0
     malformed: int = 0
     unexpected: int = 0
-    """Answers that nobody waited for, as those that come too late."""
+    """Messages that nobody waited for, as answers that come too late."""
     rtt_min: float = 0.0
     rtt_median: float = 0.0
     rtt_max: float = 0.0
