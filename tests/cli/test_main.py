@@ -67,5 +67,9 @@ def test_ids_of_nobody_are_refused(verb):
     assert "101.1.0 is nobody's id" in run(verb, "101.1.0", "QueryStatus", status=1).stderr
 
 
+def test_a_command_is_waited_for_in_control_only():
+    assert "only waited for with --control" in run("send", "101.1.1", "Resume", "--within", "1", status=2).stderr
+
+
 def test_control_of_many_is_refused():
     assert "one component at a time" in run("send", "101.1.255", "Resume", "--control", "9", status=1).stderr

@@ -144,6 +144,19 @@ def test_send_says_what_speaks_against_an_effect(robot, local_root):
     assert jauspy("send", "101.1.102", f"Clear{emergency[0]}", emergency[1], *where).stderr == ""
 
 
+def test_send_waits_until_the_command_has_been_carried_out(robot, local_root):
+    pan = ("send", "101.1.107", "SetPanTiltJointPositions", "joint1_position=0.3", "joint2_position=0.1")
+    where = ("--control", "200", "--connect", f"local:{local_root}")
+    jauspy(*pan, "--within", "15", *where)
+    query = ("query", "101.1.107", "QueryPanTiltJointPositions", "--connect", where[-1])
+    assert json.loads(jauspy(*query).stdout)["fields"]["joint1_position"] == pytest.approx(0.3, abs=0.05)
+    far = ("send", "101.1.107", "SetPanTiltJointPositions", "joint1_position=-0.9", "joint2_position=0.1")
+    assert (
+        "did not carry out SetPanTiltJointPositions within 0 s"
+        in jauspy(*far, "--within", "0", *where, status=1).stderr
+    )
+
+
 def test_losing_control_while_holding_it_is_a_failure(robot, local_root):
     where = ("--connect", f"local:{local_root}")
     effort = ("SetWrenchEffort", "propulsive_linear_effort_x=10")

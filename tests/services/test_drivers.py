@@ -450,8 +450,20 @@ def test_what_is_too_far_away_for_a_message_is_left_out(rig) -> None:
     assert rig.ask(B, QueryLocalWaypoint(ALL)).z == near(-100_000.0)
     assert rig.ask(B, QueryLocalWaypointExt(ALL)).z_position is None
     rig.tell(A, Resume())
+    rig.tell(A, SetLocalVectorExt(speed=Speed(OVER_GROUND, -327.68)))
+    assert rig.ask(B, QueryLocalVector(ALL)).speed == near(327.67, 0.01)
     deep = ZPosition(ZPosition.Choice.Z_LOCAL, 40_000.0)
     rig.tell(A, SetLocalVectorExt(speed=Speed(OVER_GROUND, 0.0), z_position=deep))
     assert rig.ask(B, QueryLocalVector(ALL)).z is None
     assert rig.ask(B, QueryLocalVectorExt(ALL)).z_position.value == near(40_000.0)
     assert rig.host.counters["unencodable"] == 0
+
+
+def test_an_altitude_at_the_limit_is_reported_and_one_beyond_it_left_out(rig, drive) -> None:
+    rig.tell(A, RequestControl(100))
+    drive.now_at = Pose(x=3.3, z=0.1)
+    rig.tell(A, SetGlobalPose(latitude=10.0, longitude=20.0, altitude=-10_000.0))
+    assert rig.ask(B, QueryGlobalPose(0xFFFF)).altitude == near(-10_000.0)
+    drive.now_at = Pose(x=3.3, z=0.05)
+    report = rig.ask(B, QueryGlobalPose(0xFFFF))
+    assert (report.altitude, report.latitude) == (None, near(10.0))

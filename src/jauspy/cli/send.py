@@ -37,6 +37,12 @@ def send(
     hold: Annotated[
         float, typer.Option("--hold", min=0, metavar="SECONDS", help="Keep control that long after sending.")
     ] = 0.0,
+    within: Annotated[
+        float | None,
+        typer.Option(
+            "--within", min=0, metavar="SECONDS", help="Wait until it has been carried out, and no longer than that."
+        ),
+    ] = None,
     sources: Beside = None,
     service: ServiceName = None,
     version: ServiceVersion = None,
@@ -47,8 +53,8 @@ def send(
     """Send a command or any other message.
 
     A command moves a component only while somebody controls it: --control takes control, resumes the component, sends,
-    waits for --hold seconds, and gives all back; losing control meanwhile is an error. Without it the message is sent,
-    and a note on stderr says what speaks against its effect.
+    waits until it has been carried out (--within) or for --hold seconds, and gives all back; losing control meanwhile
+    is an error. Without it the message is sent, and a note on stderr says what speaks against its effect.
 
     Examples:
       jauspy send 101.1.102 SetWrenchEffort propulsive_linear_effort_x=40 --control 200 --hold 2
@@ -63,6 +69,8 @@ def send(
 
     if control is None and hold:
         raise typer.BadParameter("control can only be held with --control", param_hint="--hold")
+    if control is None and within is not None:
+        raise typer.BadParameter("a command is only waited for with --control", param_hint="--within")
     to = addresses.destination(destination)
     known = definitions(sources)
     command = message_from(known.registry, message, fields or [], known.hints(service, version))
@@ -76,7 +84,7 @@ def send(
         if remark:
             console.note(remark)
     else:
-        run(_send_in_control(ocu, to, command, authority=control, hold=hold, patience=timeout))
+        run(_send_in_control(ocu, to, command, authority=control, hold=hold, within=within, patience=timeout))
 
 
 async def _send(ocu: OCU, to: JausID, command: Message) -> str:
@@ -122,7 +130,7 @@ def _needs_control(command: Message) -> bool:
 
 
 async def _send_in_control(
-    ocu: OCU, to: JausID, command: Message, *, authority: int, hold: float, patience: float
+    ocu: OCU, to: JausID, command: Message, *, authority: int, hold: float, within: float | None, patience: float
 ) -> None:
     """Control is taken, the component resumed unless the message itself manages its state, and all that undone."""
     import asyncio
@@ -134,7 +142,10 @@ async def _send_in_control(
         async with client.control(authority) as control:
             if not command.SERVICE.endswith(":Management"):
                 await client.resume(patience)
-            await client.send(command)
+            if within is None:
+                await client.send(command)
+            else:
+                await client.perform(command, within=within)
             with suppress(TimeoutError):
                 await asyncio.wait_for(control.until_lost(), hold)
             control.check()

@@ -11,7 +11,7 @@ from jauspy.messages.mobility import (
     SetGlobalVector,
     SetGlobalVectorExt,
 )
-from jauspy.services.mobility.speeds import over_ground
+from jauspy.services.mobility.speeds import over_ground, undirected
 from jauspy.services.mobility.vector_driver import Vector, VectorDriver
 from jauspy.services.mobility.vehicle import Vehicle
 
@@ -55,7 +55,7 @@ class GlobalVectorDriver(VectorDriver, urn="urn:jaus:jss:mobility:GlobalVectorDr
         """What was commanded; the speed without its direction, which only the wider form has."""
         vector = self.vector
         return ReportGlobalVector(
-            speed=abs(vector.speed),
+            speed=undirected(vector.speed),
             altitude=self._altitude,
             heading=vector.heading,
             roll=vector.roll,

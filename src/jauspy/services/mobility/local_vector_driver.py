@@ -11,8 +11,8 @@ from jauspy.messages.mobility import (
     SetLocalVectorExt,
     ZPosition,
 )
-from jauspy.services.mobility.reach import local_z
-from jauspy.services.mobility.speeds import over_ground
+from jauspy.services.mobility.reach import HIGHEST, LOWEST, local_z
+from jauspy.services.mobility.speeds import over_ground, undirected
 from jauspy.services.mobility.vector_driver import Vector, VectorDriver
 from jauspy.services.mobility.vehicle import Vehicle
 
@@ -51,8 +51,8 @@ class LocalVectorDriver(VectorDriver, urn="urn:jaus:jss:mobility:LocalVectorDriv
         """What was commanded; the speed without its direction, which only the wider form has."""
         vector = self.vector
         return ReportLocalVector(
-            speed=abs(vector.speed),
-            z=local_z(self._z, -10_000.0, 35_000.0),
+            speed=undirected(vector.speed),
+            z=local_z(self._z, LOWEST, HIGHEST),
             heading=vector.heading,
             roll=vector.roll,
             pitch=vector.pitch,

@@ -12,6 +12,15 @@ WIDE: Final = 20_000_000.0
 """Metres along x and y that fit the wider forms."""
 HIGH: Final = 50_000.0
 """Metres along z that fit the wider forms."""
+LOWEST: Final = -10_000.0
+HIGHEST: Final = 35_000.0
+"""Altitudes that fit poses on the globe and vectors, metres."""
+
+
+def sayable_altitude(value: float) -> float | None:
+    """As `within`, for an altitude: to the micrometre, since sums of floats miss a limit that a client has set."""
+    rounded = round(value, 6)
+    return rounded if LOWEST <= rounded <= HIGHEST else None
 
 
 def local_z(position: ZPosition | None, lowest: float = -NARROW, highest: float = NARROW) -> float | None:

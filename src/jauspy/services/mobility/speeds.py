@@ -6,6 +6,8 @@ from typing import Final
 
 from jauspy.messages.mobility import Speed
 
+FASTEST: Final = 327.67
+"""m/s, in every message."""
 _ON_THE_GROUND: Final = (Speed.Choice.SPEED_OVER_GROUND, Speed.Choice.SPEED_RELATIVE_TO_MEDIUM)
 
 
@@ -19,3 +21,8 @@ def ground_speed(speed: float | Speed) -> float | None:
 def over_ground(speed: float) -> Speed:
     """A speed as the wider messages have it."""
     return Speed(Speed.Choice.SPEED_OVER_GROUND, speed)
+
+
+def undirected(speed: float) -> float:
+    """A speed as the narrower messages have it: without its direction, and 1 cm/s less at most than backward."""
+    return min(abs(speed), FASTEST)

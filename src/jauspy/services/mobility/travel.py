@@ -6,7 +6,7 @@ from jauspy.messages.mobility import ReportTravelSpeed, ReportTravelSpeedExt
 from jauspy.services.mobility.driver import Driver
 from jauspy.services.mobility.guidance.leg import Point
 from jauspy.services.mobility.guidance.waypoint_course import TOLERANCE, Goal, WaypointCourse
-from jauspy.services.mobility.speeds import over_ground
+from jauspy.services.mobility.speeds import over_ground, undirected
 from jauspy.services.mobility.vehicle import Vehicle
 from jauspy.services.mobility.waypoint import LocalWaypoint, Waypoint
 
@@ -31,7 +31,7 @@ class Traveller(Driver):
 
     def report_travel_speed(self) -> ReportTravelSpeed:
         """Zero unless the platform is under way to a waypoint; without the direction, which only the wider form has."""
-        return ReportTravelSpeed(speed=abs(self.vehicle.pilot.travel_speed))
+        return ReportTravelSpeed(speed=undirected(self.vehicle.pilot.travel_speed))
 
     def report_travel_speed_ext(self) -> ReportTravelSpeedExt:
         """As `report_travel_speed`, negative backward."""
