@@ -46,9 +46,13 @@ def robot(
     *,
     name: str = "igvc",
     timeout: int | None = None,
+    component: int | None = None,
     **options: object,
 ) -> Bench:
-    """The whole robot; `part` and `bench` may be broken ones, `timeout` is that of its access control."""
+    """The whole robot, or one `component` of it, which is made faster.
+
+    `part` and `bench` may be broken ones, `timeout` is that of its access control.
+    """
     config = robots.load(name)
     if timeout is not None:
         access = config.modules[0].access_control.model_copy(update={"timeout": timeout})
@@ -63,7 +67,7 @@ def robot(
         return START + timedelta(seconds=made[0].now() if made else 0.0)
 
     parts = []
-    for module in config.modules:
+    for module in (each for each in config.modules if component in (None, each.component)):
         host = host_of(config, module, model, body, {}, videos=videos, utc_now=utc_now, now=0.0)
         parts.append(part(host, announced(host, module) or (lambda _: False)))
     made.append(bench(parts, **({"tick": body.advance} | options)))

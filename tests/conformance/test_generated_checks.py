@@ -75,14 +75,16 @@ def _quiet_logs(caplog: pytest.LogCaptureFixture) -> None:
 
 def run_of(profile: str, module: str, only: tuple[str, ...] = (), inject: Injector | None = None) -> Report:
     """A run against a robot, whole or broken, whose body stands still."""
-    name, target = module.split()
+    name, id = module.split()
+    target = JausID.parse(id)
     with ExitStack() as stack:
         parts = ()
         if inject is not None:
             *parts, patches = inject()
             for each in (armed(), *patches):
                 stack.enter_context(each)
-        return examined(profile, robot(*parts, name=name, timeout=5, tick=None), JausID.parse(target), only=only)
+        body = robot(*parts, name=name, timeout=5, component=target.component, tick=None)
+        return examined(profile, body, target, only=only)
 
 
 def kind(step: str, check: str) -> tuple[str, str]:
