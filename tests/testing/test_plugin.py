@@ -89,6 +89,23 @@ async def test_it(virtual_network):
     result.stdout.fnmatch_lines(["*an error that nobody saw*ZeroDivisionError*"])
 
 
+def test_an_error_of_a_task_that_nobody_waited_for_fails_the_test(run):
+    source = """
+import asyncio
+
+async def fail():
+    myself = asyncio.current_task()  # so that it does not go before somebody collects the garbage
+    raise ValueError("unseen")
+
+async def test_it(virtual_network):
+    asyncio.create_task(fail())
+    await asyncio.sleep(1)
+"""
+    result = run(source, *AUTO)
+    result.assert_outcomes(passed=1, errors=1)
+    result.stdout.fnmatch_lines(["*an error that nobody saw*ValueError*unseen*"])
+
+
 def test_the_node_manager_serves_a_test_without_asyncio(run):
     source = """
 def test_it(node_manager):

@@ -15,6 +15,7 @@ async def tidy() -> AsyncIterator[None]:
     loop, before = asyncio.get_running_loop(), asyncio.all_tasks()
     complaints: list[dict[str, Any]] = []
     handler = loop.get_exception_handler()
+    gc.freeze()  # what there is already need not be searched for such errors, and that is much
     loop.set_exception_handler(lambda _, context: complaints.append(context))
     try:
         yield
@@ -22,6 +23,7 @@ async def tidy() -> AsyncIterator[None]:
             await asyncio.sleep(0)
         gc.collect()  # a task's or future's error that nobody took is told when it goes
     finally:
+        gc.unfreeze()
         loop.set_exception_handler(handler)
     left = asyncio.all_tasks() - before - {asyncio.current_task()}
     if left:
