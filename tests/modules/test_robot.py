@@ -11,7 +11,15 @@ from jauspy.codec.base import Message
 from jauspy.errors import ConfigError, TransportError
 from jauspy.ids import JausID
 from jauspy.messages import registry
-from jauspy.messages.core import QueryIdentification, RequestControl, Resume
+from jauspy.messages.core import (
+    QueriedComponentRec,
+    QueriedNodeRec,
+    QueryConfiguration,
+    QueryIdentification,
+    QueryServices,
+    RequestControl,
+    Resume,
+)
 from jauspy.messages.mobility import (
     QueryLocalPose,
     QueryTravelSpeed,
@@ -108,6 +116,20 @@ async def test_does_not_move_without_control(runner, client):
         while runner.snapshot.time < time + 0.1:
             await asyncio.sleep(0.01)
         assert runner.snapshot.pose.x == 0.0
+
+
+async def test_each_module_knows_the_whole_robot(runner, client):
+    async with runner:
+        client.tell(QueryConfiguration(query_type=2))
+        (node,) = (await client.answer()).node_list
+        assert node.node_rec.node_id == 1
+        assert [each.component_id for each in node.component_list] == [102, 103, 104, 105, 106, 107, 108]
+
+        gripper = QueryServices.NodeSeq(QueriedNodeRec(1), [QueriedComponentRec(105)])
+        client.tell(QueryServices([gripper]))
+        ((component,),) = (node.component_list for node in (await client.answer()).node_list)
+        assert component.component_rec.component_id == 105
+        assert "urn:jaus:jss:manipulator:PrimitiveEndEffector" in [each.uri for each in component.service_list]
 
 
 async def test_closing_twice_and_before_opening_is_fine(runner):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import AsyncExitStack, suppress
 from datetime import UTC, datetime
 from types import TracebackType
@@ -26,7 +26,7 @@ from jauspy.platform.description import RobotModel
 from jauspy.platform.ranging import RangeFinder
 from jauspy.platform.stills import MAX_REPORT
 from jauspy.protocol.delivery import Delivery
-from jauspy.services.core import Identity
+from jauspy.services.core import Discovery, Identity
 from jauspy.services.host import Host
 from jauspy.transport import Transport
 from jauspy.video.camera_process import CameraProcess
@@ -113,8 +113,9 @@ class RobotRunner:
             stack.push_async_callback(_cancel, asyncio.create_task(_heartbeat(realtime)))
             videos = await self._open_cameras(stack, realtime)
             components = []
-            for module in self.config.modules:
-                host = _host(self.config, module, model, realtime, videos)
+            hosts = [_host(self.config, module, model, realtime, videos) for module in self.config.modules]
+            _acquaint(hosts)
+            for host, module in zip(hosts, self.config.modules, strict=True):
                 delivery = Delivery(max_message=MAX_REPORT) if module.camera else None
                 component = Shell(host, self._transports(host.id), intercept=announced(host, module), delivery=delivery)
                 components.append(await stack.enter_async_context(component))
@@ -181,6 +182,13 @@ def _host(
         utc_now=lambda: datetime.now(UTC),
         now=loop_time(),
     )
+
+
+def _acquaint(hosts: Sequence[Host]) -> None:
+    """Whichever of them is asked knows the whole robot."""
+    for host in hosts:
+        if (discovery := host.service(Discovery)) is not None:
+            discovery.about(each for each in hosts if each is not host)
 
 
 def announced(host: Host, module: ModuleConfig) -> Intercept | None:

@@ -73,7 +73,7 @@ DEFAULT_IDENTITIES: Final[Mapping[int, Identity]] = {
 
 
 class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
-    """Answers for its own component, and for those of the same subsystem that registered with it.
+    """Answers for its own component, for those it was told `about`, and for those of its subsystem that registered.
 
     `identities` by level: 1 system, 2 subsystem, 3 node, 4 component; what is not given has a default.
     Registrations end `LIFETIME` seconds after the component last registered or asked. Reports name as many components
@@ -95,6 +95,11 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
     def joined(self) -> None:
         """The same services under the new id."""
         self.directory.register(self.host.id, own_offers(self.host))
+
+    def about(self, others: Iterable[Host]) -> None:
+        """Components of the same program: they need not register, and are there as long as it is."""
+        for other in others:
+            self.directory.register(other.id, own_offers(other))
 
     def publish_services(self, msg: RegisterServices, source: JausID) -> None:
         """Take up another component of this subsystem; one that registers no services goes off the list."""
