@@ -9,7 +9,7 @@ from operator import attrgetter
 from typing import TYPE_CHECKING, Any, Final
 
 from jauspy.errors import ConfigError
-from jauspy.ids import JausID
+from jauspy.ids import JausID, component_id
 from jauspy.messages.core import (
     ComponentRec,
     QueryConfiguration,
@@ -37,6 +37,8 @@ SYSTEM, SUBSYSTEM, NODE, COMPONENT = 1, 2, 3, 4
 LIFETIME: Final = 300.0
 """Seconds that a registration lasts after Discovery last heard from the component. AS5710 has no renewal: components
 that look for services do it by asking now and then, others by registering again."""
+REGISTER_AGAIN: Final = 30.0
+"""Seconds between two registrations of this component with another, which may have been away, or forget."""
 MAX_REGISTRATION: Final = 2048
 """Bytes of services that one component may register."""
 MAX_REPORT: Final = 4000
@@ -78,23 +80,48 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
     `identities` by level: 1 system, 2 subsystem, 3 node, 4 component; what is not given has a default.
     Registrations end `LIFETIME` seconds after the component last registered or asked. Reports name as many components
     as fit one packet, this one first, then those known for the longest time; what is left out is counted.
+
+    `register_with`: the id of a component of the same subsystem whose Discovery is to list this one as long as it
+    runs, for clients that ask only there.
     """
 
-    def __init__(self, identities: Mapping[int, Identity] | None = None) -> None:
+    def __init__(
+        self, identities: Mapping[int, Identity] | None = None, *, register_with: str | JausID | None = None
+    ) -> None:
         self.identities = {**DEFAULT_IDENTITIES, **(identities or {})}
         self.directory = Directory()
+        self._registrar = None if register_with is None else _one_component(register_with)
 
     def attached(self) -> None:
         """The component's own services, those it inherits included."""
-        self.directory.register(self.host.id, own_offers(self.host))
+        self._arrive()
 
     def leaving(self) -> None:
-        """Others registered with the component of the old id."""
+        """Others registered with the component of the old id, which is on nobody's list any more."""
         self.directory = Directory()
+        self._register(())
 
     def joined(self) -> None:
         """The same services under the new id."""
+        self._arrive()
+
+    def _arrive(self) -> None:
         self.directory.register(self.host.id, own_offers(self.host))
+        if self._registrar is not None:
+            self.host.set_timer(self._stay_registered, self.host.now, self._stay_registered)
+
+    def _stay_registered(self) -> None:
+        self.host.set_timer(self._stay_registered, self.host.now + REGISTER_AGAIN, self._stay_registered)
+        self._register(own_offers(self.host))
+
+    def _register(self, offers: Iterable[Offer]) -> None:
+        subsystem = self.host.id.subsystem
+        if self._registrar is None or not subsystem:
+            return
+        if subsystem != self._registrar.subsystem:
+            self.host.count("not_registered", f"with {self._registrar}, which is in another subsystem")
+            return
+        self.host.send(self._registrar, RegisterServices([_service(each) for each in offers]))
 
     def about(self, others: Iterable[Host]) -> None:
         """Components of the same program: they need not register, and are there as long as it is."""
@@ -216,6 +243,13 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
         if sum(map(len, kept.values())) < sum(map(len, found.values())) or len(kept) < len(found):
             self.host.count("report_cut", f"{len(found) - len(kept)} of {len(found)} components left out")
         return kept
+
+
+def _one_component(id: str | JausID) -> JausID:
+    found = component_id(id)
+    if not found.subsystem or not found.node:
+        raise ConfigError(f"register_with: {found} is not whole; give the id of one component, as in 101.1.1")
+    return found
 
 
 def own_offers(host: Host) -> list[Offer]:
