@@ -27,6 +27,7 @@ from jauspy.platform.ranging import RangeFinder
 from jauspy.platform.stills import MAX_REPORT
 from jauspy.protocol.delivery import Delivery
 from jauspy.services.core import Discovery, Identity
+from jauspy.services.core.identity import COMPONENT, NODE, SUBSYSTEM, SYSTEM
 from jauspy.services.host import Host
 from jauspy.transport import Transport
 from jauspy.video.camera_process import CameraProcess
@@ -34,7 +35,6 @@ from jauspy.video.camera_process import CameraProcess
 LAPSE: Final = 1.0
 """Seconds that the event loop may hang before the drive is stopped without it."""
 
-SYSTEM, SUBSYSTEM, NODE, COMPONENT = 1, 2, 3, 4
 _VEHICLE, _NODE, _COMPONENT = 10001, 40001, 60001  # the types that Discovery reports (AS5710)
 
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from jauspy.services.core.discovery import COMPONENT, DEFAULT_IDENTITIES, Discovery, Identity
+from jauspy.services.core.discovery import Discovery
+from jauspy.services.core.identity import COMPONENT, DEFAULT_IDENTITIES, Identity
 from jauspy.services.core.liveness import Liveness
 from jauspy.services.core.management import Management
 from jauspy.services.core.time import Time

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from itertools import groupby
 from operator import attrgetter
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Final
 
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID, component_id
@@ -22,17 +21,15 @@ from jauspy.messages.core import (
     ReportServiceList,
     ReportServices,
     ReportSubsystemList,
-    ServiceRec,
     SubsystemRec,
 )
 from jauspy.services.core.directory import Directory, Filters, Offer, Where, within
+from jauspy.services.core.identity import DEFAULT_IDENTITIES, NODE, SUBSYSTEM, Identity
+from jauspy.services.core.listing import nodes, own_offers, service
 from jauspy.services.service import Service
 
 if TYPE_CHECKING:
     from jauspy.services.host import Host
-
-SYSTEM, SUBSYSTEM, NODE, COMPONENT = 1, 2, 3, 4
-"""The levels of a query (its field QueryType)."""
 
 LIFETIME: Final = 300.0
 """Seconds that a registration lasts after Discovery last heard from the component. AS5710 has no renewal: components
@@ -48,30 +45,6 @@ MAX_FILTERS: Final = 64
 _ALL: Final = frozenset({""})
 _RECORDS: Final = 8
 """Bytes around the services of a component: the records of subsystem, node and component with their counts."""
-
-
-@dataclass(frozen=True, slots=True)
-class Identity:
-    """A name (Latin-1, at most 255 bytes), and the type of AS5710: 10001 vehicle, 40001 node, 60001 component."""
-
-    name: str
-    type: int
-
-    def __post_init__(self) -> None:
-        try:
-            fits = len(self.name.encode("latin-1")) <= 255
-        except UnicodeEncodeError:
-            fits = False
-        if not fits:
-            raise ConfigError(f"identity {self.name!r}: a name on the wire is Latin-1 text of up to 255 bytes")
-
-
-DEFAULT_IDENTITIES: Final[Mapping[int, Identity]] = {
-    SYSTEM: Identity("jauspy", 10001),
-    SUBSYSTEM: Identity("jauspy vehicle", 10001),
-    NODE: Identity("jauspy node", 40001),
-    COMPONENT: Identity("jauspy component", 60001),
-}
 
 
 class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
@@ -121,7 +94,7 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
         if subsystem != self._registrar.subsystem:
             self.host.count("not_registered", f"with {self._registrar}, which is in another subsystem")
             return
-        self.host.send(self._registrar, RegisterServices([_service(each) for each in offers]))
+        self.host.send(self._registrar, RegisterServices([service(each) for each in offers]))
 
     def about(self, others: Iterable[Host]) -> None:
         """Components of the same program: they need not register, and are there as long as it is."""
@@ -197,7 +170,7 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
             for node in query.node_list
             for component in node.component_list
         }
-        return ReportServices(node_list=_nodes(ReportServices, self._fitting(self.directory.matching(wanted))))
+        return ReportServices(node_list=nodes(ReportServices, self._fitting(self.directory.matching(wanted))))
 
     def report_service_list(self, query: QueryServiceList, source: JausID) -> ReportServiceList:
         """As `report_services`, over subsystems; a search filter keeps the services whose URI contains it."""
@@ -209,7 +182,7 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
             subsystem_list=[
                 ReportServiceList.SubsystemSeq(
                     subsystem_rec=ReportServiceList.SubsystemRec(subsystem_id=number),
-                    node_list=_nodes(ReportServiceList, {each: found[each] for each in ids}),
+                    node_list=nodes(ReportServiceList, {each: found[each] for each in ids}),
                 )
                 for number, ids in subsystems
             ]
@@ -250,34 +223,3 @@ def _one_component(id: str | JausID) -> JausID:
     if not found.subsystem or not found.node:
         raise ConfigError(f"register_with: {found} is not whole; give the id of one component, as in 101.1.1")
     return found
-
-
-def own_offers(host: Host) -> list[Offer]:
-    """The services of a component and all they inherit from."""
-    offers = []
-    for urn, definition in host.definitions.items():
-        major, _, minor = definition.version.partition(".")
-        offers.append(Offer(urn, int(major), int(minor or 0)))
-    return sorted(offers)
-
-
-def _service(offer: Offer) -> ServiceRec:
-    return ServiceRec(uri=offer.uri, major_version_number=offer.major, minor_version_number=offer.minor)
-
-
-def _nodes(report: Any, found: Mapping[JausID, Iterable[Offer]]) -> list[Any]:
-    """The nodes of a `ReportServices` or `ReportServiceList`, which look alike and are classes of their own."""
-    return [
-        report.NodeSeq(
-            node_rec=report.NodeRec(node_id=node),
-            component_list=[_component(report, each, found[each]) for each in ids],
-        )
-        for node, ids in groupby(sorted(found), key=attrgetter("node"))
-    ]
-
-
-def _component(report: Any, id: JausID, offers: Iterable[Offer]) -> Any:
-    return report.ComponentSeq(
-        component_rec=ComponentRec(component_id=id.component, instance_id=0),
-        service_list=[_service(offer) for offer in offers],
-    )
