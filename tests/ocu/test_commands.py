@@ -6,7 +6,7 @@ import asyncio
 
 import pytest
 
-from jauspy.errors import ConfigError, ControlRejected, EventRejected, RequestError, ResponseTimeout
+from jauspy.errors import ConfigError, ControlRejected, EventRejected, RequestError, ResponseTimeout, TransportError
 from jauspy.messages.core import (
     CancelEvent,
     CommandEvent,
@@ -113,6 +113,39 @@ async def test_two_at_once_are_not_mixed_up(robot, client):
     await first
 
 
+@pytest.mark.parametrize("success", [True, False])
+async def test_equal_ones_at_once_hear_of_the_same_end(virtual_network, robot, client, success):
+    tasks = [await begun(client, robot), await begun(client, robot)]
+    told(robot, success=success)
+    results = await asyncio.wait_for(asyncio.gather(*tasks, return_exceptions=True), 1)
+    assert [type(each) for each in results] == [type(None) if success else RequestError] * 2
+    assert len(virtual_network.sent(CommandEvent)) == 1
+
+
+async def test_who_stops_waiting_leaves_the_event_to_an_equal_one(virtual_network, robot, client):
+    first, second = await begun(client, robot), await begun(client, robot)
+    third = asyncio.create_task(client.perform(SET_TIME, within=30.0))
+    await asyncio.sleep(0)  # it is sent, and not confirmed yet
+    for task in (first, second):
+        task.cancel()
+        with pytest.raises(asyncio.CancelledError):
+            await task
+    await client.status()
+    assert not virtual_network.sent(CancelEvent)
+    told(robot, success=True)
+    await asyncio.wait_for(third, 1)
+
+
+async def test_the_last_of_equal_ones_ends_the_event(virtual_network, robot, client):
+    for task in [await begun(client, robot), await begun(client, robot)]:
+        assert not virtual_network.sent(CancelEvent)
+        task.cancel()
+        with pytest.raises(asyncio.CancelledError):
+            await task
+    await client.status()
+    assert len(virtual_network.sent(CancelEvent)) == 1
+
+
 async def test_a_lost_confirmation_is_asked_for_again(virtual_network, robot, client):
     virtual_network.lose(ConfirmEventRequest, times=1)
     task = await begun(client, robot)
@@ -133,8 +166,21 @@ async def test_a_robot_that_vanishes(virtual_network, robot, ocu):
 
 async def test_an_end_that_is_never_told(virtual_network, robot, client):
     virtual_network.lose(CommandEvent)
-    with pytest.raises(ResponseTimeout, match=r"101\.1\.1 took Standby and did not say in 8 s how it ended; check"):
+    with pytest.raises(
+        ResponseTimeout, match=r"101\.1\.1 took Standby and did not say in 8 s how it ended; it may have been"
+    ):
         await client.perform(Standby(), within=5)
+
+
+async def test_an_ocu_that_is_closed_meanwhile(virtual_network, robot):
+    async with virtual_network.ocu("43.1.1") as ocu:
+        found = (await ocu.discover(101)).service("Time")
+        async with found.control():
+            await found.resume()
+            task = await begun(found, robot)
+            await ocu.close()
+    with pytest.raises(TransportError, match="the OCU was closed"):
+        await asyncio.wait_for(task, 1)
 
 
 async def test_who_stops_waiting_ends_the_event_and_not_the_command(virtual_network, robot, client):

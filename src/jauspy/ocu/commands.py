@@ -33,21 +33,26 @@ async def perform(link: Link, id: JausID, command: Message, within: float) -> No
         raise ConfigError(f"{command.NAME} is no command; `query()` asks, `send()` sends anything")
     link.controls.check(id, command)
     request = CreateCommandEvent(link.next_request_id(id), math.ceil(within), command)
-    events: set[int] = set()
+    encoded, events = command.encode(), set[int]()
 
-    def heard(message: Message, source: JausID) -> None:  # noqa: ARG001 - the tap hears one source
-        """At once: the event may come in the same wake-up as its confirmation."""
+    def heard(message: Message, source: JausID) -> None:
+        """At once, for the event may come with its confirmation; a tap, for equal commands share one event."""
         if isinstance(message, ConfirmEventRequest) and message.request_id == request.request_id:
             events.add(message.event_id)
+        elif isinstance(message, CommandEvent) and message.event_id in events and not waiter.arrival.done():
+            waiter.arrival.set_result((message, source))
 
-    ended = link.replies.waiting(id, CommandEvent, accept=lambda each: getattr(each, "event_id", None) in events)
-    with link.replies.tapped(id, heard, ConfirmEventRequest), ended as waiter:
+    ended = link.replies.waiting(id)  # takes no message by itself, and ends when the OCU is closed
+    with ended as waiter, link.replies.tapped(id, heard, ConfirmEventRequest, CommandEvent):
+        link.events.join(id, encoded, waiter)
         try:
             await ask(link, id, request, command, link.patience)
             result = await _result(link, id, command, waiter, within + link.patience.total)
         except BaseException:
-            _forget(link, id, events)
+            if link.events.leave(id, encoded, waiter):
+                _forget(link, id, events)
             raise
+        link.events.leave(id, encoded, waiter)
     if result.command_result != CommandEvent.CommandResult.SUCCESSFUL:
         link.controls.check(id, command)
         raise RequestError(
@@ -63,7 +68,8 @@ async def _result(link: Link, id: JausID, command: Message, waiter: Waiter, seco
         link.controls.check(id, command)
         if clock() >= end:
             raise ResponseTimeout(
-                f"{id} took {command.NAME} and did not say in {seconds:g} s how it ended; check that it still runs"
+                f"{id} took {command.NAME} and did not say in {seconds:g} s how it ended; it may have been carried "
+                "out, for this is said only once and can be lost; check that the component still runs"
             )
         await asyncio.wait({waiter.arrival}, timeout=min(LOOK, end - clock()))
     message, _ = waiter.arrival.result()

@@ -1,4 +1,4 @@
-"""Who of an OCU listens to which event: a component has one event for equal subscriptions of one client."""
+"""Who of an OCU listens to which event: a component has one for equal subscriptions, or commands, of one client."""
 
 from __future__ import annotations
 
@@ -6,16 +6,16 @@ from jauspy.ids import JausID
 
 
 class SharedEvents:
-    """By component and number of the event."""
+    """By component and number of the event; for a command by its bytes, known before there is a number."""
 
     def __init__(self) -> None:
-        self._users: dict[tuple[JausID, int], set[object]] = {}
+        self._users: dict[tuple[JausID, int | bytes], set[object]] = {}
 
-    def join(self, id: JausID, event: int, user: object) -> None:
+    def join(self, id: JausID, event: int | bytes, user: object) -> None:
         """`user` listens to this event."""
         self._users.setdefault((id, event), set()).add(user)
 
-    def leave(self, id: JausID, event: int | None, user: object) -> bool:
+    def leave(self, id: JausID, event: int | bytes | None, user: object) -> bool:
         """`user` does not any more; true when it was the last, so that the event can be cancelled."""
         users = self._users.get((id, event)) if event is not None else None
         if event is None or users is None:
