@@ -9,7 +9,13 @@ import pytest
 
 import jauspy
 from jauspy.errors import ConfigError
-from jauspy.messages.core import QueryConfiguration, RegisterServices, ReportConfiguration
+from jauspy.messages.core import (
+    QueryConfiguration,
+    QueryIdentification,
+    RegisterServices,
+    ReportConfiguration,
+    ReportIdentification,
+)
 from jauspy.services.core import Discovery, Liveness
 from jauspy.services.core.discovery import REGISTER_AGAIN
 from jauspy.testing import VirtualNetwork
@@ -67,11 +73,24 @@ async def test_one_without_an_id_registers_when_it_has_one(virtual_network, ocu)
         assert await listed(ocu) == [1, 7]
 
 
-async def test_that_the_other_is_elsewhere_is_counted(virtual_network):
-    async with pump(virtual_network, "102.1.7") as component:
+async def test_that_it_moved_elsewhere_is_counted(virtual_network):
+    async with pump(virtual_network, "0.0.7") as component:
+        component.move("102.1.7")
         await asyncio.sleep(1.0)
         assert component.counters["host.not_registered"] == 1
         assert not virtual_network.sent(RegisterServices)
+
+
+@pytest.mark.parametrize("id", ["102.1.7", MASTER])
+def test_it_cannot_register_with_itself_or_elsewhere(id: str) -> None:
+    with pytest.raises(ConfigError, match=r"cannot register with 101\.1\.1"):
+        jauspy.Component(id, [Liveness(), Discovery(register_with=MASTER)])
+
+
+async def test_it_keeps_the_name_that_it_was_given(virtual_network, ocu):
+    async with virtual_network.component(PUMP, [Discovery(register_with=MASTER)], name="pump"):
+        report = await ocu.query(PUMP, QueryIdentification(query_type=4), expects=ReportIdentification)
+        assert report.identification == "pump"
 
 
 @pytest.mark.parametrize("id", ["101.0.1", "0.0.1", "101.1.255", "x"])

@@ -136,9 +136,10 @@ class Lookout:
 
 
 def _tells_of_loss(name: str) -> bool:
-    """A component counts what went well, too."""
+    """A component counts what went well, too, and answers about the whole robot that were kept to a packet."""
     floor, _, what = name.partition(".")
-    return what.startswith(("dropped.", "undelivered")) or (floor in ("host", "component") and what != "received")
+    fine = what in ("received", "report_cut")
+    return what.startswith(("dropped.", "undelivered")) or (floor in ("host", "component") and not fine)
 
 
 def _node(status: Mapping[str, Any], packets: float) -> NodeLook:

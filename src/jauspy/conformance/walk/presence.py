@@ -6,12 +6,16 @@ from collections.abc import Iterable, Iterator
 from typing import Final
 
 from jauspy.codec.base import Message, Struct
+from jauspy.codec.layout import Composite, Slot
 from jauspy.conformance.checks import Check
-from jauspy.conformance.walk.neutral import neutral, presence_fields
+from jauspy.conformance.walk.neutral import PRESENCE, neutral, presence_fields
 from jauspy.conformance.walk.stimulus import Aftermath, Stimulus
 from jauspy.conformance.walk.walker import OBSERVER
 
 EVERYTHING: Final = -1
+
+Bit = tuple[str, int]
+"""A vector of a query, and the number of a bit in it."""
 
 
 def variants(kind: type[Message], report: type[Message]) -> tuple[Stimulus, ...]:
@@ -42,7 +46,7 @@ class _Parts:
         observer = walker.client(OBSERVER)
         full = observer.ask(neutral(self._kind, asks_for=EVERYTHING), self._report, to=walker.component)
         has = frozenset(bit for bit, _, value in _fields(full, vectors) if value is not None)
-        for asked in _halves(max((bit for bit, _, _ in _fields(full, vectors)), default=0) + 1):
+        for asked in _halves(max((place for (_, place), _, _ in _fields(full, vectors)), default=0) + 1):
             query = neutral(self._kind, asks_for=asked)
             right = _carries(vectors, asked, has)
             observer.ask(query, self._report, right, to=walker.component)
@@ -54,24 +58,41 @@ def _halves(count: int) -> Iterator[int]:
         yield sum(1 << bit for bit in range(count) if bit >> place & 1)
 
 
-def _carries(vectors: Iterable[str], asked: int, has: frozenset[int]) -> Check:
+def _carries(vectors: Iterable[str], asked: int, has: frozenset[Bit]) -> Check:
     """Of the optional fields that were asked for those that the component has, and no others."""
 
     def problem(report: Message) -> str:
         wrong = [name for bit, name, value in _fields(report, vectors) if (value is not None) != _right(bit)]
         return f"asked for {asked:X}h it is wrong about {', '.join(wrong)}" if wrong else ""
 
-    def _right(bit: int) -> bool:
-        return bit in has and bool(asked >> bit & 1)
+    def _right(bit: Bit) -> bool:
+        return bit in has and bool(asked >> bit[1] & 1)
 
     return Check("carries what was asked for and nothing else", problem)
 
 
-def _fields(report: Message, vectors: Iterable[str]) -> Iterator[tuple[int, str, object]]:
+def _fields(report: Message, vectors: Iterable[str]) -> Iterator[tuple[Bit, str, object]]:
     """Bit, name and value of each optional field in the parts of a report that the vectors of its query are about."""
     for vector in vectors:
-        name = vector.removesuffix("presence_vector").rstrip("_")
-        part = getattr(report, name, None) if name else report
-        if isinstance(part, Struct):
-            optional = [slot for slot in getattr(part.layout(), "slots", ()) if slot.optional]
-            yield from ((bit, slot.name, getattr(part, slot.name)) for bit, slot in enumerate(optional))
+        name = vector.removesuffix(PRESENCE).rstrip("_")
+        part = report if not name and _optional(report) else _part(report, name)
+        if part is not None:
+            yield from (((vector, place), each, getattr(part, each)) for place, each in enumerate(_optional(part)))
+
+
+def _part(whole: Struct, name: str) -> Struct | None:
+    """The first record in `whole` that has optional fields and lies in what is called `name`."""
+    members = (getattr(whole, slot.name) for slot in _slots(whole) if name in slot.name)
+    records = (each for each in members if isinstance(each, Struct))
+    found = (each if _optional(each) else _part(each, name) for each in records)
+    return next((each for each in found if each is not None), None)
+
+
+def _optional(record: Struct) -> list[str]:
+    """The optional fields in the order of their bits."""
+    return [slot.name for slot in _slots(record) if slot.optional]
+
+
+def _slots(record: Struct) -> tuple[Slot, ...]:
+    layout = record.layout()
+    return layout.slots if isinstance(layout, Composite) else ()

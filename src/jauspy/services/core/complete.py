@@ -17,5 +17,8 @@ def with_core(services: Iterable[Service], name: str) -> list[Service]:
     given = list(services)
     urns = {service.urn for service in given}
     component = Identity(name, DEFAULT_IDENTITIES[COMPONENT].type)
+    for service in given:
+        if isinstance(service, Discovery):
+            service.identities.setdefault(COMPONENT, component)
     core = (Management(), Time(), Liveness(), Discovery({COMPONENT: component}))
     return [*given, *(service for service in core if service.urn not in urns)]

@@ -61,12 +61,15 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
     def __init__(
         self, identities: Mapping[int, Identity] | None = None, *, register_with: str | JausID | None = None
     ) -> None:
-        self.identities = {**DEFAULT_IDENTITIES, **(identities or {})}
+        self.identities = dict(identities or {})
         self.directory = Directory()
         self._registrar = None if register_with is None else _one_component(register_with)
 
     def attached(self) -> None:
-        """The component's own services, those it inherits included."""
+        """The component's own services, those it inherits included; `ConfigError` where it cannot register."""
+        me, other = self.host.id, self._registrar
+        if other is not None and me.subsystem and (other == me or other.subsystem != me.subsystem):
+            raise ConfigError(f"register_with: {me} cannot register with {other}; name another one of its subsystem")
         self._arrive()
 
     def leaving(self) -> None:
@@ -97,7 +100,7 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
         self.host.send(self._registrar, RegisterServices([service(each) for each in offers]))
 
     def about(self, others: Iterable[Host]) -> None:
-        """Components of the same program: they need not register, and are there as long as it is."""
+        """Components of the same program: they need not register, are there as long as it is, and do not move."""
         for other in others:
             self.directory.register(other.id, own_offers(other))
 
@@ -129,7 +132,8 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
     def report_identification(self, query: QueryIdentification, source: JausID) -> ReportIdentification | None:
         """Name and type at the level asked for; no answer for a reserved level."""
         self._heard(source)
-        identity = self.identities.get(int(query.query_type))
+        level = int(query.query_type)
+        identity = self.identities.get(level) or DEFAULT_IDENTITIES.get(level)
         if identity is None:
             return None
         return ReportIdentification(query_type=query.query_type, type=identity.type, identification=identity.name)
