@@ -15,7 +15,7 @@ import psutil
 import pytest
 from rich.console import Console
 
-from jauspy.cli.up_look import Lookout
+from jauspy.cli.up_look import Lookout, _tells_of_loss
 from jauspy.cli.up_table import table
 from jauspy.ids import JausID
 from jauspy.messages.core import CreateEvent, RequestControl, Resume
@@ -38,6 +38,21 @@ def drawn(runner, look):
     page = Console(file=io.StringIO(), width=120)
     page.print(table(runner.config, look, 3725.0))
     return page.file.getvalue()
+
+
+@pytest.mark.parametrize(
+    ("counter", "lost"),
+    [
+        ("host.received", False),
+        ("host.report_cut", False),
+        ("host.ignored", True),
+        ("component.failed", True),
+        ("endpoint.received", False),
+        ("transport.dropped.full", True),
+    ],
+)
+def test_what_went_well_and_answers_kept_to_a_packet_are_no_loss(counter, lost):
+    assert _tells_of_loss(counter) == lost
 
 
 async def test_shows_who_controls_what_and_what_was_lost() -> None:
