@@ -11,6 +11,7 @@ from jauspy.errors import ConfigError, ControlRejected, ElementRejected, EncodeE
 from jauspy.ids import JausID
 from jauspy.messages.core import (
     ConfirmElementRequest,
+    CreateEvent,
     DeleteElement,
     ElementRec,
     Event,
@@ -350,6 +351,17 @@ async def test_a_lost_command_is_sent_again_and_a_lost_end_is_noticed(virtual_ne
     virtual_network.lose(Event)
     seen = []
     async for index in client.waypoints.progress():
+        seen.append(index)
+        driver.arrive(robot)
+    assert seen == [0, 1]
+
+
+async def test_silence_is_not_taken_for_the_end(virtual_network, robot, driver, client):
+    await client.waypoints.upload(at(1, 2))
+    await client.waypoints.execute(speed=1.0)
+    virtual_network.lose(CreateEvent, times=2)
+    seen = []
+    async for index in client.waypoints.progress(grace=0.5):
         seen.append(index)
         driver.arrive(robot)
     assert seen == [0, 1]

@@ -13,6 +13,7 @@ from jauspy.protocol.header import Packet
 from jauspy.protocol.judp import pack, unpack
 from jauspy.services.core import AccessControl, Liveness
 from jauspy.testing import LocalNode, VirtualClock, VirtualNetwork, until
+from jauspy.testing.clock import START
 
 PULSE = QueryHeartbeatPulse()
 
@@ -109,6 +110,19 @@ async def test_the_loop_is_as_before_afterwards():
         assert (clock.utc_now().hour, clock.utc_now().minute) == (0, 16)
     assert abs(loop.time() - time.monotonic()) < 60
     await asyncio.sleep(0.001)
+
+
+async def test_timers_keep_their_time_when_the_clock_is_changed():
+    loop, fired = asyncio.get_running_loop(), []
+    loop.call_later(30, lambda: fired.append(loop.time() - START))
+    with VirtualClock():
+        await asyncio.sleep(29)
+        assert not fired
+        await asyncio.sleep(2)
+        assert fired == [pytest.approx(30, abs=0.01)]
+        left = loop.call_later(3600, fired.clear)
+    assert left.when() - loop.time() == pytest.approx(3600, abs=1)
+    left.cancel()
 
 
 async def test_threads_can_still_wake_the_loop():

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from jauspy.cli.options import Connect, OwnId, Timeout
+from jauspy.cli.options import ATTEMPTS, Connect, OwnId, Timeout
 
 if TYPE_CHECKING:
     from jauspy.mapping.grid import OccupancyGrid
@@ -55,7 +55,7 @@ def map_robot(
     from jauspy.ocu import OCU
 
     grid = OccupancyGrid(size, resolution)
-    ocu = OCU(addresses.own_id(own_id, connect), connect, timeout=timeout / 3, retries=2)
+    ocu = OCU(addresses.own_id(own_id, connect), connect, timeout=timeout / ATTEMPTS, retries=ATTEMPTS - 1)
     run(_map(ocu, (subsystem, sensor), grid, output, seconds))
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from jauspy.cli.definitions import Beside, ServiceName, ServiceVersion
-from jauspy.cli.options import Connect, OwnId, Timeout
+from jauspy.cli.options import ATTEMPTS, Connect, OwnId, Timeout
 
 if TYPE_CHECKING:
     from jauspy.codec.base import Message
@@ -63,8 +63,13 @@ def query(
     question = message_from(known.registry, message, fields or [], known.hints(service, version))
     if not question.IS_QUERY:
         raise ConfigError(f"{question.NAME} is no query, nothing would answer it; use `jauspy send`")
-    # The patience for one answer is cut into three attempts, for datagrams get lost.
-    ocu = OCU(addresses.own_id(own_id, connect), connect, timeout=timeout / 3, retries=2, registry=known.registry)
+    ocu = OCU(
+        addresses.own_id(own_id, connect),
+        connect,
+        timeout=timeout / ATTEMPTS,
+        retries=ATTEMPTS - 1,
+        registry=known.registry,
+    )
     run(_ask_all(ocu, to, question, timeout) if to.is_wildcard else _ask(ocu, to, question))
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Final
 import typer
 
 from jauspy.cli.definitions import Beside, ServiceName, ServiceVersion
-from jauspy.cli.options import Connect, OwnId, Timeout
+from jauspy.cli.options import ATTEMPTS, Connect, OwnId, Timeout
 from jauspy.cli.query import Destination, Fields, MessageName
 
 if TYPE_CHECKING:
@@ -78,7 +78,13 @@ def send(
         raise ConfigError(f"{command.NAME} is a query, and its answer would not be shown; use `jauspy query`")
     if control is not None and to.is_wildcard:
         raise ConfigError(f"control is taken of one component at a time, and {to} may be several")
-    ocu = OCU(addresses.own_id(own_id, connect), connect, timeout=timeout / 3, retries=2, registry=known.registry)
+    ocu = OCU(
+        addresses.own_id(own_id, connect),
+        connect,
+        timeout=timeout / ATTEMPTS,
+        retries=ATTEMPTS - 1,
+        registry=known.registry,
+    )
     if control is None:
         remark = run(_send(ocu, to, command))
         if remark:

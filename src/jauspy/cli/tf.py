@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from jauspy.cli.options import Connect, Json, OwnId, Timeout
+from jauspy.cli.options import ATTEMPTS, Connect, Json, OwnId, Timeout
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -70,7 +70,7 @@ async def _look(
     from jauspy.ocu.frames import RobotFrames
 
     model = robot_model(config)
-    async with OCU(own_id, connect, timeout=patience / 3, retries=2) as ocu:
+    async with OCU(own_id, connect, timeout=patience / ATTEMPTS, retries=ATTEMPTS - 1) as ocu:
         reader = RobotFrames(await ocu.discover(config.subsystem, timeout=patience), model, config.movers)
         return await reader.look(), reader.assumed_between
 

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from jauspy.cli.options import Connect, OwnId, Timeout
+from jauspy.cli.options import ATTEMPTS, Connect, OwnId, Timeout
 
 
 def video(
@@ -62,7 +62,7 @@ def video(
     if save is not None and show:
         raise typer.BadParameter("a port has one listener: watch, or record", param_hint="--show")
     address = address_of(f"rtp://{to}")
-    ocu = OCU(addresses.own_id(own_id, connect), connect, timeout=timeout / 3, retries=2)
+    ocu = OCU(addresses.own_id(own_id, connect), connect, timeout=timeout / ATTEMPTS, retries=ATTEMPTS - 1)
     if save is not None:
         run(record(ocu, component, sensor, address, file=save, seconds=seconds))
         return

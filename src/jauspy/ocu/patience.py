@@ -10,10 +10,14 @@ from jauspy.errors import ConfigError
 
 @dataclass(frozen=True, slots=True)
 class Patience:
-    """How long to wait for one answer (seconds), and how often to ask again."""
+    """How long to wait for one answer (seconds), and how often to ask again; an answer to any of the questions counts.
 
-    timeout: float = 1.0
-    retries: int = 2
+    Of ten packets one may get lost: then a question and its answer fail once in 5 times, three in a row once in 150,
+    which a program of many questions would see, and six once in 20,000.
+    """
+
+    timeout: float = 0.5
+    retries: int = 5
 
     def __post_init__(self) -> None:
         check_number(self.timeout, "timeout")

@@ -21,16 +21,15 @@ RECHECK: Final = 1.0
 
 
 async def progress(service: ServiceClient, query: Message, rate: float | None, grace: float) -> AsyncIterator[int]:
-    """The number of each element that becomes active, until none is; none at first may last `grace` seconds."""
+    """The number of each element that becomes active, until none is; none at first may last `grace` seconds.
+
+    Silence says nothing: while no report comes, the list may well be carried out.
+    """
     clock = asyncio.get_running_loop().time
     last, give_up_at = 0, clock() + grace
     async with aclosing(_reports(service, query, rate)) as reports:
-        while True:
-            try:
-                async with asyncio.timeout_at(None if last else give_up_at):
-                    uid = (await anext(reports)).element_uid
-            except TimeoutError:
-                return
+        async for report in reports:
+            uid = report.element_uid
             if not uid and (last or clock() >= give_up_at):
                 return
             if uid != last:
@@ -39,6 +38,7 @@ async def progress(service: ServiceClient, query: Message, rate: float | None, g
 
 
 async def _reports(service: ServiceClient, query: Message, rate: float | None) -> AsyncGenerator[Any, None]:
+    yield await service.query(query)  # an event takes three messages and their answers to begin
     subscription = service.subscribe(query, rate=rate)
     try:
         await subscription.__aenter__()

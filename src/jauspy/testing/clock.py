@@ -11,6 +11,8 @@ from jauspy.errors import ConfigError
 
 EPOCH: Final = datetime(2026, 1, 1, tzinfo=UTC)
 """The wall clock's time when a virtual clock starts."""
+START: Final = 1000.0
+"""Seconds that the loop's clock shows when a virtual clock starts, always the same: sums of times are rounded alike."""
 TURN: Final = 1e-9
 """Seconds that a turn of the loop takes. Were it none, a timer that is run early, within the loop's resolution, and
 sets itself again would be early for ever."""
@@ -27,7 +29,7 @@ class VirtualClock:
     def __init__(self) -> None:
         self._loop: Any = None
         self._selector: Any = None
-        self._start = self._now = 0.0
+        self._now = START
 
     def time(self) -> float:
         """Seconds of the loop's monotonic clock, as `loop.time()`."""
@@ -36,7 +38,7 @@ class VirtualClock:
     @property
     def elapsed(self) -> float:
         """Virtual seconds since it started."""
-        return self._now - self._start
+        return self._now - START
 
     def utc_now(self) -> datetime:
         """The wall clock: midnight of 1 January 2026, and what has passed since."""
@@ -48,7 +50,8 @@ class VirtualClock:
             raise ConfigError("this event loop lives on a virtual clock already; one is enough")
         if "_selector" not in vars(loop):
             raise ConfigError(f"{type(loop).__name__} cannot live on a virtual clock; use asyncio's own event loop")
-        self._start = self._now = loop.time()
+        self._now = START
+        _put_off(loop, START - loop.time())
         # asyncio has no public way to do this to a loop that runs; a loop is its `time` and its `select` (ADR 36).
         self._loop, self._selector = loop, loop._selector  # noqa: SLF001
         loop._selector, loop.time = _Jumps(self._selector, self), self.time  # noqa: SLF001
@@ -60,10 +63,17 @@ class VirtualClock:
         loop, self._loop = self._loop, None
         loop._selector = self._selector  # noqa: SLF001
         del loop.time
+        _put_off(loop, loop.time() - self._now)
 
     def pass_by(self, seconds: float) -> None:
         """Let time pass; called by the loop."""
         self._now += seconds
+
+
+def _put_off(loop: Any, seconds: float) -> None:
+    """Timers that run already keep the time that is left to them when the clock is changed by so much."""
+    for handle in loop._scheduled:  # noqa: SLF001
+        handle._when += seconds  # noqa: SLF001
 
 
 class _Jumps:
