@@ -16,6 +16,7 @@ pytest.importorskip("cv2", reason="the extra 'video' is not installed")
 
 import cv2
 import numpy as np
+import psutil
 
 from jauspy import workers
 from jauspy.errors import ConfigError
@@ -267,4 +268,11 @@ asyncio.run(main())
     assert Path(f"/proc/{child}").exists()
     parent.kill()
     await parent.communicate()
-    await until(lambda: not Path(f"/proc/{child}").exists() or "Z" in Path(f"/proc/{child}/stat").read_text().split())
+    await until(lambda: is_over(child))
+
+
+def is_over(pid):
+    try:
+        return psutil.Process(pid).status() == psutil.STATUS_ZOMBIE
+    except psutil.NoSuchProcess:
+        return True
