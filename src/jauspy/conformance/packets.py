@@ -79,7 +79,7 @@ class Hand:
         """Everything that came from the component to this client, and whether to the strange port."""
         return self._arrivals
 
-    def _hear(self, packet: Packet, strange_port: bool) -> None:  # noqa: FBT001 - a Listener
+    def _hear(self, packet: Packet, strange_port: bool) -> None:
         ours = packet.source == self.component and packet.destination == self.client.id
         if ours and _answers(packet) and len(self._arrivals) < MAX_ARRIVALS:
             self._arrivals.append((packet, strange_port))
