@@ -143,10 +143,13 @@ def other_elements(report: Any) -> None:
 
 
 def other_numbers(message: Any) -> None:
-    """Every number is half a unit more."""
+    """Every number is half a unit more, also those of a chosen kind."""
     for slot in message.layout().slots:
-        if isinstance(value := getattr(message, slot.name), float):
+        value = getattr(message, slot.name)
+        if isinstance(value, float):
             setattr(message, slot.name, value + 0.5)
+        elif hasattr(value, "choice"):
+            value.value += 0.5
 
 
 def another_id(message: Any) -> None:
