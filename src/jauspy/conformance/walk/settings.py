@@ -88,7 +88,7 @@ def _is_confirmed(then: Aftermath) -> bool:
     """Whether the sensor says that it is set so; the answer must be about that one alone."""
     walker = then.walker
     answer = ConfirmSensorConfiguration.decode(walker.client(then.role).confirmed[-1].payload)
-    about = [each.sensor_id for each in answer.confirm_sensor_list]
+    about = [getattr(each, "sensor_id", None) for each in answer.confirm_sensor_list]
     wrong = "" if about == [_sensor(walker)] else f"it is about {about}, and sensor {_sensor(walker)} was to be set"
     walker.tester.check("the answer is about the sensor that was to be set", wrong)
     return isinstance(answer.confirm_sensor_list[0], SensorIdRec)
