@@ -15,6 +15,10 @@ class SharedEvents:
         """`user` listens to this event."""
         self._users.setdefault((id, event), set()).add(user)
 
+    def users(self, id: JausID, event: int | bytes) -> frozenset[object]:
+        """Who listens to this event."""
+        return frozenset(self._users.get((id, event), ()))
+
     def leave(self, id: JausID, event: int | bytes | None, user: object) -> bool:
         """`user` does not any more; true when it was the last, so that the event can be cancelled."""
         users = self._users.get((id, event)) if event is not None else None
