@@ -107,7 +107,7 @@ class Inbox:
 
     async def next(self) -> Packet:
         """The next packet; fails the test when none comes."""
-        async with asyncio.timeout(5):
+        async with asyncio.timeout(20):
             (packet,) = judp.unpack(await self._queue.get())
             return packet
 

@@ -18,7 +18,7 @@ A, B = JausID.parse("101.1.1"), JausID.parse("101.1.2")
 
 
 async def until(condition: Callable[[], bool]) -> None:
-    async with asyncio.timeout(10):
+    async with asyncio.timeout(20):
         while not condition():
             await asyncio.sleep(0.01)
 

@@ -12,6 +12,7 @@ from jauspy.conformance.expectation import Expectation
 from jauspy.conformance.trace import Heard, named
 from jauspy.ids import EVERYONE, JausID
 from jauspy.messages.core import CommandEvent, ConfirmEventRequest, Event
+from jauspy.messages.environment_sensing.v2_0.range_sensor import ConfirmSensorConfiguration
 from jauspy.protocol.endpoint import Endpoint
 from jauspy.protocol.header import Ack
 
@@ -24,8 +25,9 @@ EVENTS: Final = frozenset({Event.CODE, CommandEvent.CODE})
 """These come whenever they like."""
 MAX_PENDING: Final = 1024
 """Messages of one client that nobody has looked at; the oldest go first."""
+CONFIRMATIONS: Final = frozenset({ConfirmEventRequest.CODE, ConfirmSensorConfiguration.CODE})
 MAX_CONFIRMED: Final = 64
-"""Confirmations of events of one client in one step."""
+"""Confirmations of one client in one step."""
 
 
 class Client:
@@ -36,7 +38,7 @@ class Client:
         self.id = id
         self.pending: deque[Heard] = deque(maxlen=MAX_PENDING)
         self.confirmed: deque[Heard] = deque(maxlen=MAX_CONFIRMED)
-        """Every confirmation of an event in this step, also those that were looked at."""
+        """Every confirmation in this step, also those that were looked at."""
         self.strange_port = False
         """Speak from another UDP port from now on."""
         self.sent: set[int] = set()
@@ -151,7 +153,7 @@ class Client:
     def _keep(self, heard: Heard) -> None:
         self.tester.unread += len(self.pending) == MAX_PENDING
         self.pending.append(heard)
-        if heard.code == ConfirmEventRequest.CODE:
+        if heard.code in CONFIRMATIONS:
             self.confirmed.append(heard)
 
     def _flush(self) -> None:

@@ -81,7 +81,7 @@ def _confirmations(walker: Walker, role: str) -> list[ConfirmEventRequest]:
     return [
         ConfirmEventRequest.decode(heard.payload, strict=False)[0]
         for heard in walker.client(role).confirmed
-        if heard.source == walker.component
+        if heard.code == ConfirmEventRequest.CODE and heard.source == walker.component
     ]
 
 
