@@ -112,6 +112,22 @@ async def test_every_change_reports_at_once_and_then_only_changes(world):
     assert statuses.received == 3
 
 
+async def test_what_is_reported_anew_is_no_change(world, monkeypatch):
+    monkeypatch.setattr(EventRequests, "lifetime", lambda _: asyncio.sleep(0, 0.3))
+    await world.robot()
+    driver = (await (await world.ocu()).discover(subsystem=101)).service("mobility:PrimitiveDriver")
+    async with driver.subscribe(QueryStatus()) as first, driver.subscribe(QueryStatus()) as second:
+        assert [(await each.get()).status for each in (first, second)] == [Status.STANDBY] * 2
+        await until(lambda: len(world.network.sent(UpdateEvent)) >= 6)  # each of which is answered by a report
+        assert min(first.received, second.received) > 2
+        async with driver.control():
+            await driver.resume()
+            assert [(await each.get()).status for each in (first, second)] == [Status.READY] * 2
+        assert first.dropped == second.dropped == 0
+    async with first:
+        assert (await first.get()).status is Status.STANDBY
+
+
 async def test_two_streams_at_once_are_not_mixed_up(world):
     await world.robot()
     ocu = await world.ocu()

@@ -55,6 +55,7 @@ class Subscription(Generic[R]):
         self._wire = EventRequests(link, request, patience)
         self._sequence = Sequence()
         self._buffer: deque[R] = deque(maxlen=request.buffer)
+        self._told: R | None = None
         self._news = asyncio.Event()
         self._error: Exception | None = None
         self._stack = ExitStack()
@@ -70,7 +71,7 @@ class Subscription(Generic[R]):
             raise ConfigError("this subscription is already open; subscribe once more for a second one")
         if self._farewell is not None:
             self._leave()
-        self._error, self._sequence = None, Sequence()
+        self._error, self._told, self._sequence = None, None, Sequence()
         self._buffer.clear()
         tap = self._link.replies.tapped(self.request.id, self._heard, ConfirmEventRequest, Event)
         self._stack.enter_context(tap)
@@ -154,10 +155,13 @@ class Subscription(Generic[R]):
             return
         self.lost += missing
         self.received += 1
+        self._news.set()
+        if self.request.rate is None and report == self._told:
+            return  # the event was renewed, or somebody else subscribed to it: that is reported anew, and no change
+        self._told = report
         self.dropped += len(self._buffer) == self._buffer.maxlen
         self._buffer.append(report)
         self.latest = report
-        self._news.set()
 
     def _read(self, content: Message | bytes) -> R:
         if isinstance(content, self._kind):
@@ -173,7 +177,7 @@ class Subscription(Generic[R]):
         try:
             await self._wire.update(self.event_id)
         except EventRejected:
-            self._sequence = Sequence()
+            self._told, self._sequence = None, Sequence()
             await self._wire.create()
 
     async def _keep(self, lifetime: float) -> None:
