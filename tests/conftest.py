@@ -2,6 +2,7 @@
 
 import contextlib
 import os
+import secrets
 import shutil
 import socket
 import subprocess
@@ -27,11 +28,22 @@ def root() -> Iterator[Path]:
 
 @pytest.fixture
 def free_port() -> int:
-    """A UDP port that nobody uses now, on any address."""
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
-        probe.bind(("", 0))
-        port: int = probe.getsockname()[1]
-        return port
+    """A port that nobody uses now, for UDP and TCP on any address.
+
+    It is below those that the kernel gives to whoever asks for any, and in a range of this process's own: until the
+    test binds it, nobody else takes it.
+    """
+    worker = int(os.environ.get("PYTEST_XDIST_WORKER", "gw0")[2:]) % 10
+    while True:
+        port = 20_000 + 1000 * worker + secrets.randbelow(1000)
+        with (
+            contextlib.suppress(OSError),
+            socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as datagrams,
+            socket.socket(socket.AF_INET, socket.SOCK_STREAM) as streams,
+        ):
+            datagrams.bind(("", port))
+            streams.bind(("", port))
+            return port
 
 
 @pytest.fixture

@@ -26,7 +26,8 @@ def test_the_synchronous_ocu(node_manager: LocalNode, robot) -> None:
     source = program("ocu.md", "from jauspy.sync import OCU")
     start = "from jauspy.messages.mobility import QueryLocalPose, SetWrenchEffort\n"
     exec(start + source.replace('OCU("42.1.1")', f'OCU("42.1.1", "{node_manager.local}")'), {})
-    assert robot.snapshot.pose.x == pytest.approx(2.0, abs=0.4)
+    assert robot.snapshot.pose.x > 1.99
+    assert robot.components[0].host.state.endswith("NotControlled.Available.Standby")
 
 
 def test_the_first_tests_of_a_component(pytester: pytest.Pytester) -> None:

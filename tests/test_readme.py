@@ -8,16 +8,16 @@ import subprocess
 import sys
 import textwrap
 from pathlib import Path
+from typing import Any
 
 import pytest
 from typer.testing import CliRunner
 
 import jauspy
 from jauspy.cli.main import app
-from jauspy.modules import robots
 from jauspy.modules.robot import RobotRunner
 from jauspy.node import NodeConfig, NodeManager
-from jauspy.transport import LocalTransport
+from jauspy.testing import VirtualNetwork
 
 README = Path(__file__).parents[1] / "README.md"
 
@@ -33,22 +33,16 @@ def test_the_examples_of_messages() -> None:
     assert results.failed == 0
 
 
-async def test_the_ocu_drives_the_robot(root: Path) -> None:
+async def test_the_ocu_drives_the_robot(virtual_network: VirtualNetwork, robot: RobotRunner) -> None:
     (program,) = [block for block in blocks() if "jauspy.OCU(" in block]
-    program = program.replace('OCU("42.1.1")', f'OCU("42.1.1", connect="local:{root}")').replace(
-        "asyncio.run(main())", ""
-    )
-    names: dict[str, object] = {}
+    program = program.replace('jauspy.OCU("42.1.1")', 'network.ocu("42.1.1")').replace("asyncio.run(main())", "")
+    names: dict[str, Any] = {"network": virtual_network}
     exec(compile(program, str(README), "exec"), names)
-    async with (
-        NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root)),
-        RobotRunner(robots.load("inc1"), lambda own: LocalTransport(own, root), backend="kinematic") as robot,
-    ):
-        await asyncio.wait_for(names["main"](), 20)  # type: ignore[operator]
-        assert robot.snapshot is not None
-        assert robot.snapshot.pose.x == pytest.approx(2.0, abs=0.3)
-        mobility = robot.components[0]
-        assert mobility.host.state.endswith("NotControlled.Available.Standby")
+    await asyncio.wait_for(names["main"](), 20)
+    assert robot.snapshot is not None
+    assert robot.snapshot.pose.x == pytest.approx(2.0, abs=0.3)
+    mobility = robot.components[0]
+    assert mobility.host.state.endswith("NotControlled.Available.Standby")
 
 
 async def test_the_component_is_found_asked_and_subscribed_to(

@@ -80,6 +80,6 @@ def test_a_killed_parent_takes_its_child_along(free_port, local_root):
     parent.kill()
     parent.wait()
     parent.stdout.close()
-    child.wait(timeout=10)
+    child.wait(timeout=30)
     assert not child.is_running()
     assert not list(local_root.iterdir())

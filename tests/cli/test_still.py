@@ -15,7 +15,7 @@ JAUSPY = [sys.executable, "-m", "jauspy.cli.main"]
 
 
 def jauspy(*arguments):
-    return subprocess.run([*JAUSPY, *arguments], capture_output=True, text=True, timeout=90, check=False)
+    return subprocess.run([*JAUSPY, *arguments], capture_output=True, text=True, timeout=120, check=False)
 
 
 @pytest.fixture
@@ -33,12 +33,12 @@ def robot(free_port, local_root):
 
 def test_pictures_are_saved_as_their_names_say(robot, tmp_path):
     jpeg, png = tmp_path / "arm.jpg", tmp_path / "front.PNG"
-    run = jauspy("still", "101.1.106", "--save", str(jpeg), "--timeout", "40", *robot)
+    run = jauspy("still", "101.1.106", "--save", str(jpeg), "--timeout", "100", *robot)
     assert run.returncode == 0, run.stderr
     assert f"{jpeg}: JPEG by sensor 1 of 101.1.106, " in run.stdout
     assert jpeg.read_bytes().startswith(b"\xff\xd8\xff")
     assert cv2.imread(str(jpeg)).shape == (480, 640, 3)
-    run = jauspy("still", "101.1.107", "--save", str(png), "--size", "1280x720", "--timeout", "40", *robot)
+    run = jauspy("still", "101.1.107", "--save", str(png), "--size", "1280x720", "--timeout", "100", *robot)
     assert run.returncode == 0, run.stderr
     assert png.read_bytes().startswith(b"\x89PNG")
     assert cv2.imread(str(png)).shape == (720, 1280, 3)

@@ -4,6 +4,7 @@ import json
 import signal
 import subprocess
 import sys
+import time
 from itertools import takewhile
 from pathlib import Path
 
@@ -11,6 +12,8 @@ import psutil
 import pytest
 
 from jauspy.modules.robots import load
+from jauspy.protocol.junior import SOCKET_NAME
+from jauspy.transport.local_socket import is_alive
 
 INC1 = load("inc1")
 MODULES = [str(INC1.id_of(module)) for module in INC1.modules]
@@ -37,7 +40,7 @@ def wait_for(process, text):
 
 
 def assert_gone(processes):
-    _, alive = psutil.wait_procs(processes, timeout=10)
+    _, alive = psutil.wait_procs(processes, timeout=30)
     assert not alive
 
 
@@ -124,9 +127,9 @@ def test_clouds_of_a_running_robot_are_saved(free_port, local_root, tmp_path):
 
 def test_verbs_run_side_by_side_and_a_wildcard_names_who_answered(robot, local_root, free_port):
     for where in (f"local:{local_root}", f"udp://127.0.0.1:{free_port}"):
-        asked = [start("query", "101.255.255", "QueryStatus", "--timeout", "1", "--connect", where) for _ in range(3)]
+        asked = [start("query", "101.255.255", "QueryStatus", "--timeout", "2", "--connect", where) for _ in range(3)]
         for each in asked:
-            out, err = each.communicate(timeout=20)
+            out, err = each.communicate(timeout=60)
             assert err == ""
             sources = {json.loads(line)["source"] for line in out.splitlines()}
             assert sources == set(MODULES)
@@ -166,7 +169,7 @@ def test_losing_control_while_holding_it_is_a_failure(robot, local_root):
         if report["fields"]["authority_code"] == 100:
             break
     jauspy("send", "101.1.102", "Resume", "--control", "200", *where)
-    _, err = weak.communicate(timeout=10)
+    _, err = weak.communicate(timeout=60)
     assert weak.returncode == 1
     assert err.startswith("Error: control of 101.1.102 was lost: 101.1.102 took it back")
 
@@ -241,6 +244,10 @@ def test_up_uses_the_node_manager_that_runs(robot, local_root):
 def test_a_dead_node_manager_is_started_again(robot, local_root):
     robot.family[0].kill()
     assert robot.stderr.readline() == "node manager: ended by signal 9; starting it again\n"
+    until = time.monotonic() + 60
+    while not is_alive(local_root / SOCKET_NAME):
+        assert time.monotonic() < until
+        time.sleep(0.05)
     found = jauspy("ls", "--connect", f"local:{local_root}", "--timeout", "4", "--json").stdout
     assert json.loads(found)["subsystem"] == 101
     robot.family += psutil.Process(robot.pid).children()

@@ -113,7 +113,7 @@ def test_is_drawn_on_a_terminal_and_ends_in_order(free_port, local_root) -> None
     os.close(ours)
     order = [ended.index(f"stopping the {what}") for what in ("modules", "node manager")]
     assert order == sorted(order)
-    assert not psutil.wait_procs(family, timeout=10)[1]
+    assert not psutil.wait_procs(family, timeout=30)[1]
 
 
 def read_until(terminal: int, *texts: str) -> str:

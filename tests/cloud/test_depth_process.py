@@ -30,6 +30,8 @@ from jauspy.platform.kinematic import KinematicRobot
 
 FRONT = CameraSetup("front", "chassis_camera_link", math.radians(80.0))
 SETTINGS = DepthSettings(80, 60, rate=20.0, least=0.1, most=5.0)
+PATIENCE = 100.0
+"""Seconds; the process has what other work leaves of the processors, which may be little."""
 
 
 @pytest.fixture
@@ -57,13 +59,13 @@ def subscriber(stream: DepthStream) -> Iterator[CloudSubscriber]:
 
 
 async def next_cloud(subscriber: CloudSubscriber) -> Cloud:
-    cloud = await asyncio.to_thread(subscriber.receive, 20.0)
+    cloud = await asyncio.to_thread(subscriber.receive, PATIENCE)
     assert cloud is not None
     return cloud
 
 
 async def until(condition: Callable[[], object]) -> None:
-    async with asyncio.timeout(20.0):
+    async with asyncio.timeout(PATIENCE):
         while not condition():
             await asyncio.sleep(0.01)
 
@@ -99,7 +101,7 @@ async def test_a_process_that_dies_is_started_again(
     first = await next_cloud(subscriber)
     assert process.pid is not None
     os.kill(process.pid, signal.SIGKILL)
-    async with asyncio.timeout(20.0):
+    async with asyncio.timeout(PATIENCE):
         while (await next_cloud(subscriber)).stream == first.stream:
             pass
     assert process.counters["started"] == 2

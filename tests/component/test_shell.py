@@ -9,7 +9,7 @@ import pytest
 
 from jauspy.codec.base import Message
 from jauspy.component import Shell
-from jauspy.component.shell import MAX_PER_WAKEUP
+from jauspy.component.shell import MAX_BACKLOG, MAX_PER_WAKEUP, loop_time
 from jauspy.errors import EncodeError, ProtocolError, ResponseTimeout, TransportError
 from jauspy.ids import EVERYONE, JausID
 from jauspy.messages.core import (
@@ -27,15 +27,17 @@ from jauspy.messages.core import (
 from jauspy.protocol.delivery import Delivery
 from jauspy.protocol.header import Ack, DataFlag, Packet
 from jauspy.protocol.judp import pack, unpack
+from jauspy.protocol.transfers import PIECES_PER_TURN
 from jauspy.services.core import AccessControl, Events, Liveness
 from jauspy.services.host import Host
+from jauspy.testing import until
 from jauspy.transport import LoopbackHub, LoopbackTransport
 
 ME, PEER = JausID(1, 1, 1), JausID(2, 1, 1)
 
 
 def component(hub: LoopbackHub, id: JausID = ME, **options) -> Shell:
-    host = Host(id, [Liveness(), AccessControl(timeout=1)], utc_now=lambda: datetime.now(UTC), now=time.monotonic())
+    host = Host(id, [Liveness(), AccessControl(timeout=1)], utc_now=lambda: datetime.now(UTC), now=loop_time())
     return Shell(host, LoopbackTransport(id, hub), **options)
 
 
@@ -54,7 +56,7 @@ class Peer:
         self.transport.send(pack(Packet(PEER, ME, payload, 7, ack=ack)))
 
     async def next(self) -> Packet:
-        async with asyncio.timeout(3):
+        async with asyncio.timeout(20):
             return await self.packets.get()
 
     async def __aenter__(self) -> Peer:
@@ -105,7 +107,7 @@ async def test_what_asks_for_an_ack_gets_one():
         assert {(each.ack, each.sequence) for each in packets} >= {(Ack.ACK, 7)}
 
 
-async def test_timers_of_services_run():
+async def test_timers_of_services_run(virtual_network):
     hub = LoopbackHub()
     async with component(hub) as me, Peer(hub) as peer:
         peer.send(RequestControl(authority_code=100))
@@ -138,7 +140,7 @@ async def test_a_bug_does_not_reach_the_event_loop(caplog):
 
     async with component(hub, intercept=buggy) as me, Peer(hub) as peer:
         peer.send(QueryHeartbeatPulse())
-        async with asyncio.timeout(1):
+        async with asyncio.timeout(20):
             while not me.counters.get("component.internal_error"):
                 await asyncio.sleep(0)
     assert "a bug" in caplog.text
@@ -299,10 +301,26 @@ async def test_large_messages_go_out_in_pieces_and_come_in_whole():
         for ack in (Ack.NONE, Ack.REQUIRED):
             ticket = other._endpoint.send(ME, b"\x01\x40" + bytes(400_000), now=time.monotonic(), ack=ack)
             other.wake()
-            async with asyncio.timeout(5):
+            async with asyncio.timeout(20):
                 packet = await seen.get()
             assert (len(packet.payload), packet.data_flag) == (400_002, DataFlag.SINGLE)
             assert (ticket is None) == (ack is Ack.NONE)
+
+
+async def test_pieces_wait_while_the_transport_has_much_to_send(virtual_network):
+    class Line(LoopbackTransport):
+        waiting = MAX_BACKLOG
+
+    hub = LoopbackHub()
+    line = Line(ME, hub)
+    host = Host(ME, [Liveness()], utc_now=lambda: datetime.now(UTC), now=loop_time())
+    async with Shell(host, line) as me, component(hub, PEER) as other:
+        me._endpoint.send(PEER, b"\x01\x40" + bytes(400_000), now=loop_time())
+        me.wake()
+        await asyncio.sleep(1.0)
+        assert line.counters["sent"] == PIECES_PER_TURN
+        line.waiting = 0
+        await until(lambda: other.counters.get("endpoint.received") == 1)
 
 
 def queries(number: int, start: int = 0) -> bytes:
@@ -318,7 +336,7 @@ async def test_more_packets_than_one_turn_handles_are_all_handled():
         me.transport.received(queries(many))
         assert me.counters["host.received"] == MAX_PER_WAKEUP
         me.transport.received(queries(1, start=many))
-        async with asyncio.timeout(3):
+        async with asyncio.timeout(20):
             while me.counters["host.received"] < many + 1:
                 await asyncio.sleep(0)
 

@@ -25,6 +25,7 @@ from jauspy.conformance.walk.trial import Trial
 from jauspy.conformance.walk.walker import AUTHORITY, CLIENTS, OBSERVER
 from jauspy.ids import JausID
 from jauspy.messages import core, registry
+from jauspy.messages.environment_sensing.v2_0.range_sensor import ConfirmSensorConfiguration
 from jauspy.services.host import Host
 
 WATCHING = JausID.parse(CLIENTS[OBSERVER])
@@ -121,10 +122,11 @@ def fails(report: Any) -> None:
 
 def other_codes(message: Any) -> None:
     """Ids and codes are other ones that exist."""
-    for name in CODES:
-        if (value := getattr(message, name, None)) is not None:
-            others = list(type(value)) if isinstance(value, IntEnum) else [value ^ 1]
-            setattr(message, name, next(each for each in others if each != value))
+    for part in (message, getattr(message, "request_id_rec", None)):
+        for name in CODES:
+            if (value := getattr(part, name, None)) is not None:
+                others = list(type(value)) if isinstance(value, IntEnum) else [value ^ 1]
+                setattr(part, name, next(each for each in others if each != value))
 
 
 def twice(payload: bytes) -> list[bytes]:
@@ -143,10 +145,33 @@ def other_elements(report: Any) -> None:
 
 
 def other_numbers(message: Any) -> None:
-    """Every number is half a unit more."""
+    """Every number is half a unit more, also those of a chosen kind."""
     for slot in message.layout().slots:
-        if isinstance(value := getattr(message, slot.name), float):
+        value = getattr(message, slot.name)
+        if isinstance(value, float):
             setattr(message, slot.name, value + 0.5)
+        elif hasattr(value, "choice"):
+            value.value += 0.5
+
+
+def other_settings(report: Any) -> None:
+    """Of every sensor every number is another one."""
+    (records,) = (value for slot in report.layout().slots if isinstance(value := getattr(report, slot.name), list))
+    for record in (getattr(each, "h264_configuration_rec", each) for each in records):
+        for name in (
+            "update_rate",
+            "horizontal_field_of_view",
+            "frame_rate",
+            "still_image_format",
+            "group_of_pictures",
+        ):
+            if hasattr(record, name):
+                setattr(record, name, getattr(record, name) + 1)
+
+
+def other_sensors(confirmation: Any) -> None:
+    for each in confirmation.confirm_sensor_list:
+        each.sensor_id += 1
 
 
 def another_id(message: Any) -> None:
@@ -243,7 +268,7 @@ FAMILIES: Final = (
     Family("is silent", " comes$", answers(silence)),
     Family("is short", "^[A-Z].* is as its definition says", answers(spoilt)),
     Family("is late", "in time$", delays(lambda payload, to: to in ROLES)),
-    Family("has other ids and codes", f"has ({'|'.join(CODES)})", answers(changed(other_codes))),
+    Family("has other ids and codes", rf"has (request_id_rec\.)?({'|'.join(CODES)})", answers(changed(other_codes))),
     Family("takes its time for a picture", "in time$", delays(lambda payload, to: to in ROLES, PICTURE_PATIENCE * 1.5)),
     Family("has no pictures", "has a picture", answers(changed(no_pictures))),
     _second("gives no second answer", answers(silence, *SECOND)),
@@ -271,6 +296,10 @@ FAMILIES: Final = (
     Family("gives other ids to events", "keeps its id", answers(changed(another_id), core.ConfirmEventRequest)),
     Family("does not end events", "^the events stop", goes_on()),
     Family("has another list", "^ReportElementList", shown(instead_of(core.ReportElementList, other_elements))),
+    Family("has other settings", "^Report.* shows what was confirmed", shown(changed(other_settings))),
+    Family(
+        "confirms other sensors", "the answer is about", answers(changed(other_sensors), ConfirmSensorConfiguration)
+    ),
     Family("is impatient", "come early$", impatient()),
     Family("is late after others were", "in time$", delays(lambda payload, to: to in ROLES)),
 )

@@ -221,6 +221,10 @@ GENERATED: Final = (
         deaf_to(mobility.ExecuteList),
         profile="mobility-1.1",
     ),
+    core_fault("the time is not set", f"{READY}/SetTime/pilot", deaf_to(core.SetTime)),
+    core_fault(
+        "the time is set by anybody", f"{READY}/SetTime/rival", patched(AccessControl, is_controlling_client=anybody)
+    ),
     core_fault("events are numbered by twos", f"{FREE}/EventOccurred/rival/an-event-is-due", skipping()),
     core_fault(
         "answers come from another component",

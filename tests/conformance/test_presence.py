@@ -50,7 +50,7 @@ class Navigator(Service, urn="urn:jaus:jss:mobility:NavigationState"):
             return self.fields.get(part, {})
 
         velocity = ReportNavigation.ReportVelocityStateExtSeq(
-            VelocityVehicleXYZRec(), ReportVelocityStateExtRec(**of("velocity"))
+            VelocityVehicleXYZRec(**of("components")), ReportVelocityStateExtRec(**of("velocity"))
         )
         return ReportNavigation(
             ReportNavigation.SyncTimeRec(1, 1),
@@ -91,3 +91,11 @@ def test_fields_of_every_part_are_compared(part, monkeypatch):
     assert failed(judged(service)) == set()
     monkeypatch.setattr(sending, "mask", lambda report, query: report)
     assert failed(judged(service)) == {f"{NAVIGATION}/{some}-fields" for some in ("no", "some")}
+
+
+def test_components_of_velocity_do_not_come_unless_something_of_velocity_is_asked_for(monkeypatch):
+    """No bit is theirs alone, so which of them come for which bit is not judged."""
+    service = Navigator("components", velocity_x=1.0)
+    assert failed(judged(service)) == set()
+    monkeypatch.setattr(sending, "mask", lambda report, query: report)
+    assert failed(judged(service)) == {f"{NAVIGATION}/no-fields"}

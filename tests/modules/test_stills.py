@@ -261,7 +261,7 @@ async def test_a_picture_by_a_real_camera(format):
         module.control()
         module.tell(setting(still_image_format=Format[format.name], frame_size=Size.CIF_352_X288))
         module.tell(asking(1))
-        await asyncio.wait_for(ready.wait(), 20.0)
+        await asyncio.wait_for(ready.wait(), 100.0)
         (record,) = records(module.run())
     module.robot.close()
     assert record.image_frame.format.name == format.name

@@ -266,7 +266,7 @@ async def test_a_client_watches_and_changes_a_real_camera():
         with RtpReceiver() as receiver:
             assert module.enter(f"rtp://127.0.0.1:{receiver.port}")
             module.control()
-            async with asyncio.timeout(30.0):
+            async with asyncio.timeout(100.0):
                 while (480, 640, 3) not in shapes:
                     shapes += [decoder.decode(picture).shape for picture in receiver.take()]
                     if shapes:

@@ -49,9 +49,11 @@ class Workcell:
     def tell(self, *messages: Message, client: JausID = CLIENT) -> list[Message]:
         for message in messages:
             self.host.receive(message.encode(), client, self.now)
-        return [
-            registry.decode(each.payload, service=_service(each.payload)) for each in self.host.poll_output(self.now)
-        ]
+        sent = self.host.poll_output(self.now)
+        for each in sent:
+            if each.told is not None:
+                each.told(True)  # as a client's endpoint acknowledges it
+        return [registry.decode(each.payload, service=_service(each.payload)) for each in sent]
 
     def ask(self, query: Message) -> Any:
         (answer,) = self.tell(query)

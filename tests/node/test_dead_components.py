@@ -37,7 +37,7 @@ async def node(root: Path) -> AsyncIterator[NodeManager]:
 
 
 async def receive(sock: socket.socket) -> bytes:
-    async with asyncio.timeout(5):
+    async with asyncio.timeout(20):
         return await asyncio.get_running_loop().sock_recv(sock, 5000)
 
 

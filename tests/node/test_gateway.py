@@ -15,7 +15,7 @@ OCU, MOB, LOCAL = (JausID.parse(text) for text in ("42.1.1", "101.1.102", "101.3
 
 
 async def receive(sock: socket.socket) -> bytes:
-    async with asyncio.timeout(5):
+    async with asyncio.timeout(20):
         return await asyncio.get_running_loop().sock_recv(sock, 70000)
 
 

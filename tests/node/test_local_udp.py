@@ -29,7 +29,7 @@ class UdpComponent:
         self.socket.sendto(data, self._node)
 
     async def receive(self) -> bytes:
-        async with asyncio.timeout(5):
+        async with asyncio.timeout(20):
             return await asyncio.get_running_loop().sock_recv(self.socket, 70000)
 
     async def connect(self, id: JausID) -> None:
@@ -132,7 +132,7 @@ async def test_it_can_be_switched_off(root: Path) -> None:
     async with NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root, local_udp=False)) as node:
         component = UdpComponent(node)
         component.send(junior.connect(A))
-        async with asyncio.timeout(5):
+        async with asyncio.timeout(20):
             while not node.counters["dropped.connect_from_network"]:
                 await asyncio.sleep(0.002)
         component.socket.close()

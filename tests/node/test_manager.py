@@ -41,7 +41,7 @@ class RawComponent:
                 await asyncio.sleep(0)
 
     async def receive(self) -> bytes:
-        async with asyncio.timeout(5):
+        async with asyncio.timeout(20):
             return await asyncio.get_running_loop().sock_recv(self.socket, 70000)
 
 
@@ -75,7 +75,7 @@ Make = Callable[[JausID], RawComponent]
 
 
 async def receive(sock: socket.socket) -> bytes:
-    async with asyncio.timeout(5):
+    async with asyncio.timeout(20):
         return await asyncio.get_running_loop().sock_recv(sock, 70000)
 
 
@@ -220,7 +220,7 @@ async def test_cleans_up_after_one_that_died(root: Path) -> None:
 async def test_run_ends_when_it_is_closed(node: NodeManager) -> None:
     running = asyncio.create_task(node.run())
     await node.close()
-    async with asyncio.timeout(5):
+    async with asyncio.timeout(20):
         await running
 
 

@@ -46,7 +46,7 @@ def node_manager(namespace: str, root: Path, **settings: object) -> Iterator[Non
 @contextlib.contextmanager
 def component(root: Path, id: JausID) -> Iterator[socket.socket]:
     with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as sock:
-        sock.settimeout(10)
+        sock.settimeout(20)
         sock.bind(str(root / str(int(id))))
         sock.sendto(junior.connect(id), str(root / junior.SOCKET_NAME))
         assert sock.recv(100) == junior.accept(id)

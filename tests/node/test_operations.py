@@ -2,12 +2,12 @@
 
 import asyncio
 import contextlib
+import http.client
 import json
 import logging
 import os
 import socket
 import stat
-import urllib.request
 from pathlib import Path
 
 import dpkt
@@ -27,7 +27,7 @@ QUERY = judp.pack(Packet(FAR, HERE, b"\x02\x20", 1))
 
 
 async def receive(sock: socket.socket) -> bytes:
-    async with asyncio.timeout(5):
+    async with asyncio.timeout(20):
         return await asyncio.get_running_loop().sock_recv(sock, 70000)
 
 
@@ -75,7 +75,7 @@ async def test_a_reader_of_the_status_that_sends_and_never_reads_harms_nobody(ro
         writer.close()
 
 
-async def http(port: int, request: bytes) -> bytes:
+async def exchange(port: int, request: bytes) -> bytes:
     reader, writer = await asyncio.open_connection("127.0.0.1", port)
     writer.write(request)
     answer = await reader.read()
@@ -87,21 +87,24 @@ async def http(port: int, request: bytes) -> bytes:
 async def test_metrics_for_prometheus(root: Path, introduce, udp, free_port: int) -> None:
     async with NodeManager(config(root, metrics=f"127.0.0.1:{free_port}")) as node:
         await traffic(node, introduce, udp)
-        head, _, body = (await http(free_port, b"GET /metrics HTTP/1.1\r\n\r\n")).partition(b"\r\n\r\n")
+        head, _, body = (await exchange(free_port, b"GET /metrics HTTP/1.1\r\n\r\n")).partition(b"\r\n\r\n")
         assert b"200 OK" in head
         assert b'jauspy_node_dropped_total{reason="malformed.version"} 1.0' in body
         assert b'jauspy_node_queue{component="101.1.1"} 0.0' in body
         assert b"jauspy_node_peers 1.0" in body
-        assert b"405" in await http(free_port, b"POST / HTTP/1.1\r\n\r\n")
+        assert b"405" in await exchange(free_port, b"POST / HTTP/1.1\r\n\r\n")
 
 
-async def test_readers_of_the_metrics_that_say_nothing_are_bounded(root: Path, free_port: int) -> None:
+async def test_readers_of_the_metrics_that_say_nothing_are_bounded(
+    root: Path, free_port: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(metrics, "PATIENCE", 60.0)
     async with NodeManager(config(root, metrics=f"127.0.0.1:{free_port}")):
         with contextlib.ExitStack() as stack:
             for _ in range(metrics.MAX_READERS + 1):
                 last = stack.enter_context(socket.create_connection(("127.0.0.1", free_port)))
             last.setblocking(False)
-            async with asyncio.timeout(metrics.PATIENCE / 2):
+            async with asyncio.timeout(20):
                 assert await end_of(last)
         assert await asyncio.to_thread(scrape, free_port)
 
@@ -114,8 +117,9 @@ async def end_of(sock: socket.socket) -> bool:
 
 
 def scrape(port: int) -> bytes:
-    with urllib.request.urlopen(f"http://127.0.0.1:{port}/metrics", timeout=20) as answer:
-        return answer.read()
+    with contextlib.closing(http.client.HTTPConnection("127.0.0.1", port, timeout=20)) as connection:
+        connection.request("GET", "/metrics")
+        return connection.getresponse().read()
 
 
 async def test_a_folder_where_the_status_should_be_is_told(root: Path) -> None:

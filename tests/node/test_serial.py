@@ -37,7 +37,7 @@ class Terminal:
 
     async def receive(self, count: int) -> str:
         data = b""
-        async with asyncio.timeout(5):
+        async with asyncio.timeout(20):
             while len(data) < count:
                 try:
                     data += os.read(self.end, count - len(data))
@@ -77,7 +77,7 @@ async def here(node: NodeManager, root: Path) -> AsyncIterator[tuple[LocalTransp
 async def test_frames_of_another_implementation_both_ways(node: NodeManager, here: Any, terminal: Terminal) -> None:
     transport, arrived = here
     terminal.send("10010211001002c20000110001020164000101c8000a10100b09001003a58c")
-    async with asyncio.timeout(5):
+    async with asyncio.timeout(20):
         assert (await arrived.get()).hex() == "0200110001020164000101c8000a100b0900"
     transport.send(bytes.fromhex("02 001000 01 0101c800 02016400 3132 0600"))
     assert (
@@ -93,7 +93,7 @@ async def test_version_1_passes_both_ways(node: NodeManager, here: Any, terminal
     old = "01 0000 0012 06023412 0101c800 02016400 0200 0700 aabb"
     back = "01 0000 0012 06023412 02016400 0101c800 0200 0700 aabb"
     os.write(terminal.end, jserial.frame(bytes.fromhex(back)))
-    async with asyncio.timeout(5):
+    async with asyncio.timeout(20):
         assert await arrived.get() == bytes.fromhex(back)
     transport.send(bytes.fromhex(old))
     assert await terminal.receive(35) == "10010116001002aea200001200060234120101c800020164000200" + "0700aabb1003f2a7"
@@ -103,7 +103,7 @@ async def test_several_packets_in_one_frame(node: NodeManager, here: Any, termin
     _, arrived = here
     first, second = (judp.pack(Packet(FAR, HERE, b"\x02\x20", number)) for number in range(2))
     os.write(terminal.end, jserial.frame(first + second[1:]))
-    async with asyncio.timeout(5):
+    async with asyncio.timeout(20):
         assert [await arrived.get(), await arrived.get()] == [first, second]
 
 
@@ -118,7 +118,7 @@ async def test_several_lines(root: Path, terminal: Terminal) -> None:
         for number, (line, id) in enumerate(((terminal, FAR), (second, JausID(201, 1, 1)))):
             query = judp.pack(Packet(id, HERE, b"\x02\x20", number))
             os.write(line.end, jserial.frame(query))
-            async with asyncio.timeout(5):
+            async with asyncio.timeout(20):
                 assert await arrived.get() == query
             answer = jserial.frame(judp.pack(Packet(HERE, id, b"\x02\x40", number)))
             transport.send(judp.pack(Packet(HERE, id, b"\x02\x40", number)))
@@ -139,7 +139,7 @@ async def test_noise_and_bad_checksums_harm_nobody(node: NodeManager, here: Any,
     good = judp.pack(Packet(FAR, HERE, b"\x02\x20", 1))
     frame = jserial.frame(good)
     os.write(terminal.end, b"\xff\x10\x03noise" + frame[:-1] + b"\0" + frame[:9] + frame)
-    async with asyncio.timeout(5):
+    async with asyncio.timeout(20):
         assert await arrived.get() == good
     assert node.counters["dropped.malformed.serial_checksum"] == 1
 
@@ -152,16 +152,16 @@ async def test_a_device_that_comes_back(root: Path, tmp_path: Path, monkeypatch:
     config = NodeConfig(address="127.0.0.1", port=0, local_root=root, serial=(SerialConfig(device=str(name)),))
     async with NodeManager(config) as node:
         first.hang_up()
-        async with asyncio.timeout(5):
+        async with asyncio.timeout(20):
             while not node.counters["serial.lost"]:
                 await asyncio.sleep(0.005)
         name.unlink()
         name.symlink_to(second.device)
-        async with asyncio.timeout(5):
+        async with asyncio.timeout(20):
             while not node.counters["serial.reopened"]:
                 await asyncio.sleep(0.005)
         second.send("10010211001002c20000110001020164000101c8000a10100b09001003a58c")
-        async with asyncio.timeout(5):
+        async with asyncio.timeout(20):
             while not node.counters["received.serial"]:
                 await asyncio.sleep(0.005)
     second.hang_up()
@@ -170,7 +170,7 @@ async def test_a_device_that_comes_back(root: Path, tmp_path: Path, monkeypatch:
 async def test_a_line_that_takes_nothing_is_bounded(node: NodeManager, here: Any, terminal: Terminal) -> None:
     transport, arrived = here
     terminal.send("10010211001002c20000110001020164000101c8000a10100b09001003a58c")
-    async with asyncio.timeout(5):
+    async with asyncio.timeout(20):
         await arrived.get()
         while not node.counters["dropped.queue_full"]:
             for _ in range(50):
@@ -178,7 +178,7 @@ async def test_a_line_that_takes_nothing_is_bounded(node: NodeManager, here: Any
             await asyncio.sleep(0)
     own = judp.pack(Packet(HERE, HERE, b"\0\0"))
     transport.send(own)
-    async with asyncio.timeout(5):
+    async with asyncio.timeout(20):
         assert await arrived.get() == own
 
 

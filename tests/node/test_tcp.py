@@ -29,7 +29,7 @@ class Inbox(asyncio.Queue[bytes]):
         transport.received = self.put_nowait
 
     async def next(self) -> bytes:
-        async with asyncio.timeout(5):
+        async with asyncio.timeout(20):
             return await self.get()
 
 
@@ -43,11 +43,11 @@ class Stream:
         self.writer.write(bytes.fromhex(text))
 
     async def receive(self, count: int) -> str:
-        async with asyncio.timeout(5):
+        async with asyncio.timeout(20):
             return (await self.reader.readexactly(count)).hex()
 
     async def ended(self) -> bool:
-        async with asyncio.timeout(5):
+        async with asyncio.timeout(20):
             try:
                 return await self.reader.read() is not None
             except ConnectionError:
@@ -76,7 +76,7 @@ async def peer(node: NodeManager) -> AsyncIterator[Stream]:
 
 
 async def until(condition: object) -> None:
-    async with asyncio.timeout(5):
+    async with asyncio.timeout(20):
         while not condition():  # type: ignore[operator]
             await asyncio.sleep(0.005)
 

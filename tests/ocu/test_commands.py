@@ -7,6 +7,7 @@ import asyncio
 import pytest
 
 from jauspy.errors import ConfigError, ControlRejected, EventRejected, RequestError, ResponseTimeout, TransportError
+from jauspy.ids import JausID
 from jauspy.messages.core import (
     CancelEvent,
     CommandEvent,
@@ -18,6 +19,7 @@ from jauspy.messages.core import (
     TimeStamp,
 )
 from jauspy.messages.mobility import SetLocalWaypoint, SetTravelSpeed, SetWrenchEffort
+from jauspy.protocol.header import Ack
 from jauspy.services.completion import Completion
 from jauspy.services.core import AccessControl, Discovery, Events, Liveness, Management, Time
 
@@ -154,6 +156,57 @@ async def test_a_lost_confirmation_is_asked_for_again(virtual_network, robot, cl
     await task
 
 
+async def test_a_lost_end_is_told_again(virtual_network, robot, client):
+    virtual_network.lose(CommandEvent, times=2)
+    task = await begun(client, robot)
+    told(robot, success=True)
+    await asyncio.wait_for(task, 1)
+    assert len(virtual_network.sent(CommandEvent)) == 3
+
+
+async def test_an_end_that_overtakes_the_confirmation(virtual_network, client):
+    virtual_network.lose(ConfirmEventRequest, times=2)
+    await asyncio.wait_for(client.perform(Standby(), within=0), 1)
+    assert len(virtual_network.sent(CommandEvent)) == 1
+
+
+@pytest.mark.parametrize("takes_time", [True, False])
+async def test_late_and_lost_confirmations_do_not_begin_it_twice(virtual_network, robot, client, takes_time):
+    clock = clock_of(robot)
+    virtual_network.delay = 0.4
+    virtual_network.lose(ConfirmEventRequest, times=5)
+    task = await begun(client, robot)
+    if takes_time:
+        await asyncio.sleep(3)
+    told(robot, success=True)
+    await asyncio.wait_for(task, 5)
+    assert len(virtual_network.sent(CreateCommandEvent)) > 1
+    assert clock.begun == 1
+
+
+async def test_a_client_that_does_not_acknowledge_keeps_control(virtual_network, robot, client):
+    def keeps(packet) -> bool:
+        return packet.ack is not Ack.ACK
+
+    virtual_network.keeps = keeps
+    await client.perform(Standby(), within=1)
+    await asyncio.sleep(3)
+    assert robot.controller == JausID(42, 1, 1)
+
+
+@pytest.mark.parametrize("limits", [(3.0, 30.0), (30.0, 3.0)])
+async def test_equal_ones_at_once_have_each_their_own_limit(robot, client, limits):
+    first = await begun(client, robot, within=limits[0])
+    second = await begun(client, robot, within=limits[1])
+    short, long = (first, second) if limits[0] < limits[1] else (second, first)
+    with pytest.raises(RequestError, match=r"did not carry out SetTime within 3 s; it goes on, for another"):
+        await asyncio.wait_for(short, 4)
+    await asyncio.sleep(20)
+    assert not long.done()
+    told(robot, success=True)
+    await asyncio.wait_for(long, 1)
+
+
 async def test_a_robot_that_vanishes(virtual_network, robot, ocu):
     client = (await ocu.discover(101)).service("Time")
     async with client.control():
@@ -167,7 +220,7 @@ async def test_a_robot_that_vanishes(virtual_network, robot, ocu):
 async def test_an_end_that_is_never_told(virtual_network, robot, client):
     virtual_network.lose(CommandEvent)
     with pytest.raises(
-        ResponseTimeout, match=r"101\.1\.1 took Standby and did not say in 8 s how it ended; it may have been"
+        ResponseTimeout, match=r"101\.1\.1 took Standby and did not say within 5 s how it ended; it may have been"
     ):
         await client.perform(Standby(), within=5)
 

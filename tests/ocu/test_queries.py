@@ -277,6 +277,18 @@ async def test_all_who_answer_a_wildcard_are_told_apart_and_each_once(world):
     assert all(isinstance(answer, ReportStatus) for _, answer in found)
 
 
+async def test_who_reads_answers_slowly_gets_all_that_came_in_time(world):
+    ids = [JausID(101, 1, number) for number in (1, 2, 3)]
+    for id in ids:
+        await world.robot(id)
+    ocu = await world.ocu()
+    found = []
+    async for source, _ in ocu.query_each("101.255.255", QueryStatus(), within=0.2):
+        found.append(source)
+        await asyncio.sleep(1.0)
+    assert sorted(found) == ids
+
+
 @pytest.mark.parametrize("within", [0, -1, float("nan")])
 async def test_no_time_for_answers(world, within):
     ocu = await world.ocu()

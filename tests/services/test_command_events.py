@@ -38,7 +38,10 @@ def command(message, *, within: int = 10, request: int = 7) -> CreateCommandEven
 class Slow(Time):
     """A clock that takes its time to be set; `ended` is told from outside."""
 
+    begun = 0
+
     def set_time(self, msg) -> None:
+        self.begun += 1
         self.ended = self.host.begin_command()
 
 
@@ -116,6 +119,53 @@ def test_the_same_command_again_is_carried_out_again_and_has_its_full_time(rig) 
     first(False)
     assert rig.sent() == []
     assert rig.run(60.0) == [(15.0, A, CommandEvent(1, UNSUCCESSFUL))]
+
+
+def test_a_request_that_comes_again_does_not_begin_its_command_again(rig) -> None:
+    for _ in range(3):
+        assert rig.ask(A, command(SET_TIME)) == ConfirmEventRequest(7, 1, 0.0)
+        rig.run(1.0)
+    assert rig.host.service(Slow).begun == 1
+    rig.host.service(Slow).ended(True)
+    assert rig.sent() == [(A, CommandEvent(1, SUCCESSFUL))]
+
+
+def test_nor_after_its_command_has_ended(robot, drive) -> None:
+    robot.tell(A, RequestControl(100))
+    robot.tell(A, Resume())
+    before = len(drive.efforts)
+    request = command(SetWrenchEffort(propulsive_linear_effort_x=50.0))
+    for _ in range(3):
+        answers = robot.tell(A, request)
+        assert answers == [(A, ConfirmEventRequest(7, 1, 0.0)), (A, CommandEvent(1, SUCCESSFUL))]
+        robot.run(0.9)
+    assert len(drive.efforts) == before + 1
+    robot.tell(A, RequestControl(100))
+    robot.run(3.0)
+    robot.tell(A, request)
+    assert len(drive.efforts) == before + 2, "so late it is another one"
+
+
+def test_once_its_client_has_the_confirmation_an_equal_request_is_another_one(robot, drive) -> None:
+    robot.tell(A, RequestControl(100))
+    robot.tell(A, Resume())
+    before = len(drive.efforts)
+    for count in (1, 2):
+        robot.host.receive(command(SetWrenchEffort(propulsive_linear_effort_x=50.0)).encode(), robot.ID.parse(A), 0.0)
+        sent = robot.host.poll_output(0.0)
+        assert [each.told is not None for each in sent] == [True, True], "both are to be acknowledged"
+        for each in sent:
+            each.told(True)
+        assert len(drive.efforts) == before + count
+
+
+def test_what_is_remembered_of_ended_commands_is_bounded(robot, drive) -> None:
+    robot.tell(A, RequestControl(100))
+    robot.tell(A, Resume())
+    for number in range(100):
+        effort = SetWrenchEffort(propulsive_linear_effort_x=number / 2)
+        assert len(robot.tell(A, command(effort, request=number))) == 2
+    assert len(robot.host.service(Events).ended) == 64
 
 
 def test_cancelling_ends_the_event_and_not_the_command(rig) -> None:

@@ -120,6 +120,18 @@ def test_creating_the_same_event_again_updates_it(rig) -> None:
     assert rig.ask(B, create(rate=2.0)).event_id not in (first.event_id, other.event_id)
 
 
+def test_a_request_that_comes_again_makes_no_second_event(robot) -> None:
+    for kind, query in ((PERIODIC, QueryStatus()), (ON_CHANGE, QueryLocalPose(X_AND_Y))):
+        times = []
+        for _ in range(3):
+            assert isinstance(robot.ask(A, create(query, kind=kind, rate=2.0)), ConfirmEventRequest)
+            times += [when for when, _, message in robot.run(0.3) if isinstance(message, Event)]
+        assert len(times) <= 3, (
+            "one report for each request, for the confirmation before it may be lost, and its report"
+        )
+    assert len(robot.ask(A, ALL).event_list) == 2
+
+
 def test_every_change_reports_at_once_and_then_what_is_new(robot, drive) -> None:
     robot.ask(A, create(QueryLocalPose(X_AND_Y), kind=ON_CHANGE, rate=0.0))
     ((when, to, first),) = robot.run(1.0)

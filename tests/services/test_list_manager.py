@@ -214,7 +214,7 @@ def test_a_command_event_tells_how_the_list_ended(rig, driver) -> None:
     assert rig.run(1.0) == []
     driver.elements.done()
     assert [message for *_, message in rig.run(1.0)] == [CommandEvent(1, 0)]
-    rig.tell(A, CreateCommandEvent(5, 600, execute(1)))
+    rig.tell(A, CreateCommandEvent(6, 600, execute(1)))
     assert CommandEvent(2, 1) in [message for _, message in rig.tell(A, Standby())]
 
 

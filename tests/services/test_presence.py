@@ -21,6 +21,7 @@ from jauspy.messages.mobility import (
     ReportVelocityStateExtRec,
     VelocityVehicleXYZRec,
 )
+from jauspy.messages.mobility.v1_1.navigation_state import QueryNavigation, ReportNavigation
 from jauspy.schema import load_builtin
 from jauspy.services.presence import mask
 
@@ -55,6 +56,17 @@ def test_vectors_named_after_a_part_mask_that_part() -> None:
         VelocityVehicleXYZRec(1.0, None, 3.0), ReportVelocityStateExtRec(roll_rate=0.5)
     )
     assert report.velocity_var.velocity_y == 2.0
+
+
+def test_a_part_of_several_records_is_empty_when_nothing_of_it_is_asked_for() -> None:
+    """QueryNavigation has one vector for the components of velocity and for what else there is of it."""
+    report = made(TARGETS[ReportNavigation])
+    nothing = mask(report, QueryNavigation(0, 0, 0, 0))
+    assert (
+        nothing.report_velocity_state_ext_seq.velocity_var == type(report.report_velocity_state_ext_seq.velocity_var)()
+    )
+    something = mask(report, QueryNavigation(0, 0, 1, 0))
+    assert something.report_velocity_state_ext_seq.velocity_var == report.report_velocity_state_ext_seq.velocity_var
 
 
 @pytest.mark.parametrize("status", list(ReportStatus.Status))

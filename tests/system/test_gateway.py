@@ -144,7 +144,7 @@ def test_an_ocu_sees_what_both_parts_see(
         ]
         start("video", camera, *options, "--timeout", "10", ready="sends to", within=ocu)
         seen = subprocess.run(
-            [*ocu, sys.executable, "-c", WATCH, to], capture_output=True, text=True, timeout=60, check=False
+            [*ocu, sys.executable, "-c", WATCH, to], capture_output=True, text=True, timeout=200, check=False
         )
         assert seen.stdout == "a whole picture, then others\n", seen.stderr
 

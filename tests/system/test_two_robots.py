@@ -27,7 +27,9 @@ DISTANCE = 0.1  # metres
 async def drive_both(ocu: OCU) -> None:
     """Control both at once, and see each go its own way."""
     robots = [await ocu.discover(subsystem) for subsystem in EFFORTS]
-    assert {each.id for each in await ocu.discover_all(timeout=1.0)} == set(EFFORTS)
+    async with asyncio.timeout(20):
+        while {each.id for each in await ocu.discover_all(timeout=0.5)} != set(EFFORTS):
+            pass
     async with AsyncExitStack() as stack:
         for robot in robots:
             driver = robot.service("PrimitiveDriver")

@@ -27,14 +27,15 @@ async def _drive(robot, ocu, metres: float) -> None:
             if pose.x >= metres:
                 break
     assert await driver.status() == ReportStatus.Status.STANDBY
-    assert robot.snapshot.pose.x == pytest.approx(metres, abs=0.5)
 
 
 async def test_it_drives_on_virtual_time(virtual_network, robot, ocu):
     virtual_network.loss = 0.1
-    await drive(robot, ocu, 30.0)
-    assert 30.0 < virtual_network.clock.elapsed < 90.0
+    await drive(robot, ocu, 10.0)
+    assert robot.snapshot.pose.x == pytest.approx(10.0, abs=0.5)
+    assert 10.0 < virtual_network.clock.elapsed < 30.0
 
 
 async def test_it_drives_on_a_node_manager(node_manager, robot, ocu):
     await drive(robot, ocu, 0.2)
+    assert robot.snapshot.pose.x > 0.19

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from jauspy.conformance.profile import Profile
     from jauspy.conformance.results import Report, Result
     from jauspy.conformance.runner import Settings
+    from jauspy.conformance.wire import Wire
 
 ProfileName = Annotated[
     str | None, typer.Argument(metavar="PROFILE", help="Which test, as in igvc-2015; --list shows them all.")
@@ -108,7 +109,6 @@ def _run(profile: Profile, target: str, connect: str | None, settings: Settings,
     import asyncio
     import time
     from contextlib import closing
-    from dataclasses import replace
 
     from jauspy.cli.conformance_view import watching
     from jauspy.conformance.links import open_wire
@@ -120,13 +120,19 @@ def _run(profile: Profile, target: str, connect: str | None, settings: Settings,
     if 0 in (id.subsystem, id.node, id.component):
         raise ConfigError(f"{id} is nobody: ids of components are above 0; 255 stands for any node or component")
     with closing(asyncio.run(open_wire(connect))) as wire, watching() as progress:
-        notes = getattr(wire, "notes", [])
         try:
             report = run(profile, wire, id, began=time.time(), settings=settings, watch=_lines if json else progress)
         except Interrupted as stop:
-            stop.report = replace(stop.report, notes=(*notes, *stop.report.notes))
+            stop.report = _noted(stop.report, wire)
             raise
-    return replace(report, notes=(*notes, *report.notes))
+        return _noted(report, wire)
+
+
+def _noted(report: Report, wire: Wire) -> Report:
+    """With what the wire has to say."""
+    from dataclasses import replace
+
+    return replace(report, notes=(*getattr(wire, "notes", ()), *report.notes))
 
 
 def _lines(result: Result) -> None:

@@ -9,6 +9,7 @@ from typing import Final
 from jauspy.component.deliveries import Deliveries
 from jauspy.errors import ProtocolError
 from jauspy.protocol.endpoint import Endpoint
+from jauspy.protocol.header import Ack
 from jauspy.services.outbox import Outgoing
 from jauspy.transport.base import Transport
 
@@ -39,12 +40,16 @@ class Outlet:
         self._deliveries.settle()
 
     def _pack(self, outgoing: Outgoing, now: float) -> None:
-        destination, payload, priority, broadcast = outgoing
+        destination, payload, priority, broadcast, told = outgoing
+        ack = Ack.NONE if told is None or self._deliveries.full else Ack.REQUIRED
         try:
-            self._endpoint.send(destination, payload, now=now, priority=priority, broadcast=broadcast)
+            ticket = self._endpoint.send(destination, payload, now=now, priority=priority, broadcast=broadcast, ack=ack)
         except ProtocolError as error:
             reason = f"unsendable.{error.reason}"
             if not self._counters[reason]:
                 code = int.from_bytes(payload[:2], "little")
                 _LOG.warning("%s: cannot send %04Xh to %s: %s", self._endpoint.id, code, destination, error)
             self._counters[reason] += 1
+        else:
+            if told is not None and ticket is not None:
+                self._deliveries.tell(ticket, told)

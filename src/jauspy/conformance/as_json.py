@@ -24,6 +24,7 @@ def result_json(result: Result) -> dict[str, Any]:
         "earned": result.earned,
         "taken": list(result.taken),
         "traffic": [entry_json(each) for each in result.entries],
+        "left_out": result.left_out,
     }
 
 

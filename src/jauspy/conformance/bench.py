@@ -15,7 +15,7 @@ from jauspy.conformance.wire import PORTS, RAW, Arrival
 from jauspy.ids import JausID
 from jauspy.protocol import judp
 from jauspy.protocol.endpoint import Endpoint
-from jauspy.protocol.header import Packet
+from jauspy.protocol.header import Ack, Packet
 from jauspy.protocol.node import NodeCore
 from jauspy.protocol.ports import GroupPort, LocalPort, Port, UdpPort
 from jauspy.services.host import Host
@@ -39,6 +39,7 @@ class Part:
         self.intercept = intercept
         """Sees every packet first; what it returns true for does not reach the services."""
         self.endpoint = Endpoint(host.id, first_sequence=1)
+        self._told: dict[int, Callable[[bool], None]] = {}
 
     def hear(self, payload: bytes, source: JausID, now: float) -> None:
         """A message came in."""
@@ -46,13 +47,16 @@ class Part:
 
     def say(self, outgoing: Outgoing, now: float) -> None:
         """A message goes out."""
-        self.endpoint.send(
+        ticket = self.endpoint.send(
             outgoing.destination,
             outgoing.payload,
             now=now,
             priority=outgoing.priority,
             broadcast=outgoing.broadcast,
+            ack=Ack.NONE if outgoing.told is None else Ack.REQUIRED,
         )
+        if outgoing.told is not None and ticket is not None:
+            self._told[ticket] = outgoing.told
 
     def handle(self, datagram: bytes, now: float) -> None:
         """A datagram from the node manager."""
@@ -67,8 +71,9 @@ class Part:
         self.host.handle_timeout(now)
         for outgoing in self.host.poll_output(now):
             self.say(outgoing, now)
-        while self.endpoint.next_outcome() is not None:
-            pass
+        while (outcome := self.endpoint.next_outcome()) is not None:
+            if (told := self._told.pop(outcome.ticket, None)) is not None:
+                told(outcome.delivered)
         return self.endpoint.poll_output()
 
     def next_timeout(self) -> float | None:

@@ -27,8 +27,13 @@ def has(**fields: object) -> tuple[Check, ...]:
 
 
 def near(tolerance: float, **fields: float) -> tuple[Check, ...]:
-    """Each of these numbers is there, and within `tolerance`."""
-    return tuple(_near(name, value, tolerance) for name, value in fields.items())
+    """Each of these numbers is there, and within `tolerance`; paths are written as for `has`."""
+    return tuple(_near(name.replace("__", "."), value, tolerance) for name, value in fields.items())
+
+
+def value_of(message: Any, name: str) -> Any:
+    """What `has` and `near` look at."""
+    return _field(message, name.replace("__", "."))
 
 
 def carries(*fields: str) -> tuple[Check, ...]:

@@ -11,7 +11,8 @@ from jauspy.conformance.checks import Check
 from jauspy.conformance.expectation import Expectation
 from jauspy.conformance.trace import Heard, named
 from jauspy.ids import EVERYONE, JausID
-from jauspy.messages.core import CommandEvent, Event
+from jauspy.messages.core import CommandEvent, ConfirmEventRequest, Event
+from jauspy.messages.environment_sensing.v2_0.range_sensor import ConfirmSensorConfiguration
 from jauspy.protocol.endpoint import Endpoint
 from jauspy.protocol.header import Ack
 
@@ -23,7 +24,10 @@ M = TypeVar("M", bound=Message)
 EVENTS: Final = frozenset({Event.CODE, CommandEvent.CODE})
 """These come whenever they like."""
 MAX_PENDING: Final = 1024
-"""Messages of one client that nobody has looked at; the oldest go first. A target that floods is no news."""
+"""Messages of one client that nobody has looked at; the oldest go first."""
+CONFIRMATIONS: Final = frozenset({ConfirmEventRequest.CODE, ConfirmSensorConfiguration.CODE})
+MAX_CONFIRMED: Final = 64
+"""Confirmations of one client in one step."""
 
 
 class Client:
@@ -33,11 +37,18 @@ class Client:
         self.tester = tester
         self.id = id
         self.pending: deque[Heard] = deque(maxlen=MAX_PENDING)
+        self.confirmed: deque[Heard] = deque(maxlen=MAX_CONFIRMED)
+        """Every confirmation in this step, also those that were looked at."""
         self.strange_port = False
         """Speak from another UDP port from now on."""
         self.sent: set[int] = set()
         """The ids of all messages that it has sent."""
         self._endpoint = Endpoint(id, first_sequence=int(id) % 251)
+
+    def begin(self) -> None:
+        """A new step."""
+        self.pending.clear()
+        self.confirmed.clear()
 
     def send(self, message: Message | bytes, *, to: JausID | None = None, ack: Ack = Ack.NONE) -> None:
         """Send a message, to the target unless told otherwise."""
@@ -136,8 +147,14 @@ class Client:
         """A datagram for this client; acknowledges what wants to be."""
         self._endpoint.receive(datagram, self.tester.now)
         while (packet := self._endpoint.next_event()) is not None:
-            self.pending.append(Heard(self.tester.now, self.id, packet.source, packet.payload))
+            self._keep(Heard(self.tester.now, self.id, packet.source, packet.payload))
         self._flush()
+
+    def _keep(self, heard: Heard) -> None:
+        self.tester.unread += len(self.pending) == MAX_PENDING
+        self.pending.append(heard)
+        if heard.code in CONFIRMATIONS:
+            self.confirmed.append(heard)
 
     def _flush(self) -> None:
         for datagram in self._endpoint.poll_output():

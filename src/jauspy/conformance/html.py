@@ -97,6 +97,8 @@ def _step(result: Result) -> Iterator[str]:
         yield f'<ul class="checks">{"".join(map(_check, result.looked))}</ul>'
     if result.entries:
         yield f'<div class="traffic">{"".join(map(_datagram, result.entries))}</div>'
+    if result.rest:
+        yield f"<p>{result.rest}</p>"
     yield "</div></details>"
 
 

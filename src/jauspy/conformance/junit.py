@@ -60,7 +60,7 @@ def transcript(result: Result) -> list[str]:
     for entry in result.entries:
         lines.append(f"{entry.at:10.4f} {entry.direction} {entry.data.hex()}")
         lines += [f"{'':13}{line}" for line in entry.lines]
-    return lines
+    return [*lines, result.rest] if result.rest else lines
 
 
 def _clean(text: str) -> str:

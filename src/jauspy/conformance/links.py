@@ -40,6 +40,12 @@ class LinkWire:
         self._transports: dict[JausID, Transport] = {}
         self.dropped = 0
 
+    @property
+    def notes(self) -> list[str]:
+        """What did not work as it should, for the report."""
+        dropped = f"{self.dropped} datagrams came faster than they were read, and were dropped"
+        return [dropped] if self.dropped else []
+
     def now(self) -> float:
         """Seconds of the monotonic clock."""
         return time.monotonic()

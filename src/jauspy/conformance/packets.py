@@ -11,7 +11,6 @@ from jauspy.codec.base import Message
 from jauspy.conformance.client import Client, is_answer
 from jauspy.conformance.outcome import Late, Silent
 from jauspy.conformance.tester import Tester
-from jauspy.conformance.trace import Direction
 from jauspy.ids import JausID
 from jauspy.messages.core import (
     AllEventsRec,
@@ -35,6 +34,8 @@ PINGS: Final[tuple[Message, ...]] = (
 """Queries that change nothing; the first that a target answers is used for all steps. Nearly all have Events."""
 FIRST_NUMBER: Final = 0x8000
 """Of packets by hand; far from the numbers of the clients' endpoints."""
+MAX_ARRIVALS: Final = 1024
+"""Packets from the component in one step; far more than any step wants."""
 SETTLE: Final = 0.1
 """Timeouts to wait for what should not come."""
 
@@ -47,7 +48,8 @@ class Hand:
         self.client: Client = tester.client(client)
         self.component = tester.component
         self.ping: bytes = tester.recall("ping", "the target answers no query")
-        self._mark = len(tester.entries)
+        self._arrivals: list[tuple[Packet, bool]] = []
+        tester.listeners.append(self._hear)
 
     def number(self, count: int = 1) -> int:
         """The first of so many sequence numbers that were not used before."""
@@ -75,13 +77,12 @@ class Hand:
 
     def arrivals(self) -> list[tuple[Packet, bool]]:
         """Everything that came from the component to this client, and whether to the strange port."""
-        return [
-            (packet, entry.strange_port)
-            for entry in self.tester.entries[self._mark :]
-            if entry.direction is Direction.RECEIVED
-            for packet in entry.packets
-            if packet.source == self.component and packet.destination == self.client.id and _answers(packet)
-        ]
+        return self._arrivals
+
+    def _hear(self, packet: Packet, strange_port: bool) -> None:
+        ours = packet.source == self.component and packet.destination == self.client.id
+        if ours and _answers(packet) and len(self._arrivals) < MAX_ARRIVALS:
+            self._arrivals.append((packet, strange_port))
 
     def answers(self) -> list[Packet]:
         """The answers to the ping."""

@@ -8,7 +8,6 @@ from typing import Final
 from jauspy.conformance.packets import PINGS
 from jauspy.conformance.results import Result, Verdict
 from jauspy.conformance.tester import Tester
-from jauspy.conformance.trace import Direction, Entry
 
 PATIENCE: Final = 3
 """Steps in a row without a sign of life after which no more are tried."""
@@ -46,9 +45,8 @@ class Pulse:
 
         Once it was silent, only an answer to a new question counts: what it says then may be an old answer.
         """
-        spoken = any(entry.direction is Direction.SENT for entry in result.entries)
-        content = result.verdict is Verdict.PASS or any(self._is_said(entry) for entry in result.entries)
-        return not spoken or (content and not self.lost) or self._answers()
+        content = result.verdict is Verdict.PASS or self._tester.heard
+        return not self._tester.spoke or (content and not self.lost) or self._answers()
 
     def _answers(self) -> bool:
         tester = self._tester
@@ -61,9 +59,4 @@ class Pulse:
         return tester.pump(
             tester.now + tester.timeout,
             lambda: any(tester.target.matches(heard.source) for heard in asking.pending),
-        )
-
-    def _is_said(self, entry: Entry) -> bool:
-        return entry.direction is Direction.RECEIVED and any(
-            self._tester.target.matches(packet.source) for packet in entry.packets
         )

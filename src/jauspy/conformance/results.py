@@ -61,6 +61,8 @@ class Result:
     expected: tuple[str, ...] = ()
     looked: tuple[Looked, ...] = ()
     entries: tuple[Entry, ...] = ()
+    left_out: int = 0
+    """Datagrams that came after these, and were too many to keep."""
     began: float = 0.0
     ended: float = 0.0
     points: float = 0.0
@@ -74,6 +76,11 @@ class Result:
     def earned(self) -> float:
         """The points of a step that passed."""
         return self.points if self.verdict is Verdict.PASS else 0.0
+
+    @property
+    def rest(self) -> str:
+        """What the traffic of this step lacks, as a sentence; empty when it is whole."""
+        return f"{self.left_out} datagrams of this step were too many to keep" if self.left_out else ""
 
     @property
     def elapsed(self) -> float:

@@ -71,7 +71,7 @@ def run(
         for result in _results(profile, tester, settings):
             results.append(result)
             watch(result)
-        problem = "" if tester.answered or not tester.entries else DEAF.format(target=target)
+        problem = "" if tester.answered or not tester.asked else DEAF.format(target=target)
     except (ConfigError, TransportError) as error:
         problem = str(error)
     except RequestError as error:
@@ -89,20 +89,30 @@ def run(
         began=began,
         seconds=tester.now,
         results=tuple(results),
-        entries=tuple(tester.entries),
+        entries=tuple(tester.record.entries),
         problem=problem,
-        notes=(f"{tester.left_out} datagrams were too many to keep",) if tester.left_out else (),
+        notes=_notes(tester),
     )
     if interrupted:
         raise Interrupted(report)
     return report
 
 
+def _notes(tester: Tester) -> tuple[str, ...]:
+    """What came and cannot be found in the report."""
+    left_out, unread = tester.record.left_out, tester.unread
+    notes = (
+        f"{left_out} datagrams were too many to keep for the report; they were judged all the same" if left_out else "",
+        f"{unread} messages were dropped before a step looked at them: more came than a client holds" if unread else "",
+    )
+    return tuple(filter(None, notes))
+
+
 def _results(profile: Profile, tester: Tester, settings: Settings) -> Iterator[Result]:
     """Step by step; a target that has never answered is not tried any further."""
     for result in results(_chosen(profile.plan(_offers(profile, tester)), settings.only), tester, settings):
         yield result
-        if result.verdict is Verdict.SILENT and tester.entries and not tester.answered:
+        if result.verdict is Verdict.SILENT and tester.asked and not tester.answered:
             return
 
 
@@ -135,7 +145,7 @@ def _chosen(steps: tuple[Step, ...], only: Iterable[str]) -> tuple[Step, ...]:
 def run_step(step: Step, tester: Tester, settings: Settings) -> Result:
     """One step and how it ended."""
     tester.begin()
-    began, first = tester.now, len(tester.entries)
+    began = tester.now
     verdict, reason = Verdict.PASS, _obstacle(step, tester, settings)
     if reason:
         verdict = Verdict.SKIPPED
@@ -156,7 +166,8 @@ def run_step(step: Step, tester: Tester, settings: Settings) -> Result:
         why="; ".join(dict.fromkeys(each for each in (*tester.why, step.why) if each)),
         expected=tuple(dict.fromkeys(tester.expected)),
         looked=tuple(tester.looked),
-        entries=tuple(tester.entries[first:]),
+        entries=tester.record.of_step,
+        left_out=tester.record.left_out_of_step,
         began=began,
         ended=tester.now,
         points=step.points,

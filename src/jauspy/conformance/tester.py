@@ -3,25 +3,35 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, Final, TypeVar
+from typing import Any, Final, TypeAlias, TypeVar
 
 from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
 from jauspy.conformance.client import Client
 from jauspy.conformance.outcome import Failed, Skipped
+from jauspy.conformance.record import Record
 from jauspy.conformance.results import Looked
 from jauspy.conformance.trace import Direction, Entry
 from jauspy.conformance.wire import Arrival, Wire
-from jauspy.errors import ConfigError
+from jauspy.errors import ConfigError, TransportError
 from jauspy.ids import JausID
 from jauspy.protocol import judp
+from jauspy.protocol.header import Packet
 
 M = TypeVar("M", bound=Message)
 
 TIMEOUT: Final = 1.5
 """Seconds that a judge of the public tests waits for an answer."""
-MAX_ENTRIES: Final = 200_000
-"""Datagrams of a run that are kept for the report."""
+MAX_BEHIND: Final = 50_000
+"""Datagrams that may have been waiting when a time is over; sockets hold far fewer, so more is a flood without end."""
+
+TOO_FAST: Final = (
+    "datagrams come faster than they can be read, so nothing can be judged by time; the report has the first of "
+    "them: stop whoever sends them, or test from a faster machine"
+)
+
+Listener: TypeAlias = Callable[[Packet, bool], None]
+"""Takes a packet, and whether it came to the strange port."""
 
 
 class Tester:
@@ -37,8 +47,17 @@ class Tester:
         self.timeout = timeout
         self.memory: dict[str, Any] = {}
         """What steps leave for later ones."""
-        self.entries: list[Entry] = []
-        self.left_out = 0
+        self.record = Record()
+        self.listeners: list[Listener] = []
+        """Hear every packet that comes in this step."""
+        self.spoke = False
+        """True when something was sent in this step."""
+        self.heard = False
+        """True when something came from the target in this step."""
+        self.unread = 0
+        """Messages that came, and were dropped because no step looked at them."""
+        self.asked = False
+        """True once anything was sent."""
         self.answered = False
         """True once anything came from the target."""
         self.looked: list[Looked] = []
@@ -87,8 +106,11 @@ class Tester:
         """A new step: what came before it, and has not been looked at, is not its business."""
         self.pump(self.now, lambda: False)
         self.looked, self.expected, self.why, self.taken = [], [], [], []
+        self.spoke = self.heard = False
+        self.listeners.clear()
+        self.record.begin()
         for client in self._clients.values():
-            client.pending.clear()
+            client.begin()
 
     def look(self, name: str, problem: str = "") -> None:
         """Note that something was looked at."""
@@ -105,16 +127,24 @@ class Tester:
         self.pump(self.now + seconds, lambda: False)
 
     def pump(self, until: float, done: Callable[[], bool]) -> bool:
-        """Take what comes until `done`, or until the time is over; says whether it was done."""
+        """Take what comes until `done`, or until the time is over; says whether it was done.
+
+        Raises `TransportError` when so much comes that the time is never over.
+        """
+        behind = 0
         while not done():
             arrival = self.wire.receive(self._start + until)
             if arrival is None:
                 return done()
             self._take(arrival)
+            behind += self.now >= until
+            if behind > MAX_BEHIND:
+                raise TransportError(TOO_FAST)
         return True
 
     def transmit(self, datagram: bytes, source: JausID, *, strange_port: bool = False) -> None:
         """Send these very bytes."""
+        self.asked = self.spoke = True
         self._record(Direction.SENT, datagram, strange_port=strange_port)
         self.wire.send(datagram, source, strange_port=strange_port)
 
@@ -125,14 +155,14 @@ class Tester:
         for client in self._clients.values():
             if errors or any(each.destination.matches(client.id) for each in packets):
                 client.take(datagram)
+        for packet in packets:
+            for listener in self.listeners:
+                listener(packet, arrival.strange_port)
         if any(self.target.matches(each.source) for each in packets):
-            self.answered = True
+            self.answered = self.heard = True
             if not self.target.is_wildcard or "component" in self.memory:
                 return
             self.memory["component"] = next(each.source for each in packets if self.target.matches(each.source))
 
     def _record(self, direction: Direction, datagram: bytes, *, strange_port: bool) -> None:
-        if len(self.entries) < MAX_ENTRIES:
-            self.entries.append(Entry(self.now, direction, datagram, self.registry, strange_port))
-        else:
-            self.left_out += 1
+        self.record.add(Entry(self.now, direction, datagram, self.registry, strange_port))

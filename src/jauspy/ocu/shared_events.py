@@ -21,6 +21,10 @@ class SharedEvents:
         """True when somebody listens to this event."""
         return (id, event) in self._users
 
+    def users(self, id: JausID, event: int | bytes) -> frozenset[object]:
+        """Who listens to this event."""
+        return frozenset(self._users.get((id, event), ()))
+
     def leave(self, id: JausID, event: int | bytes | None, user: object) -> bool:
         """`user` does not any more; true when it was the last, so that the event can be cancelled."""
         users = self._users.get((id, event)) if event is not None else None

@@ -203,9 +203,14 @@ class Host:
         *,
         priority: Priority = Priority.STANDARD,
         broadcast: Broadcast = Broadcast.NONE,
+        told: Callable[[bool], None] | None = None,
     ) -> None:
-        """Send a message; one that cannot be encoded is a bug: it is logged, counted and not sent."""
-        self._sending.send(destination, message, priority, broadcast)
+        """Send a message; one that cannot be encoded is a bug: it is logged, counted and not sent.
+
+        With `told` it is sent again until the one component that it is for acknowledges it, or it is given up; `told`
+        hears which, unless the component is closed before. Who does not acknowledge is not taken for gone.
+        """
+        self._sending.send(destination, message, priority, broadcast, told)
 
     def output(self, outgoing: Outgoing) -> None:
         """Queue an encoded message; only the Transport service calls this."""

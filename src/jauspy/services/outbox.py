@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter, deque
+from collections.abc import Callable
 from typing import NamedTuple
 
 from jauspy.ids import JausID
@@ -16,6 +17,8 @@ class Outgoing(NamedTuple):
     payload: bytes
     priority: Priority = Priority.STANDARD
     broadcast: Broadcast = Broadcast.NONE
+    told: Callable[[bool], None] | None = None
+    """With it, the message is sent again until it is acknowledged, or given up: this is told which."""
 
 
 class Outbox:

@@ -24,8 +24,8 @@ def mask(report: Message, query: Message) -> Message:
 
     A query's `presence_vector` masks the report's body, or when nothing in that is optional the first record in it that
     has optional fields. A vector named after a part of the body, as `VelocityVarPresenceVector` is after `VelocityVar`
-    and `LocalPosePresenceVector` after `ReportLocalPoseExtRec`, masks the record in that part; one of a sensor masks
-    the records of that sensor.
+    and `LocalPosePresenceVector` after `ReportLocalPoseExtRec`, masks the record in that part, and all records in it
+    when it asks for nothing; one of a sensor masks the records of that sensor.
     """
     for vector, part in _vectors(type(query)):
         asked = getattr(query, vector)
@@ -43,12 +43,22 @@ def _masked_in(whole: S, part: str, asked: int) -> S | None:
     for slot in _slots(type(whole)):
         member = getattr(whole, slot.name)
         if part in slot.name and isinstance(member, Struct):
-            changed = masked(member, asked) if _optional(type(member)) else _masked_in(member, part, asked)
+            changed = masked(member, asked) if _optional(type(member)) else _masked_inside(member, part, asked)
             if changed is not None:
                 whole = copy(whole)
                 setattr(whole, slot.name, changed)
                 return whole
     return None
+
+
+def _masked_inside(whole: S, part: str, asked: int) -> S | None:
+    if asked or not part:
+        return _masked_in(whole, part, asked)
+    whole = copy(whole)
+    for slot in _slots(type(whole)):
+        if isinstance(member := getattr(whole, slot.name), Struct):
+            setattr(whole, slot.name, masked(member, 0))
+    return whole
 
 
 def _sensors_masked(report: Message, records: Sequence[Any]) -> Message:

@@ -33,12 +33,19 @@ class Sending:
         self._counters = counters
         self._kept: list[Outgoing | Later] | None = None
 
-    def send(self, destination: JausID, message: Message, priority: Priority, broadcast: Broadcast) -> None:
+    def send(
+        self,
+        destination: JausID,
+        message: Message,
+        priority: Priority,
+        broadcast: Broadcast,
+        told: Callable[[bool], None] | None,
+    ) -> None:
         """Send a message; one that cannot be encoded is a bug: it is logged, counted and not sent."""
         payload = self._encoded(message)
         if payload is None:
             return
-        outgoing = Outgoing(destination, payload, priority, broadcast)
+        outgoing = Outgoing(destination, payload, priority, broadcast, told)
         if self._kept is not None:
             self._kept.append(outgoing)  # it is only asked for, so the machine that sends has no part in it
         else:

@@ -302,8 +302,8 @@ class ServiceClient(Facade[_ServiceClient]):
 
         It may take `within` seconds. Raises `RequestError` when it was given up, `EventRejected` when the component
         does not take it or tells no ends of commands (Events 1.1 does), `ControlRejected` and `ResponseTimeout`. Who
-        stops waiting, by cancellation, does not stop the command. It is sent again when no answer comes, so that it
-        may begin twice.
+        stops waiting, by cancellation, does not stop the command. It is sent again when no answer comes: components of
+        jauspy know it again, others may begin twice.
         """
         self._portal.run(self._async.perform(command, within=within))
 

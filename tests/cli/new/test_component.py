@@ -82,6 +82,25 @@ def test_what_is_there_stays():
     assert {path: path.read_text() for path in Path("brake").iterdir()} == before
 
 
+def test_a_folder_with_something_in_it_stays():
+    Path("brake").mkdir()
+    assert new("brake", "--service", "ugv:ParkingBrakeDriver").exit_code == 0
+    Path("winch").mkdir()
+    Path("winch/mine.txt").write_text("mine")
+    result = new("winch", "--service", "ugv:ParkingBrakeDriver")
+    assert (result.exit_code, "winch exists; remove it" in result.output) == (1, True)
+    assert [each.name for each in Path("winch").iterdir()] == ["mine.txt"]
+
+
+def test_a_file_without_the_service():
+    run.invoke(app, ["new", "definition", "urn:example:Battery", "charge:percent"])
+    result = new("xyzzy", "--service", "Xyzzy", "--from", "battery.xml")
+    assert result.exit_code == 1
+    assert "no service 'Xyzzy' is known; `jauspy schema ls` lists them; battery.xml has none of this name" in " ".join(
+        result.output.split()
+    )
+
+
 @pytest.mark.parametrize(
     ("arguments", "problem"),
     [
@@ -89,6 +108,9 @@ def test_what_is_there_stays():
         (["class", "--service", "ugv:ParkingBrakeDriver"], "'class' is no name of a Python package"),
         (["signal", "--service", "ugv:ParkingBrakeDriver"], "signal is a module already, which yours would hide"),
         (["jauspy", "--service", "ugv:ParkingBrakeDriver"], "as in my_jauspy"),
+        (["pytest", "--service", "ugv:ParkingBrakeDriver"], "as in my_pytest"),
+        (["", "--service", "ugv:ParkingBrakeDriver"], "'' is no name of a Python package"),
+        (["winch", "--service", ""], "no service '' is known"),
         (["winch", "--service", "ugv:ParkingBrakeDriver", "--id", "101.1.255"], "cannot be a component's id"),
         (["winch", "--service", "ParkingBrakDriver"], "did you mean ParkingBrakeDriver"),
         (["winch", "--service", "VelocityStateDriver", "--version", "9.9"], "has no version 9.9; it has 1.0, 1.1"),

@@ -39,6 +39,12 @@ def test_it_is_without_a_complaint():
     assert jauspy.load("many.xml").by_name("QueryMany").CODE == 0xE0F0
 
 
+def test_fields_keep_their_names():
+    names = ["flow_rate", "v_2", "a_b"]
+    new("urn:example:Lamp", *(f"{name}:one" for name in names))
+    assert list(jauspy.load("lamp.xml").by_name("ReportLamp").__annotations__)[:3] == names
+
+
 def test_what_is_there_stays():
     Path("battery.xml").write_text("mine")
     result = new("urn:example:Battery", "charge:percent")
@@ -58,10 +64,44 @@ def test_what_is_there_stays():
         ([f"f{n}:one" for n in range(17)], "up to 16"),
         (["a:one", "--first-id", "FFFF"], "no message id"),
         (["a:one", "--first-id", "xyz"], "no message id"),
+        (["a:one", "--first-id", "-5"], "no message id"),
+        (["_:one"], "NAME:UNITS"),
+        (["", "a:one"], "NAME:UNITS"),
+        (
+            ["a:one", "--first-id", "2202"],
+            "2202 is QueryHeartbeatPulse of urn:jaus:jss:core:Liveness already; D000 to D737 are free",
+        ),
+        (["a:one", "--first-id", "D737"], "D738 is "),
+        (["a:one", "--first-id", "D739"], "already; D73A to D73F are free"),
+        (["a:one", "--first-id", "F933"], "already; F937 to FD0F are free"),
+        (["a:one", "--first-id", "FF39"], "already; FF3A to FFFE are free"),
     ],
 )
 def test_what_cannot_be(arguments: list[str], problem: str):
     result = new("urn:example:Battery", *arguments)
+    assert result.exit_code == 2
+    assert problem in " ".join(result.output.replace("│", " ").split())
+    assert not list(Path().iterdir())
+
+
+@pytest.mark.parametrize(
+    ("urn", "problem"),
+    [
+        ("urn:example:", "'urn:example:' is no name of a service; use urn:, who defines it,"),
+        ("", "'' is no name of a service"),
+        ("Battery", "'Battery' is no name of a service"),
+        ("urn:Battery", "as in urn:example:Battery"),
+        ("URN:EXAMPLE:BATTERY", "no name of a service"),
+        ("urn:exa mple:Battery", "no name of a service"),
+        ("urn:example:Bat tery", "no name of a service"),
+        ("urn:example::Battery", "no name of a service"),
+        ("urn:example:2nd", "a name that begins with a letter"),
+        ("urn:example:Läm<p", "no name of a service"),
+        ("urn:jaus:jss:core:Events", "is a public service; yours needs another name"),
+    ],
+)
+def test_names_that_a_service_cannot_have(urn: str, problem: str):
+    result = new(urn, "charge:percent")
     assert result.exit_code == 2
     assert problem in " ".join(result.output.replace("│", " ").split())
     assert not list(Path().iterdir())

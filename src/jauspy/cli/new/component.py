@@ -33,30 +33,36 @@ def component(
       jauspy new component battery --service urn:example:Battery --from battery.xml
     """
     from jauspy.cli.new import stubs
-    from jauspy.cli.new.files import write_new
+    from jauspy.cli.new.files import write_new_folder
     from jauspy.ids import component_id
 
     _check(name)
     me = component_id(id)
     schema = _schema(source)
-    definition = _find(schema, service, version)
-    files = stubs.package(name, definition, schema, source, me)
-    folder = Path(name)
-    write_new({folder / each: text for each, text in files.items()})
+    definition = _find(schema, service, version, source)
+    write_new_folder(Path(name), stubs.package(name, definition, schema, source, me))
     print(f"run it with `python -m {name}`, test it with `pytest {name}`")
 
 
 def _check(name: str) -> None:
     """Raise `ConfigError` unless a package of this name can be imported, and hides none."""
     import keyword
-    import sys
 
     from jauspy.errors import ConfigError
 
     if not name.isidentifier() or name != name.lower() or keyword.iskeyword(name):
         raise ConfigError(f"{name!r} is no name of a Python package; use lower-case letters, digits and _")
-    if name in sys.stdlib_module_names or name == "jauspy":
+    if _is_installed(name):
         raise ConfigError(f"{name} is a module already, which yours would hide; choose another name, as in my_{name}")
+
+
+def _is_installed(name: str) -> bool:
+    """A module of this name is found, also without looking where the user is."""
+    import sys
+    from importlib.machinery import PathFinder
+
+    elsewhere = [each for each in sys.path if Path(each).resolve() != Path.cwd()]
+    return name in sys.stdlib_module_names or PathFinder.find_spec(name, elsewhere) is not None
 
 
 def _schema(source: Path | None) -> Schema:
@@ -66,7 +72,7 @@ def _schema(source: Path | None) -> Schema:
     return load_builtin() if source is None else load_beside_builtin([source])
 
 
-def _find(schema: Schema, name: str, version: str | None) -> Service:
+def _find(schema: Schema, name: str, version: str | None, source: Path | None) -> Service:
     """The definition of this name, or end of it; raises `ConfigError` that says what there is."""
     from difflib import get_close_matches
 
@@ -81,10 +87,9 @@ def _find(schema: Schema, name: str, version: str | None) -> Service:
     if not urns:
         known = sorted({each.id for each in schema.services})
         close = get_close_matches(name.rpartition(":")[2], [each.rpartition(":")[2] for each in known], 3)
-        hint = (
-            f"did you mean {' or '.join(close)}?" if close else "`jauspy schema ls` lists them; --from reads your own"
-        )
-        raise ConfigError(f"no service {name} is known; {hint}")
+        more = "--from reads your own" if source is None else f"{source} has none of this name"
+        hint = f"did you mean {' or '.join(close)}?" if close else f"`jauspy schema ls` lists them; {more}"
+        raise ConfigError(f"no service {name!r} is known; {hint}")
     (urn,) = urns
     versions = [each.version for each in schema.services if each.id == urn]
     if version is not None and version not in versions:

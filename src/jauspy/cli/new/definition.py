@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Final
 
@@ -12,6 +13,7 @@ if TYPE_CHECKING:
 
 MAX_FIELDS: Final = 16
 """As many as there are bits in the presence vector."""
+URN: Final = re.compile(r"urn(:[A-Za-z0-9][\w.-]*)+:([A-Za-z]\w*)", re.ASCII)
 
 
 def definition(
@@ -31,42 +33,61 @@ def definition(
     """Write the definition (JSIDL) of a service that reports numbers: one query, one report, on request or as events.
 
     The numbers are 64-bit floats, each optional, so that a client asks for those it wants. UNITS are JSIDL's, as in
-    percent, volt, ampere, meter, "meter per second", or one for none. D000 to FFFF are free for your own messages.
+    percent, volt, ampere, meter, "meter per second", or one for none. D000 to FFFF are for messages of users; what a
+    public definition has taken of them is refused.
 
     Example:
       jauspy new definition urn:example:Battery charge:percent current:ampere
     """
     from jauspy.cli.new.files import write_new
-    from jauspy.codec.names import class_name, snake
+    from jauspy.cli.new.free_ids import first_of_two
+    from jauspy.codec.names import snake
 
-    name = class_name(urn.rpartition(":")[2])
+    name = _name(urn)
     path = output or Path(f"{snake(name)}.xml")
-    write_new({path: _jsidl(urn, name, _code(first_id), _fields(fields))})
+    write_new({path: _jsidl(urn, name, first_of_two(first_id), _fields(fields))})
     _check(path)
 
 
-def _code(text: str) -> int:
-    try:
-        code = int(text, 16)
-    except ValueError:
-        code = 0
-    if not 0 < code < 0xFFFF:
-        raise typer.BadParameter(f"{text!r} is no message id; use D001 to FFFE", param_hint="--first-id")
-    return code
+def _name(urn: str) -> str:
+    """The service's name, which is the end of its URN."""
+    from jauspy.codec.names import class_name
+    from jauspy.messages import registry
+
+    match = URN.fullmatch(urn)
+    if match is None:
+        raise typer.BadParameter(
+            f"{urn!r} is no name of a service; use urn:, who defines it, and a name that begins with a letter, "
+            "as in urn:example:Battery",
+            param_hint="URN",
+        )
+    if any(each.service == urn for each in registry.entries):
+        raise typer.BadParameter(f"{urn} is a public service; yours needs another name", param_hint="URN")
+    return class_name(match[2])
 
 
 def _fields(texts: Sequence[str]) -> list[tuple[str, str]]:
+    from jauspy.codec.names import attribute
+
     if len(texts) > MAX_FIELDS:
         raise typer.BadParameter(f"{len(texts)} fields; a report has up to {MAX_FIELDS}")
     found = []
     for text in texts:
         name, colon, units = text.partition(":")
-        if not colon or not name.isidentifier() or not units.replace(" ", "").isalpha():
+        if not colon or not name.isidentifier() or not name[0].isalpha() or not units.replace(" ", "").isalpha():
             raise typer.BadParameter(f"{text!r} is not NAME:UNITS, as in charge:percent")
-        found.append(("".join(part[:1].upper() + part[1:] for part in name.split("_")), units))
-    if len(dict(found)) != len(found):
+        found.append((_jaus_name(name), units))
+    if len({attribute(name) for name, _ in found}) != len(found):
         raise typer.BadParameter("each field needs a name of its own")
     return found
+
+
+def _jaus_name(name: str) -> str:
+    """`FlowRate` for `flow_rate`, and `V_2` for `v_2`, which would come back as `v2`."""
+    from jauspy.codec.names import snake
+
+    words = [part[:1].upper() + part[1:] for part in name.split("_")]
+    return "".join(words) if snake("".join(words)) == name else "_".join(words)
 
 
 def _check(path: Path) -> None:
@@ -77,16 +98,12 @@ def _check(path: Path) -> None:
 
 
 def _jsidl(urn: str, name: str, code: int, fields: Sequence[tuple[str, str]]) -> str:
-    from html import escape
-
     vector = "unsigned byte" if len(fields) <= 8 else "unsigned short integer"
     rows = "\n".join(
         f'            <fixed_field name="{field}" field_type="long float" field_units="{units}" optional="true"/>'
         for field, units in fields
     )
-    return _TEMPLATE.format(
-        urn=escape(urn), name=name, query=f"{code:04X}", report=f"{code + 1:04X}", vector=vector, rows=rows
-    )
+    return _TEMPLATE.format(urn=urn, name=name, query=f"{code:04X}", report=f"{code + 1:04X}", vector=vector, rows=rows)
 
 
 _TEMPLATE: Final = """<?xml version="1.0" encoding="UTF-8"?>

@@ -21,3 +21,10 @@ def write_new(files: Mapping[Path, str | bytes]) -> None:
             print(path)
     except OSError as error:
         raise ConfigError(f"{error.filename} cannot be written: {error.strerror}") from None
+
+
+def write_new_folder(folder: Path, files: Mapping[str, str | bytes]) -> None:
+    """Write a folder of these files; raises `ConfigError` when there is anything in it."""
+    if folder.is_symlink() or (folder.exists() and (not folder.is_dir() or any(folder.iterdir()))):
+        raise ConfigError(f"{folder} exists; remove it, or choose another name")
+    write_new({folder / name: content for name, content in files.items()})

@@ -9,28 +9,45 @@ from typing import Any, Final
 from jauspy.codec.base import Message
 from jauspy.conformance.checks import Check, has, near
 from jauspy.conformance.walk import lists, presence
-from jauspy.conformance.walk.effects import SLOW, effect
+from jauspy.conformance.walk.destinations import (
+    FAR,
+    LATITUDE,
+    LONGITUDE,
+    MOBILITY,
+    element,
+    global_loiter,
+    local_loiter,
+    place,
+    place_all,
+    stop,
+)
+from jauspy.conformance.walk.effects import SLOW, effect, over_ground
 from jauspy.conformance.walk.events import UNKNOWN_ID
 from jauspy.conformance.walk.stimulus import Aftermath, Prepare, Stimulus
 from jauspy.conformance.walk.walker import OBSERVER, PILOT, Walker
-from jauspy.messages.core import Standby
 from jauspy.messages.mobility import (
     ExecuteList,
     ExecuteListExt,
     QueryActiveElement,
+    QueryGlobalLoiter,
     QueryGlobalWaypoint,
     QueryGlobalWaypointExt,
+    QueryLocalLoiter,
     QueryLocalWaypoint,
     QueryLocalWaypointExt,
     QueryTravelSpeed,
+    QueryTravelSpeedExt,
     QueryVelocityCommand,
     QueryVelocityCommandExt,
     ReportActiveElement,
+    ReportGlobalLoiter,
     ReportGlobalWaypoint,
     ReportGlobalWaypointExt,
+    ReportLocalLoiter,
     ReportLocalWaypoint,
     ReportLocalWaypointExt,
     ReportTravelSpeed,
+    ReportTravelSpeedExt,
     ReportVelocityCommand,
     ReportVelocityCommandExt,
     SetGlobalWaypoint,
@@ -43,38 +60,7 @@ from jauspy.messages.mobility import (
     SetVelocityCommandExt,
 )
 
-MOBILITY: Final = "urn:jaus:jss:mobility:"
-FAR: Final = 1000.0
-"""m; nobody gets there during a step."""
-LATITUDE, LONGITUDE = 1.0, 2.0
-"""Degrees."""
-Speed = SetTravelSpeedExt.Speed
-
-
-def over_ground(speed: float) -> Any:
-    """As the wider messages have it."""
-    return Speed(Speed.Choice.SPEED_OVER_GROUND, speed)
-
-
 # --- waypoints ------------------------------------------------------------------------------------------------------
-
-
-def place(walker: Walker, waypoint: Message) -> None:
-    """The one in control sets a waypoint, before anybody drives."""
-    walker.client(PILOT).send(waypoint, to=walker.component)
-
-
-def stop(walker: Walker, role: str) -> None:  # noqa: ARG001 - a Prepare
-    """Nobody drives any more."""
-    walker.client(PILOT).send(Standby(), to=walker.component)
-    lists.clear(walker, PILOT)
-    walker.where = None
-
-
-def _far(walker: Walker) -> Message:
-    """A waypoint of a kind that the component takes."""
-    is_local = any(each.startswith(f"{MOBILITY}LocalWaypoint") for each in walker.services)
-    return SetLocalWaypoint(x=FAR, y=FAR) if is_local else SetGlobalWaypoint(latitude=LATITUDE, longitude=LONGITUDE)
 
 
 def _left_behind(waypoint: Message) -> Prepare:
@@ -133,22 +119,22 @@ WAYPOINTS: Final = (
 # --- the way there --------------------------------------------------------------------------------------------------
 
 
-def _travel(command: Callable[[float], Message]) -> Stimulus:
+def _travel(command: Callable[[float], Message], query: Message, report: type[Message], field: str) -> Stimulus:
     return effect(
         command,
-        QueryTravelSpeed(),
-        ReportTravelSpeed,
-        "speed",
+        query,
+        report,
+        field,
         SLOW,
-        truths={"waypointExists": True},
-        prepare=lambda walker, _: place(walker, _far(walker)),
+        truths={"waypointExists": True, "loiterExists": True},
+        prepare=lambda walker, _: place_all(walker),
         cleanup=stop,
     )
 
 
 def _hold(walker: Walker, role: str) -> None:  # noqa: ARG001 - a Prepare
     """A list of one waypoint, when somebody is in control who can set it."""
-    walker.client(PILOT).send(lists.upload(_far(walker)), to=walker.component)
+    walker.client(PILOT).send(lists.upload(element(walker)), to=walker.component)
     walker.look()
 
 
@@ -193,6 +179,18 @@ def _execution(make: Callable[..., Message], speed: Callable[[float], Any]) -> t
     )
 
 
+LOITERING: Final = (
+    effect(local_loiter, QueryLocalLoiter(0), ReportLocalLoiter, "local_loiter_rec__x", FAR, cleanup=stop),
+    effect(
+        global_loiter,
+        QueryGlobalLoiter(0),
+        ReportGlobalLoiter,
+        "global_loiter_rec__latitude",
+        LATITUDE,
+        cleanup=stop,
+    ),
+)
+
 # --- velocities -----------------------------------------------------------------------------------------------------
 
 CURRENT, MOST = 0, 1
@@ -220,8 +218,11 @@ def _velocity(make: Callable[..., Message], query: Callable[..., Message], repor
 
 DRIVING: Final = (
     *WAYPOINTS,
-    _travel(SetTravelSpeed),
-    _travel(lambda speed: SetTravelSpeedExt(over_ground(speed))),
+    _travel(SetTravelSpeed, QueryTravelSpeed(), ReportTravelSpeed, "speed"),
+    _travel(
+        lambda speed: SetTravelSpeedExt(over_ground(speed)), QueryTravelSpeedExt(), ReportTravelSpeedExt, "speed__value"
+    ),
+    *LOITERING,
     *_execution(ExecuteList, float),
     *_execution(ExecuteListExt, over_ground),
     *_velocity(SetVelocityCommand, QueryVelocityCommand, ReportVelocityCommand),

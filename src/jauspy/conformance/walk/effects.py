@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
-from typing import Final
+from typing import Any, Final
 
 from jauspy.codec.base import Message
-from jauspy.conformance.checks import near
+from jauspy.conformance.checks import near, value_of
 from jauspy.conformance.outcome import Skipped
 from jauspy.conformance.walk.machine import Truth
 from jauspy.conformance.walk.stimulus import Aftermath, Prepare, Stimulus, nothing
@@ -21,27 +21,49 @@ from jauspy.messages.manipulator import (
     SetToolOffset,
 )
 from jauspy.messages.mobility import (
+    QueryGeomagneticProperty,
     QueryGlobalPose,
+    QueryGlobalPoseExt,
     QueryGlobalVector,
+    QueryGlobalVectorExt,
     QueryLocalPose,
+    QueryLocalPoseExt,
     QueryLocalVector,
+    QueryLocalVectorExt,
     QueryWrenchEffort,
+    ReportGeomagneticProperty,
     ReportGlobalPose,
+    ReportGlobalPoseExt,
     ReportGlobalVector,
+    ReportGlobalVectorExt,
     ReportLocalPose,
+    ReportLocalPoseExt,
     ReportLocalVector,
+    ReportLocalVectorExt,
     ReportWrenchEffort,
+    SetGeomagneticProperty,
     SetGlobalPose,
+    SetGlobalPoseExt,
     SetGlobalVector,
+    SetGlobalVectorExt,
     SetLocalPose,
+    SetLocalPoseExt,
     SetLocalVector,
+    SetLocalVectorExt,
+    SetTravelSpeedExt,
     SetWrenchEffort,
 )
 from jauspy.messages.ugv import QuerySkidSteerEffort, ReportSkidSteerEffort, SetSkidSteerEffort
 
 SLOW: Final = 0.05
 """m/s; a step is over before it shows."""
+Speed = SetTravelSpeedExt.Speed
 BEFORE: Final = "before the command"
+
+
+def over_ground(speed: float) -> Any:
+    """As the wider messages have it."""
+    return Speed(Speed.Choice.SPEED_OVER_GROUND, speed)
 
 
 def effect(
@@ -60,7 +82,7 @@ def effect(
     """A command that changes one number by a little; afterwards the client takes the change back."""
 
     def reported(walker: Walker) -> float:
-        found = getattr(walker.client(OBSERVER).ask(query, report, to=walker.component), field)
+        found = value_of(walker.client(OBSERVER).ask(query, report, to=walker.component), field)
         if found is None:
             raise Skipped(f"{report.NAME} has no {field}, which would show what the command does")
         return float(found)
@@ -114,6 +136,29 @@ EFFECTS: Final = (
     effect(lambda degrees: SetGlobalPose(latitude=degrees), QueryGlobalPose(1), ReportGlobalPose, "latitude", 0.001),
     effect(SetLocalVector, QueryLocalVector(0), ReportLocalVector, "speed", SLOW),
     effect(SetGlobalVector, QueryGlobalVector(1), ReportGlobalVector, "speed", SLOW),
+    effect(lambda x: SetLocalPoseExt(x=x), QueryLocalPoseExt(1), ReportLocalPoseExt, "x", 2.0),
+    effect(
+        lambda degrees: SetGlobalPoseExt(latitude=degrees),
+        QueryGlobalPoseExt(1),
+        ReportGlobalPoseExt,
+        "latitude",
+        0.001,
+    ),
+    effect(SetGeomagneticProperty, QueryGeomagneticProperty(), ReportGeomagneticProperty, "magnetic_variation", 0.1),
+    effect(
+        lambda speed: SetLocalVectorExt(speed=over_ground(speed)),
+        QueryLocalVectorExt(0),
+        ReportLocalVectorExt,
+        "speed__value",
+        SLOW,
+    ),
+    effect(
+        lambda speed: SetGlobalVectorExt(speed=over_ground(speed)),
+        QueryGlobalVectorExt(0),
+        ReportGlobalVectorExt,
+        "speed__value",
+        SLOW,
+    ),
     effect(lambda x: SetToolOffset(x, 0.0, 0.0), QueryToolOffset(), ReportToolOffset, "tool_point_coordinate_x", 0.1),
 )
 """So little effort moves no robot."""

@@ -79,10 +79,9 @@ def confirmed(walker: Walker, role: str) -> list[int]:
 
 def _confirmations(walker: Walker, role: str) -> list[ConfirmEventRequest]:
     return [
-        ConfirmEventRequest.decode(packet.payload, strict=False)[0]
-        for entry in walker.tester.entries[-64:]
-        for packet in entry.packets
-        if packet.destination == walker.client(role).id and packet.payload[:2] == b"\xf3\x01"
+        ConfirmEventRequest.decode(heard.payload, strict=False)[0]
+        for heard in walker.client(role).confirmed
+        if heard.code == ConfirmEventRequest.CODE and heard.source == walker.component
     ]
 
 

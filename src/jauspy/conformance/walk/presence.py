@@ -63,7 +63,8 @@ def _carries(vectors: Iterable[str], asked: int, has: frozenset[Bit]) -> Check:
 
     def problem(report: Message) -> str:
         wrong = [name for bit, name, value in _fields(report, vectors) if (value is not None) != _right(bit)]
-        return f"asked for {asked:X}h it is wrong about {', '.join(wrong)}" if wrong else ""
+        wrong += [] if asked else _inside(report, vectors)
+        return f"asked for {asked:X}h it is wrong about {', '.join(dict.fromkeys(wrong))}" if wrong else ""
 
     def _right(bit: Bit) -> bool:
         return bit in has and bool(asked >> bit[1] & 1)
@@ -78,6 +79,16 @@ def _fields(report: Message, vectors: Iterable[str]) -> Iterator[tuple[Bit, str,
         part = report if not name and _optional(report) else _part(report, name)
         if part is not None:
             yield from (((vector, place), each, getattr(part, each)) for place, each in enumerate(_optional(part)))
+
+
+def _inside(report: Message, vectors: Iterable[str]) -> list[str]:
+    """All optional fields in parts of several records. Not each has a bit, but without any bit none is asked for."""
+    names = [each for vector in vectors if (each := vector.removesuffix(PRESENCE).rstrip("_"))]
+    parts = (getattr(report, slot.name) for slot in _slots(report) if any(name in slot.name for name in names))
+    several = (part for part in parts if isinstance(part, Struct) and not _optional(part))
+    records = (getattr(part, slot.name) for part in several for slot in _slots(part))
+    structs = (each for each in records if isinstance(each, Struct))
+    return [each for record in structs for each in _optional(record) if getattr(record, each) is not None]
 
 
 def _part(whole: Struct, name: str) -> Struct | None:

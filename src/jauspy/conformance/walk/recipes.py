@@ -9,12 +9,14 @@ from jauspy.conformance.checks import has
 from jauspy.conformance.offers import ALL_SERVICES
 from jauspy.conformance.walk.access import ACCESS, SILENT_CLIENT
 from jauspy.conformance.walk.arms import ARMS
+from jauspy.conformance.walk.clock import CLOCKS
 from jauspy.conformance.walk.commands import COMMANDS, EXPIRED
 from jauspy.conformance.walk.driving import DRIVING
 from jauspy.conformance.walk.effects import EFFECTS
 from jauspy.conformance.walk.events import DUE, EVENTS, NOT_RENEWED
 from jauspy.conformance.walk.lists import LISTS
 from jauspy.conformance.walk.pictures import PICTURES
+from jauspy.conformance.walk.sensors import SENSORS
 from jauspy.conformance.walk.stimulus import Stimulus
 from jauspy.conformance.walk.walker import STOP
 from jauspy.messages.core import ClearEmergency, QueryConfiguration, QueryIdentification, SetEmergency
@@ -35,6 +37,8 @@ RECIPES: Final[tuple[Stimulus, ...]] = (
     *DRIVING,
     *ARMS,
     *PICTURES,
+    *CLOCKS,
+    *SENSORS,
     _one(SetEmergency(STOP)),
     _one(ClearEmergency(STOP)),
     *(_one(QueryIdentification(level), f"level {level}", query_type=level) for level in (1, 2, 3, 4)),

@@ -1,4 +1,8 @@
-"""Command events: a client sends a command and is told once when it has been carried out, or has not (AS5710 1.1)."""
+"""Command events: a client sends a command and is told once when it has been carried out, or has not (AS5710 1.1).
+
+What the client is told is to be acknowledged. A request that comes again, because its confirmation was lost or late, is
+confirmed again and does not begin the command again, nor when that has ended meanwhile.
+"""
 
 from __future__ import annotations
 
@@ -6,7 +10,15 @@ from typing import Final
 
 from jauspy.codec.base import Message
 from jauspy.ids import JausID
-from jauspy.messages.core import CancelEvent, CommandEvent, CreateCommandEvent, CreateEvent, UpdateEvent
+from jauspy.messages.core import (
+    CancelEvent,
+    CommandEvent,
+    ConfirmEventRequest,
+    CreateCommandEvent,
+    CreateEvent,
+    UpdateEvent,
+)
+from jauspy.services.core.ended_commands import EndedCommands
 from jauspy.services.core.subscriptions import CommandWatch, Entry, Subscriptions
 from jauspy.services.service import Service
 
@@ -18,6 +30,7 @@ class CommandEvents(Service):
     """The part of Events that is about commands. The command acts as if its client had sent it by itself."""
 
     subscriptions: Subscriptions
+    ended: EndedCommands
     _current: Entry | None
 
     def is_command_supported(self, msg: CreateCommandEvent, source: JausID) -> bool:
@@ -32,13 +45,19 @@ class CommandEvents(Service):
     def update_command_event(self, msg: CreateCommandEvent, source: JausID) -> None:
         """The client sends the same command once more, while it is carried out: it has its full time again."""
         before = self._find_command(msg, source)
-        if before is not None:
+        if before is None:
+            return
+        if before.request != encoded(msg):
             self._watch(before.id, msg, source)
+            return
+        self._current = before
+        if before.success is not None:
+            self.host.fire("CommandCompleted", before, source)  # after the confirmation
 
     def start_command_timer(self, msg: CreateCommandEvent) -> None:
         """The command may take this long; 0 s only does for one that takes no time."""
         watch = self._current
-        if isinstance(watch, CommandWatch):
+        if isinstance(watch, CommandWatch) and watch.success is None:
             at = self.host.now + msg.maximum_allowed_duration
             self.host.set_timer(("command", watch.id), at, lambda: self._expired(watch))
 
@@ -49,11 +68,24 @@ class CommandEvents(Service):
     def send_command_event(self, msg: CommandWatch) -> None:
         """Tell the client how its command ended; that is the end of the event."""
         result = CommandEvent.CommandResult.SUCCESSFUL if msg.success else CommandEvent.CommandResult.UNSUCCESSFUL
-        self.host.send(msg.client, CommandEvent(event_id=msg.id, command_result=result))
+        self.host.send(msg.client, CommandEvent(event_id=msg.id, command_result=result), told=lambda _: None)
         self.subscriptions.remove(msg)
+        if not msg.known:
+            self.ended.add(msg, self.host.now)
+
+    def _confirm_command(self, watch: CommandWatch, request_id: int) -> None:
+        confirmation = ConfirmEventRequest(request_id=request_id, event_id=watch.id, confirmed_periodic_rate=0.0)
+        self.host.send(watch.client, confirmation, told=lambda delivered: self._confirmed(watch, delivered))
+
+    def _confirmed(self, watch: CommandWatch, delivered: bool) -> None:
+        if delivered:
+            watch.known = True
+            self.ended.forget(watch)
 
     def _find_command(self, msg: CreateCommandEvent, source: JausID) -> CommandWatch | None:
-        return self.subscriptions.same_command(source, encoded(msg.command_message))
+        """Under way, or of this very request."""
+        under_way = self.subscriptions.same_command(source, encoded(msg.command_message))
+        return under_way or self.ended.find(source, encoded(msg), self.host.now)
 
     def _is_one_too_many(self, msg: CreateCommandEvent, source: JausID) -> bool:
         return self._find_command(msg, source) is None and self.subscriptions.full_for(source)
@@ -66,7 +98,7 @@ class CommandEvents(Service):
     def _watch(self, id: int, msg: CreateCommandEvent, source: JausID) -> None:
         command = self._command(msg)
         assert command is not None
-        watch = CommandWatch(id, source, msg.request_id, command)
+        watch = CommandWatch(id, source, msg.request_id, command, encoded(msg))
         self.subscriptions.add(watch)
         self._current = watch
         self.host.perform(command, source, lambda success: self._ended(watch, success))

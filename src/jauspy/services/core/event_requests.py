@@ -9,7 +9,14 @@ from jauspy.ids import JausID
 from jauspy.messages.core import CancelEvent, CreateCommandEvent, CreateEvent, RejectEventRequest, UpdateEvent
 from jauspy.services.core.command_events import CommandEvents, encoded
 from jauspy.services.core.rates import Rates
-from jauspy.services.core.subscriptions import EVERY_CHANGE, FIRST_CHANGE, PERIODIC, Entry, Subscription
+from jauspy.services.core.subscriptions import (
+    EVERY_CHANGE,
+    FIRST_CHANGE,
+    PERIODIC,
+    CommandWatch,
+    Entry,
+    Subscription,
+)
 
 MAX_QUERY: Final = 4096
 """Bytes of a query that a subscription may hold."""
@@ -46,7 +53,8 @@ class EventRequests(CommandEvents):
 
     def _find(self, msg: Any, source: JausID) -> Entry | None:
         if isinstance(msg, Entry):
-            return msg if self.subscriptions.holds(msg) else None
+            told_again = isinstance(msg, CommandWatch) and self.ended.holds(msg)
+            return msg if told_again or self.subscriptions.holds(msg) else None
         if msg.CODE == CreateEvent.CODE:
             return self.subscriptions.same(source, msg.event_type, encoded(msg.query_message))
         if msg.CODE == CreateCommandEvent.CODE:

@@ -15,6 +15,7 @@ from jauspy.messages.core import (
     ReportEvents,
     ReportEventTimeout,
 )
+from jauspy.services.core.ended_commands import EndedCommands
 from jauspy.services.core.event_reports import EventReports
 from jauspy.services.core.event_requests import EventRequests, Request, Setup
 from jauspy.services.core.rates import Rates
@@ -23,6 +24,7 @@ from jauspy.services.core.subscriptions import (
     KINDS,
     MORE_KINDS,
     PERIODIC,
+    CommandWatch,
     Entry,
     Subscription,
     Subscriptions,
@@ -61,6 +63,7 @@ class Events(EventReports, EventRequests, urn="urn:jaus:jss:core:Events", privat
         self.rates = Rates(min_rate, max_rate, max_change_rate)
         self.timeout = timeout
         self.subscriptions = Subscriptions(limit, limit_per_client)
+        self.ended = EndedCommands()
         self._kinds = KINDS | MORE_KINDS if more_kinds else KINDS
         self._current: Entry | None = None
 
@@ -69,6 +72,7 @@ class Events(EventReports, EventRequests, urn="urn:jaus:jss:core:Events", privat
         for each in self.subscriptions.all():
             self._end(each)
             self.host.send(each.client, _confirmation(each, each.request_id))
+        self.ended.clear()
 
     # --- actions
 
@@ -104,6 +108,7 @@ class Events(EventReports, EventRequests, urn="urn:jaus:jss:core:Events", privat
         """Nobody listens to these events any more."""
         for entry in self.subscriptions.of(client):
             self._end(entry)
+        self.ended.forget_of(client)
 
     def reset_event_timer(self) -> None:
         """The event has its full time again."""
@@ -122,6 +127,9 @@ class Events(EventReports, EventRequests, urn="urn:jaus:jss:core:Events", privat
 
     def confirm_event_request(self, msg: Request | CreateCommandEvent | Entry) -> ConfirmEventRequest | None:
         """The event as it is now, with the rate that is really kept; 0 for a command, which has none."""
+        if isinstance(self._current, CommandWatch):
+            self._confirm_command(self._current, msg.request_id)
+            return None
         return None if self._current is None else _confirmation(self._current, msg.request_id)
 
     def report_events(self, query: QueryEvents, source: JausID) -> ReportEvents:

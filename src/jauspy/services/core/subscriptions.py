@@ -47,7 +47,11 @@ class CommandWatch(Entry):
     """A command under way, and whether it was carried out; None while that is open."""
 
     command: Message
+    request: bytes
+    """What its client sent."""
     success: bool | None = None
+    known: bool = False
+    """Its client has the confirmation, and so does not ask again."""
 
 
 class Subscriptions:

@@ -1,0 +1,105 @@
+"""Targets that send without end: what is kept is bounded and counted, and verdicts do not depend on it."""
+
+from __future__ import annotations
+
+from xml.etree import ElementTree as ET
+
+import pytest
+from tests.conformance.scripted import ScriptedWire
+from tests.conformance.simulated import examined, robot
+from tests.conformance.test_endings import COP, READY, STATUS, dying, steps, verdicts
+
+from jauspy.conformance import Verdict, record, run, tell, tester
+from jauspy.conformance.as_json import result_json, summary_json
+from jauspy.conformance.html import page
+from jauspy.conformance.junit import junit
+from jauspy.conformance.wire import Arrival
+from jauspy.ids import JausID
+from jauspy.messages.core import Standby
+from jauspy.protocol import judp
+from jauspy.protocol.header import Packet
+
+PULSE = bytes.fromhex("0242")
+EVENT_STEPS = tuple(
+    f"NotControlled.Available.Standby/{each}"
+    for each in ("CreateEvent", "UpdateEvent", "CancelEvent", "CreateCommandEvent", "EventOccurred")
+)
+
+
+@pytest.fixture
+def nothing_kept(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As if what came before had filled the record."""
+    monkeypatch.setattr(record, "MAX_ENTRIES", 0)
+    monkeypatch.setattr(record, "MAX_LATE", 0)
+
+
+@pytest.mark.parametrize(("profile", "only"), [("core-1.1", EVENT_STEPS), ("transport", ())])
+def test_verdicts_do_not_need_the_record(profile, only, nothing_kept):
+    report = examined(profile, robot(timeout=5, component=1, tick=None), JausID(105, 1, 1), only=only)
+    assert report.counts[Verdict.PASS] > 10
+    assert [f"{each.id}: {each.reason}" for each in report.failures] == []
+    assert report.entries == ()
+
+
+def test_death_is_noticed_without_the_record(nothing_kept):
+    wire = ScriptedWire("101.1.1", dying(after=1))
+    report = run(steps(STATUS, STATUS, tell(COP, Standby()), *[STATUS] * 9), wire, wire.id, began=0.0)
+    assert verdicts(report) == [Verdict.PASS, *[Verdict.SILENT] * 3, *[Verdict.SKIPPED] * 8]
+
+
+def flooding(payload):
+    """The right answer, and then much that nobody has asked for."""
+    return [(0.01, READY), *((0.02, PULSE) for _ in range(500))]
+
+
+def test_what_is_too_much_is_counted_in_every_report(monkeypatch):
+    monkeypatch.setattr(record, "MAX_STEP", 20)
+    wire = ScriptedWire("101.1.1", flooding)
+    wait = steps(STATUS, lambda at: at.wait(0.1), STATUS)
+    report = run(wait, wire, wire.id, began=0.0)
+    assert [(len(each.entries), each.left_out) for each in report.results] == [(2, 0), (20, 480), (2, 0)]
+    assert "480 datagrams of this step were too many to keep" in page(report)
+    assert result_json(report.results[1])["left_out"] == 480
+    (suite,) = ET.fromstring(junit(report))
+    assert "480 datagrams of this step were too many to keep" in suite.findall("testcase")[1].findtext("system-out")
+    (note,) = summary_json(report)["notes"]
+    assert note == "480 datagrams were too many to keep for the report; they were judged all the same"
+
+
+def test_a_record_that_is_full_still_has_the_begin_of_each_step(monkeypatch):
+    monkeypatch.setattr(record, "MAX_ENTRIES", 10)
+    monkeypatch.setattr(record, "MAX_LATE", 5)
+    wire = ScriptedWire("101.1.1", flooding)
+    report = run(steps(*[lambda at: (STATUS(at), at.wait(0.1))] * 3), wire, wire.id, began=0.0)
+    assert [len(each.entries) for each in report.results] == [10, 5, 5]
+
+
+def test_messages_that_no_step_has_looked_at_are_counted():
+    def much(payload):
+        return [(0.02, PULSE) for _ in range(1500)]
+
+    wire = ScriptedWire("101.1.1", much)
+
+    def quiet(at):
+        at.client(COP).send(Standby())
+        at.wait(0.1)
+
+    report = run(steps(quiet), wire, wire.id, began=0.0)
+    assert report.notes == ("476 messages were dropped before a step looked at them: more came than a client holds",)
+
+
+class Endless(ScriptedWire):
+    """Once asked, there is always one more datagram."""
+
+    def receive(self, until):
+        pulse = judp.pack(Packet(self.id, JausID(42, 1, 1), PULSE, 1))
+        return super().receive(until) or (Arrival(pulse) if self.sent else None)
+
+
+def test_a_flood_faster_than_the_test_ends_the_run(monkeypatch):
+    monkeypatch.setattr(tester, "MAX_BEHIND", 500)
+    wire = Endless("101.1.1", lambda _: [])
+    report = run(steps(tell(COP, Standby()), STATUS), wire, wire.id, began=0.0)
+    assert report.status == 2
+    assert report.problem.startswith("datagrams come faster than they can be read")
+    assert verdicts(report) == [Verdict.FAIL]

@@ -1,0 +1,107 @@
+"""Components that loiter: right ones pass, and of wrong ones the steps fail that are about it."""
+
+from __future__ import annotations
+
+from datetime import UTC, datetime
+
+import pytest
+
+from jauspy import Service
+from jauspy.conformance import Bench, Part, Report, find, run
+from jauspy.ids import JausID
+from jauspy.messages.mobility import (
+    ReportGlobalLoiter,
+    ReportLocalLoiter,
+    ReportTravelSpeedExt,
+    SetTravelSpeedExt,
+    ZPosition,
+)
+from jauspy.services import sending
+from jauspy.services.core import Discovery
+from jauspy.services.host import Host
+
+ID = JausID(101, 1, 1)
+READY = "Controlled.Available.Ready"
+STILL = SetTravelSpeedExt.Speed(SetTravelSpeedExt.Speed.Choice.SPEED_OVER_GROUND, 0.0)
+
+
+class Loiterer(Service):
+    """Keeps what it is told; nobody moves."""
+
+    def __init__(self):
+        self.loiter = self.empty
+        self.speed = STILL
+
+    def loiter_exists(self):
+        return self.loiter is not self.empty
+
+    def set_travel_speed_ext(self, msg):
+        self.speed = msg.speed
+
+    def reset_travel_speed(self):
+        self.speed = STILL
+
+    def send_report_travel_speed_ext(self):
+        return ReportTravelSpeedExt(self.speed)
+
+
+class LocalLoiterer(Loiterer, urn="urn:jaus:jss:mobility:LocalLoiterDriver"):
+    empty = ReportLocalLoiter.LocalLoiterRec(0.0, 0.0)
+
+    def set_local_loiter(self, msg):
+        self.loiter = msg.local_loiter_rec
+
+    def send_report_local_loiter(self):
+        place = ReportLocalLoiter.LocalLoiterRec(self.loiter.x, self.loiter.y, ZPosition(0, 5.0))
+        return ReportLocalLoiter(place, ReportLocalLoiter.HoverRec(0, 0.0, 0.0))
+
+
+class GlobalLoiterer(Loiterer, urn="urn:jaus:jss:mobility:GlobalLoiterDriver"):
+    empty = ReportGlobalLoiter.GlobalLoiterRec(0.0, 0.0)
+
+    def set_global_loiter(self, msg):
+        self.loiter = msg.global_loiter_rec
+
+    def send_report_global_loiter(self):
+        place = ReportGlobalLoiter.GlobalLoiterRec(self.loiter.latitude, self.loiter.longitude)
+        return ReportGlobalLoiter(place, ReportGlobalLoiter.HoverRec(0, 0.0, 0.0))
+
+
+def judged(service: Service) -> Report:
+    component = Host(ID, [service, Discovery()], utc_now=lambda: datetime(2026, 1, 1, tzinfo=UTC))
+    return run(find("mobility-1.1"), Bench([Part(component)]), ID, began=0.0)
+
+
+def failed(report: Report) -> set[str]:
+    assert report.problem == ""
+    return {each.id for each in report.failures}
+
+
+def nothing(self, msg):
+    pass
+
+
+@pytest.mark.parametrize("kind", [LocalLoiterer, GlobalLoiterer])
+def test_who_loiters_as_it_is_told_passes(kind):
+    report = judged(kind())
+    assert failed(report) == set()
+    taken = {name for result in report.results for name in result.taken}
+    assert any(name.endswith("[isControllingClient(transportData) && loiterExists()]") for name in taken)
+
+
+@pytest.mark.parametrize(
+    ("kind", "action", "step"),
+    [
+        (LocalLoiterer, "set_local_loiter", "SetLocalLoiter/pilot"),
+        (GlobalLoiterer, "set_global_loiter", "SetGlobalLoiter/pilot"),
+        (LocalLoiterer, "set_travel_speed_ext", "SetTravelSpeedExt/pilot"),
+    ],
+)
+def test_what_is_taken_and_not_used_is_noticed(kind, action, step, monkeypatch):
+    monkeypatch.setattr(kind, action, nothing)
+    assert f"{READY}/{step}" in failed(judged(kind()))
+
+
+def test_a_height_that_was_not_asked_for_is_noticed(monkeypatch):
+    monkeypatch.setattr(sending, "mask", lambda report, query: report)
+    assert f"{READY}/QueryLocalLoiter/rival/no-fields" in failed(judged(LocalLoiterer()))
