@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import traceback
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Final
 
 from jauspy.codec.registry import Registry
@@ -123,10 +123,16 @@ def results(steps: Iterable[Step], tester: Tester, settings: Settings) -> Iterat
     for step in steps:
         if pulse.stopped:
             now = tester.now
-            skipped = Result(
-                step.id, step.title, Verdict.SKIPPED, pulse.reason, began=now, ended=now, points=step.points
+            yield Result(
+                id=step.id,
+                title=step.title,
+                verdict=Verdict.SKIPPED,
+                reason=pulse.reason,
+                began=now,
+                ended=now,
+                points=step.points,
+                transitions=step.transitions,
             )
-            yield replace(skipped, transitions=step.transitions)
         else:
             yield pulse.judged(run_step(step, tester, settings))
 
