@@ -9,7 +9,7 @@ import pytest
 
 from jauspy.codec.base import Message
 from jauspy.component import Shell
-from jauspy.component.shell import MAX_PER_WAKEUP, loop_time
+from jauspy.component.shell import MAX_BACKLOG, MAX_PER_WAKEUP, loop_time
 from jauspy.errors import EncodeError, ProtocolError, ResponseTimeout, TransportError
 from jauspy.ids import EVERYONE, JausID
 from jauspy.messages.core import (
@@ -27,8 +27,10 @@ from jauspy.messages.core import (
 from jauspy.protocol.delivery import Delivery
 from jauspy.protocol.header import Ack, DataFlag, Packet
 from jauspy.protocol.judp import pack, unpack
+from jauspy.protocol.transfers import PIECES_PER_TURN
 from jauspy.services.core import AccessControl, Events, Liveness
 from jauspy.services.host import Host
+from jauspy.testing import until
 from jauspy.transport import LoopbackHub, LoopbackTransport
 
 ME, PEER = JausID(1, 1, 1), JausID(2, 1, 1)
@@ -303,6 +305,22 @@ async def test_large_messages_go_out_in_pieces_and_come_in_whole():
                 packet = await seen.get()
             assert (len(packet.payload), packet.data_flag) == (400_002, DataFlag.SINGLE)
             assert (ticket is None) == (ack is Ack.NONE)
+
+
+async def test_pieces_wait_while_the_transport_has_much_to_send(virtual_network):
+    class Line(LoopbackTransport):
+        waiting = MAX_BACKLOG
+
+    hub = LoopbackHub()
+    line = Line(ME, hub)
+    host = Host(ME, [Liveness()], utc_now=lambda: datetime.now(UTC), now=loop_time())
+    async with Shell(host, line) as me, component(hub, PEER) as other:
+        me._endpoint.send(PEER, b"\x01\x40" + bytes(400_000), now=loop_time())
+        me.wake()
+        await asyncio.sleep(1.0)
+        assert line.counters["sent"] == PIECES_PER_TURN
+        line.waiting = 0
+        await until(lambda: other.counters.get("endpoint.received") == 1)
 
 
 def queries(number: int, start: int = 0) -> bytes:

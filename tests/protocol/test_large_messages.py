@@ -10,7 +10,7 @@ from jauspy.protocol import fragments, judp, reassembly
 from jauspy.protocol.delivery import Delivery
 from jauspy.protocol.endpoint import Endpoint
 from jauspy.protocol.header import MAX_PAYLOAD, Ack, DataFlag, Packet
-from jauspy.protocol.transfers import PIECES_PER_TURN
+from jauspy.protocol.transfers import PIECES_PER_TURN, TURN
 
 A, B = JausID.parse("100.1.4"), JausID.parse("101.1.1")
 
@@ -37,6 +37,18 @@ def test_the_pieces_are_those_seen_on_the_wire(ack: Ack, controls: str) -> None:
     assert bytes(data[4] for data in out).hex() == controls
     assert [int.from_bytes(data[-2:], "little") for data in out] == [0xFFFF, 0, 1]
     assert out[1].hex().startswith(f"0200fd0f{controls[2:4]}0101650004016400eff0f1")
+
+
+def test_pieces_wait_while_there_is_no_room_for_them() -> None:
+    endpoint = Endpoint(A, first_sequence=1)
+    endpoint.send(B, bytes(40 * MAX_PAYLOAD), now=0.0)
+    assert len(endpoint.poll_output()) == PIECES_PER_TURN
+    now = 0.0
+    for room, count in ((False, 0), (False, 0), (True, PIECES_PER_TURN)):
+        assert endpoint.next_timeout() == pytest.approx(now + TURN)
+        now = endpoint.next_timeout() or 0.0
+        endpoint.handle_timeout(now, room=room)
+        assert len(endpoint.poll_output()) == count
 
 
 @settings(max_examples=60, deadline=None)

@@ -124,6 +124,24 @@ async def test_speaks_as_a_junior_component_does(root: Path) -> None:
             data, _ = await loop.sock_recvfrom(node, 100)
 
 
+async def test_what_the_node_manager_has_not_taken_is_counted(root: Path) -> None:
+    with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as node:
+        node.bind(str(root / junior.SOCKET_NAME))
+        node.setblocking(False)
+        transport = LocalTransport(A, root, patience=None)
+        await transport.open()
+        for _ in range(500):
+            transport.send(judp.pack(Packet(A, B, bytes(4000))))
+        waiting = transport.waiting
+        assert waiting > 100
+        loop = asyncio.get_running_loop()
+        async with asyncio.timeout(20):
+            while transport.waiting > waiting - 50:
+                await loop.sock_recv(node, 5000)
+        await transport.close()
+        assert transport.waiting == 0
+
+
 async def test_a_failed_send_is_enough_to_look_for_the_node_manager_again(
     root: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

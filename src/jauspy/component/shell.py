@@ -27,6 +27,8 @@ _LOG: Final = logging.getLogger("jauspy.component")
 
 MAX_PER_WAKEUP: Final = 256
 """Packets handled before the event loop gets its turn; the rest, which is bounded, is handled right after that."""
+MAX_BACKLOG: Final = 64
+"""Datagrams that may wait in the transport when further pieces of a large message are sent."""
 
 
 def loop_time() -> float:
@@ -268,7 +270,7 @@ class Shell:
 
     def _timeout(self) -> None:
         with self._guard:
-            self._endpoint.handle_timeout(self._clock())
+            self._endpoint.handle_timeout(self._clock(), room=self.transport.waiting < MAX_BACKLOG)
             self.host.handle_timeout(self._clock())
         self._flush()
 

@@ -108,9 +108,9 @@ class Endpoint:
         times = (self._transfers.next_timeout(), self._reassembly.next_timeout())
         return min((time for time in times if time is not None), default=None)
 
-    def handle_timeout(self, now: float) -> None:
-        """Resend, send further pieces, give up what waited too long."""
-        self._transfers.handle_timeout(now)
+    def handle_timeout(self, now: float, *, room: bool = True) -> None:
+        """Resend, give up what waited too long, and send further pieces, unless there is no `room` for them yet."""
+        self._transfers.handle_timeout(now, room=room)
         self._reassembly.handle_timeout(now)
 
     def _take(self, packet: Packet, now: float) -> None:

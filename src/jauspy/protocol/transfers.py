@@ -150,8 +150,8 @@ class Transfers:
             times.append(next(iter(self._flights.values())).deadline)
         return min(times, default=None)
 
-    def handle_timeout(self, now: float) -> None:
-        """Send again what was not acknowledged, and the next pieces of what nobody acknowledges."""
+    def handle_timeout(self, now: float, *, room: bool = True) -> None:
+        """Send again what was not acknowledged, and, if there is room, further pieces of what nobody acknowledges."""
         while self._flights:
             flight = next(iter(self._flights.values()))
             if now < flight.deadline:
@@ -161,8 +161,10 @@ class Transfers:
             if now >= lane.next_turn:
                 if not lane.waiting:
                     del self._lanes[destination]
-                elif lane.timed:
+                elif lane.timed and room:
                     self._pump(lane, now)
+                elif lane.timed:
+                    lane.next_turn = now + TURN
 
     def _pump(self, lane: _Lane, now: float) -> None:
         """Send what may be sent now of the large messages for one destination."""

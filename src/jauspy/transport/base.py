@@ -39,6 +39,10 @@ class Transport(Protocol):
         """True while datagrams can be expected to arrive."""
 
     @property
+    def waiting(self) -> int:
+        """Datagrams that it was given and has not sent yet; of what can wait, large messages wait with their sender."""
+
+    @property
     def counters(self) -> Mapping[str, int]:
         """What was sent, received and dropped, by reason."""
 

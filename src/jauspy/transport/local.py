@@ -61,6 +61,11 @@ class LocalTransport:
         return self._accepted.is_set()
 
     @property
+    def waiting(self) -> int:
+        """Datagrams that the node manager has not taken yet."""
+        return 0 if self._sender is None else self._sender.waiting(self._node)
+
+    @property
     def counters(self) -> Mapping[str, int]:
         """What was sent, received and dropped, by reason."""
         return self._counters

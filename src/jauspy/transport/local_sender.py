@@ -37,6 +37,10 @@ class LocalSender:
             self._counters.drop("queue_full", path)
         self._retry_later()
 
+    def waiting(self, path: str) -> int:
+        """Datagrams that there was no room for yet."""
+        return len(self._outboxes.get(path, ()))
+
     def close(self) -> None:
         """Forget what waits; the socket belongs to the caller."""
         if self._retry is not None:

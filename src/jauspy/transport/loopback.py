@@ -48,6 +48,11 @@ class LoopbackTransport:
         return self._hub.members.get(int(self.id)) is self
 
     @property
+    def waiting(self) -> int:
+        """Nothing ever waits."""
+        return 0
+
+    @property
     def counters(self) -> Mapping[str, int]:
         """What was sent, received and dropped, by reason."""
         return self._counters

@@ -31,6 +31,11 @@ class SerialTransport:
         return self._link is not None and self._link.connected
 
     @property
+    def waiting(self) -> int:
+        """Packets that the line has not taken yet."""
+        return 0 if self._link is None else self._link.waiting
+
+    @property
     def counters(self) -> Mapping[str, int]:
         """What was sent, received and dropped, by reason."""
         return self._counters

@@ -54,6 +54,11 @@ class SerialLink:
         """True while the device is there."""
         return self._port is not None
 
+    @property
+    def waiting(self) -> int:
+        """Packets that the line has not taken yet."""
+        return len(self._waiting)
+
     def open(self) -> None:
         """Open the device; raises `TransportError` that says what to do."""
         try:

@@ -51,6 +51,11 @@ class StreamLink(asyncio.BufferedProtocol):
         self._paused = False
         self._waiting = Outbox()
 
+    @property
+    def waiting(self) -> int:
+        """Datagrams that wait for room."""
+        return len(self._waiting)
+
     def send(self, datagram: bytes) -> bool:
         """Send a checked datagram, or have it wait for room; false when it cannot go this way."""
         if self._transport is None or self._transport.is_closing():

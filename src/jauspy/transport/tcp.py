@@ -34,6 +34,11 @@ class TcpTransport:
         return self._dialer is not None and self._dialer.link is not None
 
     @property
+    def waiting(self) -> int:
+        """Datagrams that the connection has not taken yet."""
+        return 0 if self._dialer is None or self._dialer.link is None else self._dialer.link.waiting
+
+    @property
     def counters(self) -> Mapping[str, int]:
         """What was sent, received and dropped, by reason."""
         return self._counters

@@ -55,6 +55,11 @@ class UdpTransport:
         return self._socket is not None
 
     @property
+    def waiting(self) -> int:
+        """Nothing ever waits: the kernel takes all, or it is dropped."""
+        return 0
+
+    @property
     def counters(self) -> Mapping[str, int]:
         """What was sent, received and dropped, by reason."""
         return self._counters
