@@ -167,3 +167,23 @@ def test_ctrl_c_leaves_a_report_and_a_free_robot(robot, tmp_path):
 def test_list():
     assert "igvc-2015" in invoke("--list").stdout
     assert "29  a client with more authority takes over" in invoke("igvc-2015", "--list").stdout
+
+
+OWN = """
+from jauspy.conformance import Profile, Step, ask
+from jauspy.messages.core import QueryStatus, ReportStatus
+
+PROFILE = Profile("mine", "My test", (Step("1", "says how it is", ask("42.1.1", QueryStatus(), ReportStatus)),))
+NONE = 5
+"""
+
+
+def test_a_profile_of_ones_own(tmp_path, monkeypatch):
+    (tmp_path / "my_test.py").write_text(OWN)
+    command = [Path(sys.executable).with_name("jauspy"), "conformance", "my_test:PROFILE", "--list"]
+    listed = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=60, check=False)
+    assert (listed.returncode, "says how it is" in listed.stdout) == (0, True)
+    monkeypatch.syspath_prepend(tmp_path)
+    for name, problem in (("my_test:NONE", "is no Profile"), ("my_tset:PROFILE", "No module named 'my_tset'")):
+        result = invoke(name, "--list")
+        assert (result.exit_code, problem in " ".join(result.output.split())) == (2, True)

@@ -19,7 +19,10 @@ if TYPE_CHECKING:
     from jauspy.conformance.wire import Wire
 
 ProfileName = Annotated[
-    str | None, typer.Argument(metavar="PROFILE", help="Which test, as in igvc-2015; --list shows them all.")
+    str | None,
+    typer.Argument(
+        metavar="PROFILE", help="Which test, as in igvc-2015; --list shows them all. MODULE:NAME is one of yours."
+    ),
 ]
 Target = Annotated[
     str | None,
@@ -83,6 +86,7 @@ def conformance(
     from jauspy.conformance.runner import Interrupted, Settings
     from jauspy.errors import ConfigError, JausError
 
+    sys.path.append("")  # profiles of one's own, as with `python -m`
     try:
         if list_:
             show_steps(find(profile)) if profile else show_list()
