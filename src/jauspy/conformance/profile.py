@@ -67,6 +67,8 @@ class Profile:
     name: str
     title: str
     steps: tuple[Step, ...] | Plan
+    notes: tuple[str, ...] = ()
+    """What a reader of its reports has to know."""
 
     @property
     def asks_for_services(self) -> bool:

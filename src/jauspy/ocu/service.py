@@ -68,7 +68,9 @@ class ServiceClient:
         for version in (self.info.version, None):
             with suppress(ConfigError):
                 return registry.by_name(name, service=self.info.urn, version=version)
-        raise ConfigError(f"{self.info.short} has no message {name}")
+        if any(entry.service == self.info.urn for entry in registry.entries):
+            raise ConfigError(f"{self.info.short} has no message {name}")
+        raise ConfigError(f"no definition of {self.info.urn} is known here; give it: OCU(registry=jauspy.load(FILE))")
 
     @overload
     async def query(
