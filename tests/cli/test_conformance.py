@@ -6,12 +6,14 @@ import json
 import signal
 import subprocess
 import sys
+from pathlib import Path
 from xml.etree import ElementTree as ET
 
 import pytest
 from typer.testing import CliRunner
 
 from jauspy.capture.reader import is_capture
+from jauspy.cli import run
 from jauspy.cli.main import app
 from jauspy.cli.run import stoppable
 
@@ -77,7 +79,8 @@ def test_a_reader_that_has_had_enough_does_not_make_a_run_a_success(free_port):
         errors = process.stderr.read()
         process.wait(timeout=20)
     assert process.returncode == 2
-    assert errors == ""
+    assert errors.startswith("Error: 7.1.255 answers nothing")
+    assert errors.count("\n") == 1
 
 
 def test_sigterm_ends_a_run_as_ctrl_c_does():
@@ -87,6 +90,18 @@ def test_sigterm_ends_a_run_as_ctrl_c_does():
             signal.raise_signal(signal.SIGTERM)
         assert status() == 143
     assert signal.getsignal(signal.SIGTERM) is before
+
+
+def test_who_stops_a_run_twice_gets_the_report_all_the_same(monkeypatch):
+    with stoppable() as status:
+        with pytest.raises(KeyboardInterrupt):
+            signal.raise_signal(signal.SIGINT)
+        signal.raise_signal(signal.SIGINT)  # the robot is being left in order
+        signal.raise_signal(signal.SIGTERM)
+        assert status() == 130
+        monkeypatch.setattr(run, "PARTING", 0.0)
+        with pytest.raises(KeyboardInterrupt):
+            signal.raise_signal(signal.SIGINT)
 
 
 def test_wrong_use():
@@ -110,6 +125,27 @@ def test_a_file_that_cannot_be_written_is_told_before_the_run(kind, tmp_path, fr
     assert "it is a directory" in invoke(*where, f"--{kind}", tmp_path).stderr
 
 
+def test_two_reports_in_one_file_are_a_mistake(tmp_path):
+    both = tmp_path / "report"
+    result = invoke("igvc-2015", "--target", "1.1.1", "--html", both, "--junit", tmp_path / "." / "report")
+    assert result.exit_code == 2
+    assert "is to be the --junit file and the --html file" in result.stderr
+    assert not both.exists()
+
+
+def test_what_cannot_be_written_costs_no_other_report(tmp_path, free_port):
+    where = ("--target", "7.1.1", "--connect", f"udp://127.0.0.1:{free_port}", "--timeout", "0.1")
+    files = ("--html", "/dev/full", "--pcapng", str(tmp_path / "run.pcapng"))
+    command = [*JAUSPY, "conformance", "igvc-2015", *where, *files, "--json"]
+    with Path("/dev/full").open("w") as full:
+        done = subprocess.run(command, check=False, stdout=full, stderr=subprocess.PIPE, text=True, timeout=60)
+    assert done.returncode == 2
+    assert "/dev/full: cannot be written: No space left on device" in done.stderr
+    assert "the results cannot be written: No space left on device" in done.stderr
+    assert "Traceback" not in done.stderr
+    assert is_capture((tmp_path / "run.pcapng").read_bytes()[:4])
+
+
 def test_ctrl_c_leaves_a_report_and_a_free_robot(robot, tmp_path):
     _, port = robot
     where = ("--target", "105.1.1", "--connect", f"udp://127.0.0.1:{port}")
@@ -131,3 +167,23 @@ def test_ctrl_c_leaves_a_report_and_a_free_robot(robot, tmp_path):
 def test_list():
     assert "igvc-2015" in invoke("--list").stdout
     assert "29  a client with more authority takes over" in invoke("igvc-2015", "--list").stdout
+
+
+OWN = """
+from jauspy.conformance import Profile, Step, ask
+from jauspy.messages.core import QueryStatus, ReportStatus
+
+PROFILE = Profile("mine", "My test", (Step("1", "says how it is", ask("42.1.1", QueryStatus(), ReportStatus)),))
+NONE = 5
+"""
+
+
+def test_a_profile_of_ones_own(tmp_path, monkeypatch):
+    (tmp_path / "my_test.py").write_text(OWN)
+    command = [Path(sys.executable).with_name("jauspy"), "conformance", "my_test:PROFILE", "--list"]
+    listed = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=60, check=False)
+    assert (listed.returncode, "says how it is" in listed.stdout) == (0, True)
+    monkeypatch.syspath_prepend(tmp_path)
+    for name, problem in (("my_test:NONE", "is no Profile"), ("my_tset:PROFILE", "No module named 'my_tset'")):
+        result = invoke(name, "--list")
+        assert (result.exit_code, problem in " ".join(result.output.split())) == (2, True)

@@ -104,6 +104,10 @@ def test_a_message_of_one_service_and_version():
         known.registry, "SetTime", ["date_stamp={day: 1, month: 2, year: 3}"], known.hints("core:Time", "1.0")
     )
     assert (newest.VERSION, older.VERSION) == ("1.1", "1.0")
+    with pytest.raises(
+        ConfigError, match=r"no message QueryLamp is known; .*; `--from` reads definitions of your own$"
+    ):
+        message_from(known.registry, "QueryLamp", [])
     with pytest.raises(ConfigError, match=r"no message SetTime of Discovery is known"):
         message_from(known.registry, "SetTime", ["date_stamp={day: 1, month: 2, year: 3}"], known.hints("Discovery"))
 

@@ -236,3 +236,12 @@ async def test_a_program_ends_in_order(root: Path, number: int):
         assert out.decode().split("\n") == ["ends in order"] * 2 + ["ended", ""]
         assert (child.returncode, problems) == (0, b"")
         assert not list(root.glob("[0-9]*"))
+
+
+def test_a_program_that_cannot_start_says_why_and_little_else(root: Path):
+    command = [sys.executable, "-c", textwrap.dedent(PROGRAM).replace("ROOT", str(root))]
+    child = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
+    *trace, problem = child.stderr.splitlines()
+    assert child.returncode == 1
+    assert f"no node manager answers on {root}/JuniorRTE; start one with" in problem
+    assert len(trace) < 8, child.stderr

@@ -152,6 +152,8 @@ def other_numbers(message: Any) -> None:
             setattr(message, slot.name, value + 0.5)
         elif hasattr(value, "choice"):
             value.value += 0.5
+        for each in value if isinstance(value, list) else ():
+            other_numbers(each)
 
 
 def other_settings(report: Any) -> None:

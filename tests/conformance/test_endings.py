@@ -59,6 +59,7 @@ def test_nobody_waits_for_the_dead():
     assert verdicts(report) == [Verdict.PASS, *[Verdict.SILENT] * 3, *[Verdict.SKIPPED] * 46]
     assert report.results[-1].reason == "the target is silent since step 2"
     assert report.status == 1
+    assert report.notes == ("the target is silent since step 2",)
     assert report.seconds < 20
 
 
@@ -108,6 +109,26 @@ def test_whatever_ends_the_run_the_robot_is_left_in_order():
     with pytest.raises(OSError, match="no space left"):
         run(steps(STATUS, tell(COP, RequestControl(200)), STATUS), bench, COMPONENT, began=0.0, watch=full)
     assert is_free(bench)
+
+
+def test_what_is_shut_down_fails_once():
+    bench = robot(timeout=5, component=1, tick=None)
+    only = "NotControlled.Available.Standby/Query", "Controlled.Available.Ready/Shutdown/pilot"
+    assert examined("core-1.1", bench, COMPONENT, only=only).status == 0
+    report = examined("core-1.1", bench, COMPONENT, only=only)
+    first, *others = report.results
+    assert first.verdict is Verdict.FAIL
+    assert first.reason == "105.1.1 is shut down, and nothing leads out of that: start it again before a test"
+    assert {(each.verdict, each.reason) for each in others} == {(Verdict.SKIPPED, first.reason)}
+
+
+def test_what_somebody_else_controls_fails_once():
+    bench = robot(timeout=5, component=1, tick=None)
+    bench.parts[COMPONENT].host.receive(RequestControl(255).encode(), JausID(7, 7, 7), 0.0)
+    report = examined("core-1.1", bench, COMPONENT, only=("NotControlled.Available.Standby/Query",))
+    first, *others = report.results
+    assert first.reason.startswith("105.1.1 reports status STANDBY, controlled by 7.7.7, and a test begins in ")
+    assert {each.verdict for each in others} == {Verdict.SKIPPED}
 
 
 def is_free(bench, target=COMPONENT):

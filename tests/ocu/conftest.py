@@ -12,11 +12,13 @@ from typing import Any
 
 import pytest
 
+from jauspy.codec.base import Message
 from jauspy.component import Component
 from jauspy.component.shell import loop_time
 from jauspy.ids import JausID
 from jauspy.ocu import OCU
 from jauspy.platform.contract import Pose, Twist
+from jauspy.protocol.judp import unpack_all
 from jauspy.services.core import AccessControl, Discovery, Events, Identity, Liveness
 from jauspy.services.mobility import LocalPoseSensor, PrimitiveDriver, Vehicle, VelocityStateSensor
 from jauspy.services.service import Service
@@ -100,6 +102,17 @@ class World:
 
     async def ocu(self, id: str = "42.1.1", *, timeout: float = 0.1, retries: int = 3, **options: Any) -> OCU:
         return await self._stack.enter_async_context(self.network.ocu(id, timeout=timeout, retries=retries, **options))
+
+
+def hold_back(network: VirtualNetwork, kind: type[Message], seconds: float) -> None:
+    """From now on packets with this message arrive so much later, and others overtake them."""
+    delays = network.delays
+
+    def held(datagram: bytes) -> list[float]:
+        late = any(each.payload[:2] == kind.CODE.to_bytes(2, "little") for each in unpack_all(datagram)[0])
+        return [each + seconds * late for each in delays(datagram)]
+
+    network.delays = held
 
 
 @pytest.fixture

@@ -4,13 +4,16 @@ import asyncio
 import random
 
 import pytest
+from tests.ocu.conftest import hold_back
 
 from jauspy.errors import ConfigError, ControlRejected, RequestError, ResponseTimeout
 from jauspy.ids import JausID
 from jauspy.messages.core import (
+    CancelEvent,
     ClearEmergency,
     ConfirmControl,
     QueryControl,
+    QueryStatus,
     RejectControl,
     ReleaseControl,
     ReportControl,
@@ -22,7 +25,7 @@ from jauspy.messages.core import (
 )
 from jauspy.messages.mobility import SetWrenchEffort
 from jauspy.ocu import control as module
-from jauspy.services.core import AccessControl, Discovery, Liveness, Management
+from jauspy.services.core import AccessControl, Discovery, Events, Liveness, Management
 from jauspy.testing import VirtualNetwork
 
 Status = ReportStatus.Status
@@ -298,7 +301,7 @@ async def test_a_robot_that_is_closed_says_so(world):
     async with driver.control() as control:
         await driver.resume()
         await robot.close()
-        await asyncio.sleep(0.01)
+        await asyncio.wait_for(control.until_lost(), 2)
         assert control.lost.endswith("took it back: another client outranked you, you were silent, or it ended")
 
 
@@ -442,6 +445,53 @@ async def test_cancellation_stops_and_releases_even_when_it_comes_twice(world):
     assert world.drives[0].effort == (0.0, 0.0)
 
 
+@pytest.mark.parametrize("kind", [ReleaseControl, CancelEvent])
+async def test_a_goodbye_that_gets_lost_is_said_again_before_the_ocu_is_closed(world, kind):
+    robot = await world.robot(timeout=0)
+    ocu = await world.ocu()
+    driver = await driver_of(ocu)
+    async with driver.subscribe(QueryStatus()), driver.control():
+        await driver.resume()
+        world.network.lose(kind, times=2)
+        await ocu.close()
+        assert robot.host.controller is None
+        assert not robot.host.service(Events).subscriptions.all()
+
+
+async def test_an_echo_of_the_block_before_ends_no_control(world):
+    robot = await world.robot()
+    driver = await driver_of(await world.ocu())
+    async with driver.control() as control:
+        robot.send(HOLDER, RejectControl(response_code=RejectControl.ResponseCode.CONTROL_RELEASED))
+        await asyncio.sleep(5)
+        assert (control.held, robot.host.controller) == (True, HOLDER)
+
+
+async def test_an_echo_of_an_earlier_refusal_is_no_refusal(world):
+    robot = await world.robot()
+    driver = await driver_of(await world.ocu())
+    world.network.delay = 0.02
+    control = driver.control()
+    entering = asyncio.create_task(control.__aenter__())
+    await until(lambda: world.network.sent(RequestControl))
+    robot.send(HOLDER, ConfirmControl(response_code=ConfirmControl.ResponseCode.INSUFFICIENT_AUTHORITY))
+    await entering
+    assert robot.host.controller == HOLDER
+    await control.__aexit__(None, None, None)
+
+
+async def test_a_command_that_comes_late_does_not_undo_the_next_one(world):
+    robot = await world.robot()
+    driver = await driver_of(await world.ocu())
+    async with driver.control() as control:
+        await driver.resume()
+        hold_back(world.network, Standby, 0.2)
+        await driver.standby()
+        await driver.resume()
+        await asyncio.sleep(5)
+        assert (control.held, robot.host.status) == (True, Status.READY)
+
+
 async def test_a_release_that_gets_lost_is_sent_again_behind_the_block(world):
     robot = await world.robot(timeout=0)
     driver = await driver_of(await world.ocu())
@@ -528,8 +578,8 @@ async def test_a_component_that_does_not_obey_its_own_client_is_no_question_of_c
     driver = await driver_of(await world.ocu())
     async with driver.control():
         world.network.lose(Resume)
-        with pytest.raises(RequestError, match=r"reports STANDBY 0\.2 s after Resume; you are in control, so it"):
-            await driver.resume(timeout=0.2)
+        with pytest.raises(RequestError, match=r"reports STANDBY 1 s after Resume; you are in control, so it"):
+            await driver.resume(timeout=1)
 
 
 async def test_resume_without_control_says_so(world):

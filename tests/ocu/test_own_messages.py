@@ -64,6 +64,22 @@ async def test_an_ocu_that_does_not_know_the_definition_can_ask_as_well(own: Reg
     assert await ocu.query(lamp.id, own.by_name("QueryLamp")()) == own.by_name("ReportLamp")(10)
 
 
+@pytest.mark.parametrize(
+    ("known", "problem"),
+    [
+        (True, "Lamp has no message QueryLmap$"),
+        (
+            False,
+            r"no definition of urn:example:vendor:Lamp is known here; give it: OCU\(registry=jauspy\.load\(FILE\)\)$",
+        ),
+    ],
+)
+async def test_messages_by_name(own: Registry, lamp: Any, world: Any, known: bool, problem: str) -> None:
+    ocu = await world.ocu(registry=own if known else None)
+    with pytest.raises(ConfigError, match=problem):
+        (await ocu.discover(101)).service("Lamp").message("QueryLmap")
+
+
 async def test_a_query_that_nothing_is_known_to_answer(own: Registry, world: Any, tmp_path: Path) -> None:
     ocu = await world.ocu()
     file = tmp_path / "Lamp.xml"

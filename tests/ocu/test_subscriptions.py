@@ -3,6 +3,7 @@ from __future__ import annotations
 import asyncio
 
 import pytest
+from tests.ocu.conftest import hold_back
 
 from jauspy.errors import ConfigError, EventRejected, ResponseTimeout
 from jauspy.ids import JausID
@@ -229,7 +230,7 @@ async def test_a_vanished_component_ends_a_subscription_to_changes(world, monkey
         await statuses.get()
         await asyncio.sleep(0.2)
         await robot.close()
-        with pytest.raises(ResponseTimeout, match="QueryEvents"):
+        with pytest.raises(ResponseTimeout, match="UpdateEvent"):
             await statuses.get()
 
 
@@ -281,10 +282,86 @@ async def test_a_subscription_to_changes_is_made_anew_after_a_restart(world, mon
     async with sensor.subscribe(QueryStatus()) as statuses:
         await statuses.get()
         await asyncio.sleep(0.25)
-        assert not world.network.sent(UpdateEvent)  # it would make the component report without a change
+        assert statuses.received == 1  # to be renewed makes the component report without a change
         await robot.close()
         await world.robot()
         assert (await asyncio.wait_for(statuses.get(), 2.0)).status == Status.STANDBY
+
+
+async def test_a_report_that_overtakes_its_confirmation_counts(world):
+    await world.robot()
+    sensor = await sensor_of(await world.ocu())
+    hold_back(world.network, ConfirmEventRequest, 0.05)
+    async with sensor.subscribe(QueryStatus()) as statuses:
+        assert (await asyncio.wait_for(statuses.get(), 0.1)).status == Status.STANDBY
+
+
+@pytest.mark.parametrize("after", [0, 1])
+async def test_a_change_whose_report_gets_lost_is_told_all_the_same(world, after):
+    await world.robot()
+    ocu = await world.ocu()
+    driver = (await ocu.discover(subsystem=101)).service("mobility:PrimitiveDriver")
+    world.network.lose(Event, times=1, after=after)
+    async with driver.subscribe(QueryStatus()) as statuses, driver.control():
+        for _ in range(after):
+            await statuses.get()
+            await driver.resume()
+        wanted = Status.READY if after else Status.STANDBY
+        assert (await asyncio.wait_for(statuses.get(), 6)).status == wanted
+        assert statuses.lost == after
+        await asyncio.sleep(60)
+        assert statuses.received == 1 + after
+
+
+async def test_a_cancellation_that_gets_lost_does_not_end_the_event_after_it(world):
+    await world.robot()
+    sensor = await sensor_of(await world.ocu())
+    world.network.lose(CancelEvent, times=1)
+    for _ in range(2):
+        async with sensor.subscribe(POSE, rate=50.0) as poses:
+            await asyncio.sleep(1)
+            assert poses.received == pytest.approx(50, abs=5)
+
+
+async def test_an_event_that_is_being_cancelled_is_not_made_anew(world):
+    robot = await world.robot()
+    sensor = await sensor_of(await world.ocu())
+    world.network.delay = 0.02
+    async with sensor.subscribe(QueryStatus()):
+        await asyncio.sleep(module.CHECK_INTERVAL - 0.02)
+    await asyncio.sleep(1)
+    assert not events_of(robot).subscriptions.all()
+    assert len(world.network.sent(CreateEvent)) == 1
+
+
+async def test_events_that_change_their_numbers_in_a_restart_are_not_mixed_up(world):
+    robot = await world.robot()
+    sensor = await sensor_of(await world.ocu())
+    async with sensor.subscribe(POSE, rate=50.0, silence=30.0) as poses, sensor.subscribe(QueryStatus()) as statuses:
+        await asyncio.sleep(1)
+        await robot.close()
+        again = await world.robot()
+        await asyncio.sleep(12)
+        received = poses.received
+        await until(lambda: poses.received > received + 2)
+        events = {each.query.NAME: each.id for each in events_of(again).subscriptions.all()}
+        assert events == {"QueryLocalPose": poses.event_id, "QueryStatus": statuses.event_id}
+
+
+async def test_silence_about_changes_is_said_and_may_end(world, monkeypatch):
+    monkeypatch.setattr(module, "CHECK_INTERVAL", 0.05)
+    robot = await world.robot()
+    sensor = await sensor_of(await world.ocu(timeout=0.03, retries=1))
+    async with sensor.subscribe(QueryStatus()) as statuses:
+        await statuses.get()
+        world.network.cut(robot.id)
+        with pytest.raises(ResponseTimeout, match="UpdateEvent"):
+            await statuses.get()
+        world.network.mend(robot.id)
+        driver = await sensor_of(await world.ocu("43.1.1"))
+        async with driver.control():
+            await driver.resume()
+            await until(lambda: statuses.latest.status == Status.READY)
 
 
 async def test_reports_go_on_when_a_renewal_is_not_answered(world, monkeypatch):

@@ -287,6 +287,11 @@ def test_the_deepest_start_wins_and_contradictions_are_refused() -> None:
     assert Rig(child(start="Top"), two_states(start="Top.A")).machine.state == "Top.A.Inner"
     with pytest.raises(ConfigError, match=r"Child starts ReceiveFSM in Top\.A\.Inner, but S in Top\.B"):
         Rig(child(), two_states(start="Top.B"))
+    other = definition("Other", state("Top", state("C"), state("D"), initial="C"), start="Top")
+    with pytest.raises(
+        ConfigError, match=r"starts ReceiveFSM in Top\.A.*in Top\.C: they cannot share it; nest the states"
+    ):
+        Rig(two_states(start="Top"), other)
 
 
 def test_everything_missing_is_told_at_once_with_service_state_and_action() -> None:

@@ -19,7 +19,10 @@ if TYPE_CHECKING:
     from jauspy.conformance.wire import Wire
 
 ProfileName = Annotated[
-    str | None, typer.Argument(metavar="PROFILE", help="Which test, as in igvc-2015; --list shows them all.")
+    str | None,
+    typer.Argument(
+        metavar="PROFILE", help="Which test, as in igvc-2015; --list shows them all. MODULE:NAME is one of yours."
+    ),
 ]
 Target = Annotated[
     str | None,
@@ -83,6 +86,7 @@ def conformance(
     from jauspy.conformance.runner import Interrupted, Settings
     from jauspy.errors import ConfigError, JausError
 
+    sys.path.append("")  # profiles of one's own, as with `python -m`
     try:
         if list_:
             show_steps(find(profile)) if profile else show_list()
@@ -96,13 +100,15 @@ def conformance(
                 status = report.status
             except Interrupted as stop:
                 report, status = stop.report, stopped()
+        unwritten = files.write(report)
+        for each in unwritten:
+            console.error(each)
         with _unread_is_fine():
             _show(report, json=json)
-        files.write(report)
     except JausError as error:
         console.error(str(error))
         raise typer.Exit(2) from None
-    raise typer.Exit(status)
+    raise typer.Exit(2 if unwritten else status)
 
 
 def _run(profile: Profile, target: str, connect: str | None, settings: Settings, *, json: bool) -> Report:
@@ -149,18 +155,24 @@ def _lines(result: Result) -> None:
 def _unread_is_fine() -> Iterator[None]:
     """When nobody reads the output any more, the run goes on for its files and its status."""
     from jauspy.cli import console
+    from jauspy.errors import ConfigError
 
     try:
         yield
         sys.stdout.flush()
     except BrokenPipeError:
         console.discard_stdout()
+    except OSError as error:
+        console.discard_stdout()
+        raise ConfigError(f"the results cannot be written: {error.strerror}") from error
 
 
 def _show(report: Report, *, json: bool) -> None:
     """All of it; with `json` the steps are there already, and only the sum is missing."""
-    from jauspy.cli import conformance_view
+    from jauspy.cli import conformance_view, console
 
+    if report.problem:
+        console.error(report.problem)
     if not json:
         conformance_view.show(report)
         return

@@ -24,19 +24,28 @@ class Files:
     pcapng: Path | None = None
 
     def __post_init__(self) -> None:
-        for path in (self.junit, self.html, self.pcapng):
-            if path is not None and (obstacle := _obstacle(path)):
+        kinds: dict[Path, str] = {}
+        for kind, path in (("--junit", self.junit), ("--html", self.html), ("--pcapng", self.pcapng)):
+            if path is None:
+                continue
+            if obstacle := _obstacle(path):
                 raise ConfigError(f"{path}: cannot be written: {obstacle}")
+            if other := kinds.get(path.resolve()):
+                raise ConfigError(f"{path} is to be the {other} file and the {kind} file; give them different names")
+            kinds[path.resolve()] = kind
 
-    def write(self, report: Report) -> None:
-        """Write those that are wanted."""
+    def write(self, report: Report) -> list[str]:
+        """Write those that are wanted; a sentence for each that cannot be written."""
         from jauspy.conformance.html import page
         from jauspy.conformance.junit import junit
         from jauspy.conformance.pcap import capture
 
-        _write(self.junit, lambda: junit(report))
-        _write(self.html, lambda: page(report).encode())
-        _write(self.pcapng, lambda: capture(report))
+        problems = (
+            _write(self.junit, lambda: junit(report)),
+            _write(self.html, lambda: page(report).encode()),
+            _write(self.pcapng, lambda: capture(report)),
+        )
+        return [each for each in problems if each]
 
 
 def _obstacle(path: Path) -> str:
@@ -48,10 +57,11 @@ def _obstacle(path: Path) -> str:
     return "" if os.access(path if path.exists() else path.parent, os.W_OK) else "permission denied"
 
 
-def _write(path: Path | None, content: Callable[[], bytes]) -> None:
+def _write(path: Path | None, content: Callable[[], bytes]) -> str:
     if path is None:
-        return
+        return ""
     try:
         path.write_bytes(content())
     except OSError as error:
-        raise ConfigError(f"{path}: cannot be written: {error.strerror}") from error
+        return f"{path}: cannot be written: {error.strerror}"
+    return ""

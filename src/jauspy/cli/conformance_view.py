@@ -36,8 +36,6 @@ def show(report: Report) -> None:
         console.stdout(pipe_width=_PIPE).print(_table(report))
     for result in report.failures:
         _explain(result)
-    if report.problem:
-        console.error(report.problem)
     for note in report.notes:
         console.note(note)
     if total := transitions_sum(report):

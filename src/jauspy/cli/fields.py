@@ -17,6 +17,7 @@ from jauspy.codec.layout import Composite, Grid, Repeat, Slot, Union
 from jauspy.codec.registry import Registry
 from jauspy.codec.wire import FLOATS, limits
 from jauspy.errors import ConfigError, EncodeError
+from jauspy.messages import registry as public
 
 _PRESENCE: Final = "presence_vector"
 
@@ -27,7 +28,7 @@ def message_from(registry: Registry, name: str, assignments: Sequence[str], hint
     A query's presence vector may be left out: it then asks for all there is. Raises `ConfigError` that lists the
     fields with types, ranges and units.
     """
-    cls = registry.by_name(name, service=hints.service, version=hints.version)
+    cls = _named(registry, name, hints)
     layout = cls.layout()
     assert isinstance(layout, Composite)
     data: dict[str, Any] = {}
@@ -48,6 +49,14 @@ def message_from(registry: Registry, name: str, assignments: Sequence[str], hint
     except EncodeError as error:
         raise ConfigError(f"{cls.NAME}: {error}") from None
     return message
+
+
+def _named(registry: Registry, name: str, hints: Hints) -> type[Message]:
+    try:
+        return registry.by_name(name, service=hints.service, version=hints.version)
+    except ConfigError as error:
+        more = "; `--from` reads definitions of your own" if registry is public else ""
+        raise ConfigError(f"{error}{more}") from None
 
 
 def everything(registry: Registry, query: type[Message]) -> int:

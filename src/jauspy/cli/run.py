@@ -7,6 +7,7 @@ import os
 import signal
 import sys
 import threading
+import time
 from collections.abc import Callable, Coroutine, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -15,6 +16,7 @@ from typing import Any, Final, TypeVar
 T = TypeVar("T")
 
 GRACE: Final = 4.0  # seconds to stop in order after the parent is gone
+PARTING: Final = 5.0  # seconds in which a second Ctrl-C does not cut an orderly end short
 
 
 def run(main: Coroutine[Any, Any, T]) -> T | None:
@@ -47,16 +49,21 @@ def run(main: Coroutine[Any, Any, T]) -> T | None:
 
 @contextmanager
 def stoppable() -> Iterator[Callable[[], int]]:
-    """SIGTERM and a closed terminal raise `KeyboardInterrupt`, too; yields what tells the exit status then."""
-    came = [signal.SIGINT]
+    """Ctrl-C, SIGTERM and a closed terminal raise `KeyboardInterrupt`; yields what tells the exit status then.
+
+    What follows at once is ignored, so that who is impatient does not prevent an orderly end.
+    """
+    came: list[tuple[float, int]] = []
 
     def stop(number: int, frame: object) -> None:  # noqa: ARG001 - a signal handler
-        came.append(signal.Signals(number))
-        raise KeyboardInterrupt
+        now = time.monotonic()
+        if not came or now - came[-1][0] > PARTING:
+            came.append((now, number))
+            raise KeyboardInterrupt
 
-    before = {each: signal.signal(each, stop) for each in (signal.SIGTERM, signal.SIGHUP)}
+    before = {each: signal.signal(each, stop) for each in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)}
     try:
-        yield lambda: 128 + came[-1]
+        yield lambda: 128 + (came[-1][1] if came else signal.SIGINT)
     finally:
         for each, handler in before.items():
             signal.signal(each, handler)

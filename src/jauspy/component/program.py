@@ -7,6 +7,7 @@ import signal
 
 from jauspy.arguments import described
 from jauspy.component.component import Component
+from jauspy.errors import TransportError
 
 _SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
@@ -21,7 +22,10 @@ def run(*components: Component) -> None:
             raise TypeError(
                 f"run() takes components, as in jauspy.Component('101.1.120', [...]), not {described(each)}"
             )
-    asyncio.run(_serve(components))
+    try:
+        asyncio.run(_serve(components))
+    except TransportError as error:
+        raise error.with_traceback(None) from None  # what to do is in its last line, and its way here is no help
 
 
 async def _serve(components: tuple[Component, ...]) -> None:

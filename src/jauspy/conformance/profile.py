@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
@@ -67,6 +68,8 @@ class Profile:
     name: str
     title: str
     steps: tuple[Step, ...] | Plan
+    notes: tuple[str, ...] = ()
+    """What a reader of its reports has to know."""
 
     @property
     def asks_for_services(self) -> bool:
@@ -109,12 +112,17 @@ def known() -> list[str]:
 
 
 def find(name: str) -> Profile:
-    """The profile of that name; `ConfigError` lists what there is, or says why it cannot be loaded."""
+    """The profile of that name, or at that place, as in `acme.brakes:PROFILE`.
+
+    Raises `ConfigError` that lists what there is, or says why it cannot be loaded.
+    """
+    if re.fullmatch(r"[\w.]+:\w+", name):
+        return _loaded(EntryPoint(name, name, GROUP))
     if name in BUILT_IN:
         return _loaded(EntryPoint(name, f"jauspy.conformance.profiles.{BUILT_IN[name]}", GROUP))
     for entry in entry_points(group=GROUP, name=name):
         return _loaded(entry)
-    raise ConfigError(f"no conformance profile {name!r}; there are: {', '.join(known())}")
+    raise ConfigError(f"no conformance profile {name!r}; there are: {', '.join(known())}; MODULE:NAME is one of yours")
 
 
 def _loaded(entry: EntryPoint) -> Profile:

@@ -16,28 +16,32 @@ BYSTANDERS: Final = 64
 
 
 class Pulse:
-    """Looks at each result of a run. `lost` is the step since which the target is silent; empty while it lives."""
+    """Looks at each result of a run."""
 
     def __init__(self, tester: Tester) -> None:
         self._tester = tester
         self._asked = 0
         self._silent = 0
-        self.lost = ""
 
     @property
     def stopped(self) -> bool:
         """True when nothing more needs to be tried."""
         return self._silent >= PATIENCE
 
+    @property
+    def reason(self) -> str:
+        """Why nobody waits for it."""
+        return silent_since(self._tester.lost)
+
     def judged(self, result: Result) -> Result:
         """The result; a step that passed because nothing came is silent when nobody is there to say anything."""
         if self._lives(result):
-            self._silent, self.lost = 0, ""
+            self._silent, self._tester.lost = 0, ""
             return result
         self._silent += 1
-        self.lost = self.lost or result.id
+        self._tester.lost = self._tester.lost or result.id
         if result.verdict is Verdict.PASS or (self.stopped and result.verdict is Verdict.SKIPPED):
-            return replace(result, verdict=Verdict.SILENT, reason=f"the target is silent since step {self.lost}")
+            return replace(result, verdict=Verdict.SILENT, reason=self.reason)
         return result
 
     def _lives(self, result: Result) -> bool:
@@ -46,7 +50,7 @@ class Pulse:
         Once it was silent, only an answer to a new question counts: what it says then may be an old answer.
         """
         content = result.verdict is Verdict.PASS or self._tester.heard
-        return not self._tester.spoke or (content and not self.lost) or self._answers()
+        return not self._tester.spoke or (content and not self._tester.lost) or self._answers()
 
     def _answers(self) -> bool:
         tester = self._tester
@@ -60,3 +64,8 @@ class Pulse:
             tester.now + tester.timeout,
             lambda: any(tester.target.matches(heard.source) for heard in asking.pending),
         )
+
+
+def silent_since(step: str) -> str:
+    """What a report says of a target that died."""
+    return f"the target is silent since step {step}"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import traceback
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Final
 
 from jauspy.codec.registry import Registry
@@ -12,7 +12,7 @@ from jauspy.conformance.offers import Offers, discover
 from jauspy.conformance.outcome import Outcome
 from jauspy.conformance.parting import part
 from jauspy.conformance.profile import Profile, Step
-from jauspy.conformance.pulse import Pulse
+from jauspy.conformance.pulse import Pulse, silent_since
 from jauspy.conformance.results import Report, Result, Verdict
 from jauspy.conformance.tester import TIMEOUT, Tester
 from jauspy.conformance.wire import Wire
@@ -91,7 +91,7 @@ def run(
         results=tuple(results),
         entries=tuple(tester.record.entries),
         problem=problem,
-        notes=_notes(tester),
+        notes=(*profile.notes, *_notes(tester)),
     )
     if interrupted:
         raise Interrupted(report)
@@ -99,9 +99,10 @@ def run(
 
 
 def _notes(tester: Tester) -> tuple[str, ...]:
-    """What came and cannot be found in the report."""
+    """What became of the target, and what came and cannot be found in the report."""
     left_out, unread = tester.record.left_out, tester.unread
     notes = (
+        silent_since(tester.lost) if tester.lost else "",
         f"{left_out} datagrams were too many to keep for the report; they were judged all the same" if left_out else "",
         f"{unread} messages were dropped before a step looked at them: more came than a client holds" if unread else "",
     )
@@ -121,10 +122,17 @@ def results(steps: Iterable[Step], tester: Tester, settings: Settings) -> Iterat
     pulse = Pulse(tester)
     for step in steps:
         if pulse.stopped:
-            reason = f"the target is silent since step {pulse.lost}"
             now = tester.now
-            skipped = Result(step.id, step.title, Verdict.SKIPPED, reason, began=now, ended=now, points=step.points)
-            yield replace(skipped, transitions=step.transitions)
+            yield Result(
+                id=step.id,
+                title=step.title,
+                verdict=Verdict.SKIPPED,
+                reason=pulse.reason,
+                began=now,
+                ended=now,
+                points=step.points,
+                transitions=step.transitions,
+            )
         else:
             yield pulse.judged(run_step(step, tester, settings))
 

@@ -60,6 +60,8 @@ class Tester:
         """True once anything was sent."""
         self.answered = False
         """True once anything came from the target."""
+        self.lost = ""
+        """The step since which the target is silent; empty while it lives."""
         self.looked: list[Looked] = []
         self.expected: list[str] = []
         self.why: list[str] = []

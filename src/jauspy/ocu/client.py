@@ -103,11 +103,16 @@ class OCU:
     async def close(self) -> None:
         """Give back what is controlled, in Standby, cancel events, and disconnect. Twice is fine.
 
-        Whatever still waits for an answer or an event ends with `TransportError`.
+        It waits until that was heard, for little more than a second. Whatever still waits for an answer or an event
+        ends with `TransportError`.
         """
         component, self._component = self._component, None
-        self._link.detach()
-        if component is not None:
+        if component is None:
+            return
+        try:
+            await self._link.say_goodbye()
+        finally:
+            self._link.detach()
             await component.close()
 
     async def __aenter__(self) -> Self:

@@ -41,7 +41,7 @@ async def perform(link: Link, id: JausID, command: Message, within: float) -> No
         link.controls.check(id, command)
         raise RequestError(
             f"{id} did not carry out {command.NAME} within {within:g} s: it gave up, another command took its place, "
-            "or it does not obey you now (see `control()` and `status()`)"
+            "or it does not take it now (see `control()` and `status()`)"
         )
 
 
@@ -73,6 +73,7 @@ class _Performance:
         ended = link.replies.waiting(id)  # takes no message by itself, and ends when the OCU is closed
         with ended as waiter, link.replies.tapped(id, heard, ConfirmEventRequest, CommandEvent):
             link.events.join(id, self._encoded, self)
+            link.controls.sent(id, self._command)
             try:
                 await ask(link, id, request, self._command, link.patience)
                 self.ends = self._clock() + math.ceil(self._within)

@@ -29,11 +29,14 @@ from jauspy.messages.core import (
 from jauspy.ocu.link import Link
 from jauspy.ocu.only_async import use
 from jauspy.ocu.patience import Patience
-from jauspy.ocu.standing import NOBODY, Standing, holder, status_name
+from jauspy.ocu.standing import ASK_TIMEOUT, NOBODY, Standing, holder, status_name
 from jauspy.protocol.header import Ack
 
-LEAVE: Final = Patience(timeout=0.3, retries=2)
-"""How long leaving the block waits for the component to say that control is released."""
+LEAVE: Final = 0.5
+"""Seconds for which leaving the block waits for the component to say that control is released, if it did not
+acknowledge that it has heard of it."""
+ECHOES: Final = 1.0
+"""Seconds in which what was said of control that this OCU had before, or asked for, may still come in."""
 LOOK: Final = 2.0
 """Seconds, at most, between two looks at whether the component still knows of us and does what it was told."""
 SILENCE: Final = 10.0
@@ -69,7 +72,7 @@ class Control:
         self._calmed = False
         self._link = link
         self._patience = patience
-        self._confirmed_at = 0.0
+        self._taken_at = self._confirmed_at = 0.0
         self._stack = ExitStack()
         self._keeper: asyncio.Task[None] | None = None
         self._asker: asyncio.Task[None] | None = None
@@ -106,8 +109,10 @@ class Control:
             await self._acquire()
         except BaseException as error:
             self._link.controls.drop(self.id, self)
-            if not isinstance(error, ControlRejected):
-                self._quietly(ReleaseControl(), Ack.REQUIRED)  # it may have been granted, and nobody is there to use it
+            if isinstance(error, ResponseTimeout):
+                await self._link.assure(self.id, ReleaseControl())  # it may have been granted, and nobody uses it
+            elif not isinstance(error, ControlRejected):
+                self._quietly(ReleaseControl(), Ack.REQUIRED)
             raise
         self._stack.enter_context(self._link.replies.tapped(self.id, self._heard, ConfirmControl, RejectControl))
         self._stack.enter_context(self._link.before_closing(self._let_go))
@@ -120,16 +125,15 @@ class Control:
         keeper, self._keeper = self._keeper, None
         self._stack.close()
         try:
+            tasks = {each for each in (keeper, self._asker) if each is not None}
+            for each in tasks:
+                each.cancel()
             if not self._taken:
-                # Both are sent before anything is awaited, so that not even a second cancellation prevents it.
-                self._quietly(Standby())
-                await self._release()
+                await self._give_back()
         finally:
             self._gone.set()
             self._link.controls.drop(self.id, self)
-            if tasks := {each for each in (keeper, self._asker) if each is not None}:
-                for each in tasks:
-                    each.cancel()
+            if tasks:
                 await asyncio.wait(tasks)
 
     if not TYPE_CHECKING:
@@ -138,13 +142,20 @@ class Control:
     # --- taking ---------------------------------------------------------------------------------------------------
 
     async def _acquire(self) -> None:
+        codes, code = ConfirmControl.ResponseCode, await self._asked()
+        if code == codes.INSUFFICIENT_AUTHORITY and await self._standing.is_open_to(self.authority):
+            code = await self._asked()  # it was an echo: the answer to an earlier request
+        if code != codes.CONTROL_ACCEPTED:
+            raise self._standing.rejected(await self._standing.explain(code, self.authority))
+        self._taken_at = self._confirmed_at = asyncio.get_running_loop().time()
+        self.timeout = await self._standing.timeout()
+
+    async def _asked(self) -> int:
+        """What it says to a request for control."""
         request = RequestControl(authority_code=self.authority)
         answer = await self._link.request(self.id, request, ConfirmControl, patience=self._patience)
         assert isinstance(answer, ConfirmControl)
-        if answer.response_code != ConfirmControl.ResponseCode.CONTROL_ACCEPTED:
-            raise self._standing.rejected(await self._standing.explain(answer.response_code, self.authority))
-        self._confirmed_at = asyncio.get_running_loop().time()
-        self.timeout = await self._standing.timeout()
+        return answer.response_code
 
     # --- keeping --------------------------------------------------------------------------------------------------
 
@@ -209,18 +220,23 @@ class Control:
 
     def _take_from(self, why: str) -> None:
         """It is lost from now on; who waits for that is told when it is known who has it."""
-        if not self._taken:
-            self._taken = True
-            self.lost = self.lost or why
-            self._asker = asyncio.create_task(self._ask_who(), name=f"who controls {self.id}")
+        if self._taken or (self._asker is not None and not self._asker.done()):
+            return
+        if asyncio.get_running_loop().time() - self._taken_at > ECHOES:
+            self._taken, self.lost = True, self.lost or why
+        self._asker = asyncio.create_task(self._ask_who(why, self._link.id), name=f"who controls {self.id}")
 
-    async def _ask_who(self) -> None:
-        try:
-            control = await self._standing.ask(QueryControl(), LEAVE)
-            if isinstance(control, ReportControl) and self._standing.is_elsewhere(control):
-                self.lost = f"{self.id} took it back, and {self._standing.held_by()}; you had {self.authority}"
-        finally:
-            self._gone.set()
+    async def _ask_who(self, why: str, me: JausID) -> None:
+        """An echo of what was said before does not count; the OCU may be closed when the answer is looked at."""
+        control = await self._standing.ask(QueryControl(), ASK_TIMEOUT)
+        if isinstance(control, ReportControl):
+            if not self._taken and holder(control) == me:
+                return
+            if self._standing.is_elsewhere(control):
+                why = f"{self.id} took it back, and {self._standing.held_by()}; you had {self.authority}"
+                self.lost = ""
+        self._taken, self.lost = True, self.lost or why
+        self._gone.set()
 
     def _lose(self, why: str) -> None:
         self.lost = self.lost or why
@@ -228,20 +244,29 @@ class Control:
 
     # --- giving back ----------------------------------------------------------------------------------------------
 
-    def _let_go(self) -> None:
+    async def _let_go(self) -> None:
         """The OCU is being closed inside the block."""
-        if not self._taken:
-            self._quietly(Standby())
-            self._quietly(ReleaseControl())
         self._lose("the OCU was closed")
+        if not self._taken:
+            await self._give_back()
 
-    async def _release(self) -> None:
+    async def _give_back(self) -> None:
+        """Standby has to be there first: once control is released, it is not obeyed any more."""
         try:
-            await self._link.request(self.id, ReleaseControl(), RejectControl, patience=LEAVE)
-        except BaseException as error:
-            self._quietly(ReleaseControl(), Ack.REQUIRED)  # nobody waits for this one; most components have a timeout
-            if not isinstance(error, ResponseTimeout | TransportError):
-                raise
+            await self._link.assure(self.id, Standby())
+            if not await self._released():
+                self._quietly(ReleaseControl(), Ack.REQUIRED)  # nobody waits for this one
+        except BaseException:
+            self._quietly(ReleaseControl(), Ack.REQUIRED)
+            raise
+
+    async def _released(self) -> bool:
+        """Release it. Sent only once, apart from resends: a second one could come late, and end what follows this."""
+        with self._link.replies.waiting(self.id, RejectControl) as waiter:
+            if await self._link.assure(self.id, ReleaseControl()):
+                return True
+            await asyncio.wait({waiter.arrival}, timeout=LEAVE)
+            return waiter.arrival.done()
 
     def _quietly(self, message: Message, ack: Ack = Ack.NONE) -> None:
         try:

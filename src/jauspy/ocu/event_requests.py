@@ -15,10 +15,8 @@ from jauspy.messages.core import (
     ConfirmEventRequest,
     CreateCommandEvent,
     CreateEvent,
-    QueryEvents,
     QueryEventTimeout,
     RejectEventRequest,
-    ReportEvents,
     ReportEventTimeout,
     UpdateEvent,
 )
@@ -103,6 +101,11 @@ class EventRequests:
         """End it; raises `TransportError` when the OCU is closed."""
         cancel(self._link, self._request.id, event)
 
+    async def end(self, event: int) -> None:
+        """End it, and wait until that was heard: it must not come after the creation of a new one, and end that."""
+        number = self._link.next_request_id(self._request.id)
+        await self._link.assure(self._request.id, CancelEvent(request_id=number, event_id=event))
+
     async def lifetime(self) -> float:
         """Seconds after which the component forgets the event; 0 when it never does."""
         try:
@@ -110,13 +113,6 @@ class EventRequests:
         except ResponseTimeout:
             return 60.0  # the shortest that can be
         return report.timeout * 60.0 if isinstance(report, ReportEventTimeout) else 60.0
-
-    async def is_known(self, event: int) -> bool:
-        """True while the component has it."""
-        mine = QueryEvents(query_events_var=QueryEvents.EventIDRec(event_id=event))
-        report = await self._link.query(self._request.id, mine, patience=self._patience, expects=ReportEvents)
-        assert isinstance(report, ReportEvents)
-        return any(each.event_id == event for each in report.event_list)
 
     def _next(self) -> int:
         self.number = self._link.next_request_id(self._request.id)

@@ -5,15 +5,15 @@ from __future__ import annotations
 import asyncio
 import logging
 from collections import Counter
-from collections.abc import AsyncIterator, Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import AsyncIterator, Awaitable, Callable, Iterator
+from contextlib import contextmanager, suppress
 from typing import Final
 
 from jauspy.arguments import check_number
 from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
 from jauspy.component import Shell
-from jauspy.errors import ConfigError, ResponseTimeout, TransportError
+from jauspy.errors import ConfigError, JausError, ResponseTimeout, TransportError
 from jauspy.ids import JausID
 from jauspy.ocu.answers import answer_to
 from jauspy.ocu.arguments import check_message
@@ -46,23 +46,25 @@ class Link:
         self.events = SharedEvents()
         self._component: Shell | None = None
         self._loop: asyncio.AbstractEventLoop | None = None
-        self._farewells: list[Callable[[], None]] = []
+        self._farewells: list[Callable[[], Awaitable[None]]] = []
         self._lanes = Lanes()
 
     def attach(self, component: Shell) -> None:
         """Use this component for sending."""
         self._component, self._loop = component, asyncio.get_running_loop()
 
+    async def say_goodbye(self) -> None:
+        """The OCU is about to be closed: whoever is to say goodbye does so, until that was heard."""
+        await asyncio.gather(*(farewell() for farewell in self._farewells))
+
     def detach(self) -> None:
-        """The OCU is closed: whoever is to say goodbye does so, and nobody waits any more."""
-        for farewell in tuple(self._farewells):
-            farewell()
+        """The OCU is closed: nobody waits any more."""
         self._component = None
         self.replies.fail(TransportError("the OCU was closed while this waited for an answer"))
 
     @contextmanager
-    def before_closing(self, farewell: Callable[[], None]) -> Iterator[None]:
-        """Inside, `farewell` is called when the OCU is closed, while it can still send."""
+    def before_closing(self, farewell: Callable[[], Awaitable[None]]) -> Iterator[None]:
+        """Inside, `farewell` is awaited when the OCU is closed, while it can still send."""
         self._farewells.append(farewell)
         try:
             yield
@@ -121,6 +123,18 @@ class Link:
             self.send(destination, message)
             await asyncio.sleep(0)  # so that a loop that only sends lets others run
 
+    async def assure(self, destination: JausID, message: Message) -> bool:
+        """Send, and wait until it was acknowledged, or given up; which of them.
+
+        What is sent after this does not overtake it, as what is resent in the background can be.
+        """
+        with suppress(JausError):  # not open, too much under way, or nobody there
+            component = self._open()
+            self._sent(destination, message)
+            await component.deliver(destination, message)
+            return True
+        return False
+
     async def query(
         self,
         destination: JausID,
@@ -128,11 +142,12 @@ class Link:
         *,
         patience: Patience | None = None,
         expects: type[Message] | None = None,
+        accept: Callable[[Message], bool] = lambda _: True,
     ) -> Message:
         """The answer to a query; raises `ResponseTimeout` when none comes.
 
-        Equal queries may be outstanding at once. Different ones whose reports have the same class take turns, since a
-        report does not say which query it answers.
+        Equal queries may be outstanding at once. Different ones whose reports have the same class take turns, since
+        most reports do not say which query they answer; those that do are chosen by `accept`.
         """
         patience = patience or self.patience
         kind = answer_to(self.registry, message, expects)
@@ -140,7 +155,7 @@ class Link:
             async with asyncio.timeout(patience.total) as deadline:
                 async with self._lanes.enter((destination, kind.CODE), message.encode()):
                     deadline.reschedule(None)  # it was for the turn; what follows keeps time itself
-                    return await self._exchange(destination, message, patience, (kind,))
+                    return await self._exchange(destination, message, patience, (kind,), accept)
         except TimeoutError:
             if not deadline.expired():
                 raise

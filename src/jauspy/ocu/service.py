@@ -21,7 +21,6 @@ from jauspy.ocu.elements import Elements
 from jauspy.ocu.event_requests import Request
 from jauspy.ocu.link import Link
 from jauspy.ocu.model import ServiceInfo
-from jauspy.ocu.patience import Patience
 from jauspy.ocu.stills import Photo, configuration, photograph
 from jauspy.ocu.subscription import Subscription
 
@@ -69,7 +68,9 @@ class ServiceClient:
         for version in (self.info.version, None):
             with suppress(ConfigError):
                 return registry.by_name(name, service=self.info.urn, version=version)
-        raise ConfigError(f"{self.info.short} has no message {name}")
+        if any(entry.service == self.info.urn for entry in registry.entries):
+            raise ConfigError(f"{self.info.short} has no message {name}")
+        raise ConfigError(f"no definition of {self.info.urn} is known here; give it: OCU(registry=jauspy.load(FILE))")
 
     @overload
     async def query(
@@ -206,20 +207,17 @@ class ServiceClient:
     async def _change(self, command: Message, wanted: ReportStatus.Status, timeout: float) -> None:
         check_number(timeout, "timeout")
         status: ReportStatus.Status | int | None = None
-        once = Patience(min(self._link.patience.timeout, max(timeout, 0.01)), 0)
         try:
             async with asyncio.timeout(timeout) as limit:
                 while True:
-                    await self.send(command)
-                    try:
-                        report = await self._link.query(self.id, QueryStatus(), patience=once, expects=ReportStatus)
-                    except ResponseTimeout:
-                        continue
-                    assert isinstance(report, ReportStatus)
-                    status = report.status
-                    if status == wanted:
-                        return
-                    await asyncio.sleep(_POLL)
+                    with suppress(ResponseTimeout):
+                        # Were it only sent, it could come late, and undo what is sent next, as Standby after Resume.
+                        await self.send(command, ack=True)
+                    with suppress(ResponseTimeout):
+                        status = await self.status()
+                        if status == wanted:
+                            return
+                        await asyncio.sleep(_POLL)
         except TimeoutError:
             if not limit.expired():
                 raise

@@ -11,9 +11,15 @@ class SharedEvents:
     def __init__(self) -> None:
         self._users: dict[tuple[JausID, int | bytes], set[object]] = {}
 
-    def join(self, id: JausID, event: int | bytes, user: object) -> None:
-        """`user` listens to this event."""
-        self._users.setdefault((id, event), set()).add(user)
+    def join(self, id: JausID, event: int | bytes, user: object) -> set[object]:
+        """`user` listens to this event; who else does."""
+        users = self._users.setdefault((id, event), set())
+        users.add(user)
+        return users - {user}
+
+    def is_known(self, id: JausID, event: int) -> bool:
+        """True when somebody listens to this event."""
+        return (id, event) in self._users
 
     def users(self, id: JausID, event: int | bytes) -> frozenset[object]:
         """Who listens to this event."""

@@ -24,7 +24,7 @@ from jauspy.ocu.patience import Patience
 ASSUMED_TIMEOUT: Final = 3.0
 """Seconds, of a component that does not say after how long it takes control back."""
 ASK_TIMEOUT: Final = Patience(timeout=0.3, retries=3)
-"""For asking it that: the time is running already."""
+"""For asking it that, and who is in control: the time is running already."""
 NOBODY: Final = JausID(0, 0, 0)
 
 
@@ -62,6 +62,13 @@ class Standing:
         if isinstance(least, ReportAuthority):
             return f"{self._id} gives control to authority {least.authority_code} and above; {asked}"
         return f"{self._id} refused control (code {code}); {asked}"
+
+    async def is_open_to(self, authority: int) -> bool:
+        """True when it says that this client has control, or that nobody has who is not outranked."""
+        control = await self.ask(QueryControl())
+        if not isinstance(control, ReportControl):
+            return False
+        return not self.is_elsewhere(control) or control.authority_code < authority
 
     def is_elsewhere(self, control: ReportControl) -> bool:
         """True when another client has control; remembers which."""

@@ -8,7 +8,7 @@ from collections import deque
 from collections.abc import AsyncIterator
 from contextlib import ExitStack, suppress
 from types import TracebackType
-from typing import TYPE_CHECKING, Final, Generic, Self, TypeVar
+from typing import TYPE_CHECKING, Any, Final, Generic, NoReturn, Self, TypeVar
 
 from jauspy.codec.base import Message
 from jauspy.errors import ConfigError, DecodeError, EventRejected, JausError, ResponseTimeout, TransportError
@@ -23,9 +23,13 @@ from jauspy.ocu.sequence import Sequence
 R = TypeVar("R", bound=Message)
 
 CHECK_INTERVAL: Final = 5.0
-"""Seconds between looking whether the component still has the event."""
+"""Seconds between two renewals of an every-change event: the component may have lost it, and a report gets lost."""
+FIRST_CHECK: Final = 1.0
+"""Seconds until that when not even the first report has come."""
 GRACE: Final = 2.0
 """Seconds in which an event that nobody wants any more may yet be confirmed, so that it can be cancelled."""
+EARLY: Final = 16
+"""Reports that are kept until the confirmation that they have overtaken says whose they are."""
 
 
 class Subscription(Generic[R]):
@@ -55,6 +59,8 @@ class Subscription(Generic[R]):
         self._wire = EventRequests(link, request, patience)
         self._sequence = Sequence()
         self._buffer: deque[R] = deque(maxlen=request.buffer)
+        self._early: deque[Event] = deque(maxlen=EARLY)
+        self._asked_anew = False
         self._news = asyncio.Event()
         self._error: Exception | None = None
         self._stack = ExitStack()
@@ -70,13 +76,13 @@ class Subscription(Generic[R]):
             raise ConfigError("this subscription is already open; subscribe once more for a second one")
         if self._farewell is not None:
             self._leave()
-        self._error, self._sequence = None, Sequence()
+        self._error = None
         self._buffer.clear()
         tap = self._link.replies.tapped(self.request.id, self._heard, ConfirmEventRequest, Event)
         self._stack.enter_context(tap)
         self._stack.enter_context(self._link.before_closing(self._cut_off))
         try:
-            await self._wire.create()
+            await self._create()
             lifetime = await self._wire.lifetime()
         except BaseException as error:
             if self.event_id is None and not isinstance(error, EventRejected):
@@ -91,10 +97,13 @@ class Subscription(Generic[R]):
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         keeper, self._keeper = self._keeper, None
-        self._leave()
         if keeper is not None:
             keeper.cancel()
-            await asyncio.wait({keeper})
+        try:
+            await self._end()
+        finally:
+            if keeper is not None:
+                await asyncio.wait({keeper})
 
     async def __aiter__(self) -> AsyncIterator[R]:
         if self._keeper is not None:
@@ -108,7 +117,7 @@ class Subscription(Generic[R]):
         """The next report, oldest first; raises `ResponseTimeout` when the component has gone silent."""
         while not self._buffer:
             if self._error is not None:
-                raise self._error
+                self._complain(self._error)
             if self._keeper is None:
                 raise ConfigError("this subscription is not open; use `async with` or `async for` on it first")
             self._news.clear()
@@ -131,16 +140,32 @@ class Subscription(Generic[R]):
         if isinstance(message, ConfirmEventRequest):
             if message.request_id == self._wire.number:
                 self._confirmed(message)
-        elif isinstance(message, Event) and message.event_id == self.event_id:
-            self._arrived(message)
+        elif isinstance(message, Event):
+            if message.event_id == self.event_id:
+                self._arrived(message)
+            elif not self._link.events.is_known(self.request.id, message.event_id):
+                self._early.append(message)
 
     def _confirmed(self, message: ConfirmEventRequest) -> None:
         """Here and not when it was asked for: the first report may come in the same wake-up as the confirmation."""
         if message.event_id != self.event_id:
             self._link.events.leave(self.request.id, self.event_id, self)
             self.event_id, self._sequence = message.event_id, Sequence()
-            self._link.events.join(self.request.id, self.event_id, self)
         self.confirmed_rate = message.confirmed_periodic_rate
+        for other in self._link.events.join(self.request.id, message.event_id, self):
+            if isinstance(other, Subscription) and not self._shares_with(other):
+                # The component was started anew, and so are its numbers; the other event is not there any more.
+                self._link.events.leave(self.request.id, message.event_id, other)
+                other.event_id = None
+        for each in self._early:
+            if each.event_id == self.event_id:
+                self._arrived(each)
+        self._early.clear()
+
+    def _shares_with(self, other: Subscription[Any]) -> bool:
+        """True when a component has one event for both."""
+        mine, its = self.request, other.request
+        return mine.kind == its.kind and mine.query.encode() == its.query.encode()
 
     def _arrived(self, message: Event) -> None:
         try:
@@ -153,6 +178,9 @@ class Subscription(Generic[R]):
         if missing is None:
             return
         self.lost += missing
+        was_asked, self._asked_anew = self._asked_anew, False
+        if was_asked and report == self.latest:
+            return
         self.received += 1
         self.dropped += len(self._buffer) == self._buffer.maxlen
         self._buffer.append(report)
@@ -167,35 +195,42 @@ class Subscription(Generic[R]):
 
     # --- the event's life -----------------------------------------------------------------------------------------
 
+    async def _create(self) -> None:
+        self._early.clear()  # what came until now was of events that are gone
+        self._sequence, self._asked_anew = Sequence(), False
+        await self._wire.create()
+
     async def _renew(self) -> None:
         """Give it its full time again; an event that is gone, as after a restart, is made anew."""
-        assert self.event_id is not None
-        try:
-            await self._wire.update(self.event_id)
-        except EventRejected:
-            self._sequence = Sequence()
-            await self._wire.create()
+        if self.event_id is not None:
+            self._asked_anew = self.request.rate is None
+            with suppress(EventRejected):
+                await self._wire.update(self.event_id)
+                return
+        await self._create()
 
     async def _keep(self, lifetime: float) -> None:
-        """Renew at a third of the lifetime; when reports stay out, or the component has no event of ours, anew."""
+        """Renew at a third of the lifetime, when reports stay out, and what reports changes always: one may be lost."""
         clock = asyncio.get_running_loop().time
-        most = self._longest_gap()
+        most, on_change = self._longest_gap(), self.request.rate is None
         interval = min(CHECK_INTERVAL, lifetime / 3 or CHECK_INTERVAL, most)
         renewed, seen, seen_at = clock(), self.received, clock()
         while True:
-            await asyncio.sleep(interval)
+            await asyncio.sleep(min(interval, FIRST_CHECK) if on_change and not self.received else interval)
             if self.received > seen:
                 seen_at = clock()
             try:
                 dried_up = clock() - max(seen_at, renewed) >= most
                 is_due = lifetime and clock() - renewed >= lifetime / 3
-                if dried_up or is_due or not await self._is_known():
+                if on_change or dried_up or is_due or self.event_id is None:
                     await self._renew()
-                    renewed = clock()
-            except (ResponseTimeout, EventRejected, TransportError) as error:
+                    renewed, self._error = clock(), None
+            except ResponseTimeout as error:
                 # Reports with a rate tell by themselves whether they come; of the others nobody would miss any.
-                if isinstance(error, ResponseTimeout) and (self.request.rate is not None or self.received > seen):
-                    continue
+                if on_change and self.received == seen:
+                    self._error = error
+                    self._news.set()
+            except (EventRejected, TransportError) as error:
                 self._error = error
                 self._news.set()
                 return
@@ -209,29 +244,41 @@ class Subscription(Generic[R]):
         period = 1.0 / (self.confirmed_rate or self.request.rate)
         return max(3.0 * period, (self.request.silence or 2.0 * CHECK_INTERVAL) / 2)
 
-    async def _is_known(self) -> bool:
-        """True while the component has our every-change event; with a rate the reports themselves say so."""
-        if self.request.rate is not None or self.event_id is None:
-            return True
-        return await self._wire.is_known(self.event_id)
+    def _complain(self, error: Exception) -> NoReturn:
+        """Once of silence, since the component may come back; of what does not mend itself again and again."""
+        if isinstance(error, ResponseTimeout):
+            self._error = None
+        raise error
+
+    async def _end(self) -> None:
+        """Nobody listens any more, and the component knows."""
+        if (event := self._drop()) is not None:
+            await self._wire.end(event)
 
     def _leave(self) -> None:
+        """As when it is left; what reports to nobody may be this event, whose confirmation was lost."""
+        own, unknown = self._drop(), {each.event_id for each in self._early}
+        with suppress(JausError):  # not open, or too much under way: it ends by its timeout
+            for event in unknown if own is None else (own,):
+                if not self._link.events.is_known(self.request.id, event):
+                    self._wire.cancel(event)
+
+    def _drop(self) -> int | None:
+        """Stop listening; the event when it is to be cancelled, since nobody else here listens to it."""
         if self._farewell is not None:
             self._farewell.cancel()
             self._farewell = None
         self._news.set()
         self._stack.close()
         event, self.event_id = self.event_id, None
-        if event is not None and self._link.events.leave(self.request.id, event, self):
-            with suppress(JausError):  # not open, or too much under way: it ends by its timeout
-                self._wire.cancel(event)
+        return event if self._link.events.leave(self.request.id, event, self) else None
 
-    def _cut_off(self) -> None:
+    async def _cut_off(self) -> None:
         """The OCU is being closed."""
         if self._keeper is not None:
             self._keeper.cancel()
-        self._leave()
         self._error = TransportError(f"the OCU was closed, and with it the event on {self.request.query.NAME}")
+        await self._end()
 
     def _silence(self) -> str:
         return (

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from typing import Generic, TypeVar
 
 from jauspy.errors import ConfigError
-from jauspy.schema.model import Action, Service, State, StateMachine, Transition
+from jauspy.schema.model import Action, Service, Start, State, StateMachine, Transition
 
 T = TypeVar("T")
 
@@ -93,9 +93,10 @@ def merge(definitions: Sequence[Service]) -> dict[str, StateNode]:
 def start_of(root: StateNode, name: str, definitions: Sequence[Service]) -> StateNode:
     """The state a machine starts in: the deepest that a definition asks for; all others must lie on its path."""
     wanted = [
-        (start.state, owner.name)
+        (_first(owner.behavior.machines, start), owner.name)
         for owner in definitions
-        for start in (owner.behavior.start if owner.behavior else ())
+        if owner.behavior
+        for start in owner.behavior.start
         if machine_name(start.machine) == name
     ]
     if not wanted:
@@ -104,12 +105,26 @@ def start_of(root: StateNode, name: str, definitions: Sequence[Service]) -> Stat
     for state, owner_name in wanted:
         if not f"{deepest}.".startswith(f"{state}."):
             raise ConfigError(
-                f"{chooser} starts {name} in {deepest}, but {owner_name} in {state}: they cannot share it"
+                f"{chooser} starts {name} in {deepest}, but {owner_name} in {state}: they cannot share it; nest the "
+                "states of the one in those of the other, and have it inherit from that"
             )
     node = root.find(deepest)
     if node is None:
         raise ConfigError(f"{chooser} starts {name} in {deepest}, which is not a state")
     return node.leaf()
+
+
+def _first(machines: Sequence[StateMachine], start: Start) -> str:
+    """Where a definition starts a machine, down to its own innermost state."""
+    states = [state for machine in machines if machine.name == start.machine for state in machine.states]
+    path, node = start.state.split("."), None
+    for name in path:
+        node = next((state for state in (node.states if node else states) if state.name == name), None)
+        if node is None:
+            return start.state
+    while node and (node := next((state for state in node.states if state.name == node.initial), None)):
+        path.append(node.name)
+    return ".".join(path)
 
 
 def _merge_machine(root: StateNode, owner: Service, machine: StateMachine) -> None:

@@ -17,12 +17,16 @@ from jauspy.conformance.walk.stimulus import SENDER, SETTER, Stimulus
 from jauspy.conformance.walk.subject import Subject, subject_of
 from jauspy.conformance.walk.trial import Trial
 from jauspy.conformance.walk.untried import skip, untried
-from jauspy.conformance.walk.walker import MEDIC, PILOT, RIVAL
+from jauspy.conformance.walk.walker import CLIENTS, MEDIC, OBSERVER, PILOT, RIVAL
 from jauspy.errors import ConfigError
 from jauspy.messages import registry
 from jauspy.schema import guards
 
 STANDARD: Final = "urn:jaus:jss:"
+ROLES: Final = (
+    f"{PILOT} is {CLIENTS[PILOT]}, who takes control; {RIVAL} {CLIENTS[RIVAL]}, who does not have it; "
+    f"{MEDIC} {CLIENTS[MEDIC]}, who sets emergencies; {OBSERVER} {CLIENTS[OBSERVER]}, who only asks"
+)
 PREFIX: Final = ("Receiving", "Ready")
 """What every state is inside of; left out of names."""
 
@@ -46,7 +50,7 @@ def profile_of(name: str, title: str, set_name: str, version: str) -> Profile:
             for step in Planner(subject_of(id, offers.components[id]), services).steps()
         ]
 
-    return Profile(name, title, steps)
+    return Profile(name, title, steps, (ROLES,))
 
 
 def _services(set_name: str, version: str) -> frozenset[ServiceKey]:

@@ -15,6 +15,7 @@ from jauspy.conformance.walk.driving import DRIVING
 from jauspy.conformance.walk.effects import EFFECTS
 from jauspy.conformance.walk.events import DUE, EVENTS, NOT_RENEWED
 from jauspy.conformance.walk.lists import LISTS
+from jauspy.conformance.walk.mirrors import MIRRORS
 from jauspy.conformance.walk.pictures import PICTURES
 from jauspy.conformance.walk.sensors import SENSORS
 from jauspy.conformance.walk.stimulus import Stimulus
@@ -39,6 +40,7 @@ RECIPES: Final[tuple[Stimulus, ...]] = (
     *PICTURES,
     *CLOCKS,
     *SENSORS,
+    *MIRRORS,
     _one(SetEmergency(STOP)),
     _one(ClearEmergency(STOP)),
     *(_one(QueryIdentification(level), f"level {level}", query_type=level) for level in (1, 2, 3, 4)),

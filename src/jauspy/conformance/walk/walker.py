@@ -88,6 +88,7 @@ class Walker:
         self.start = start
         self.services = services
         self._measured = False
+        self._start_missed = False
         self._lost: set[Situation] = set()
         self.where: Situation | None = None
         """Where the last step has left it."""
@@ -106,6 +107,7 @@ class Walker:
 
     def reach(self, goal: Situation, path: tuple[tuple[str, str], ...]) -> None:
         """Be in this situation, by steering along `path` from the start; the step is skipped when that fails."""
+        self._be_at_start()
         try:
             self._measure()
             where, self.where = self.where, None
@@ -121,6 +123,24 @@ class Walker:
         if not self.agrees(seen, goal):
             raise self._out_of_reach(goal, f"it reports {seen}")
         self.quiet()
+
+    def _be_at_start(self) -> None:
+        """Before the first step; as long as that fails nothing can be reached, which is one failure and no more."""
+        if self._measured or ACCESS_CONTROL not in self.services:
+            return
+        again, self._start_missed = self._start_missed, True
+        try:
+            seen = self._go_home()
+        except Outcome as outcome:
+            raise Skipped(str(outcome)) if again else outcome from None
+        self._start_missed = not self.agrees(seen, self.start)
+        if self._start_missed:
+            raise (Skipped if again else Failed)(self._away(seen))
+
+    def _away(self, seen: Seen) -> str:
+        if seen.status == STATUS["Shutdown"]:
+            return f"{self.component} is shut down, and nothing leads out of that: start it again before a test"
+        return f"{self.component} reports {seen}, and a test begins in {self.start}"
 
     def _out_of_reach(self, goal: Situation, why: str) -> Outcome:
         """Every situation can be reached, so the first step that wants it fails, and the others have their reason."""
@@ -227,9 +247,6 @@ class Walker:
         """Once, before anybody is in control: what only the component knows."""
         if self._measured or ACCESS_CONTROL not in self.services:
             return
-        seen = self._go_home()
-        if not self.agrees(seen, self.start):
-            raise Failed(f"it reports {seen}, and is not at its start {self.start}")
         observer = self.client(OBSERVER)
         self.default_authority = observer.ask(QueryAuthority(), ReportAuthority, to=self.component).authority_code
         self.timeout = int(observer.ask(QueryTimeout(), ReportTimeout, to=self.component).timeout)

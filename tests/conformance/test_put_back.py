@@ -1,0 +1,52 @@
+"""What a step sets for the sake of its effect is as it was when the step is over."""
+
+from __future__ import annotations
+
+import pytest
+from tests.conformance.simulated import examined, robot
+
+from jauspy.conformance import Profile, Step
+from jauspy.conformance.walk.sensors import SETTINGS
+from jauspy.ids import JausID
+from jauspy.messages.manipulator import QueryJointMotionProfile, QueryPanTiltMotionProfile
+from jauspy.services.core import Time
+
+READY = "Controlled.Available.Ready"
+CAMERA, LASER = JausID(101, 1, 106), JausID(101, 1, 108)
+SENSORS = [
+    pytest.param("sensing-2.0", LASER if "Range" in each.query.NAME else CAMERA, each.query, id=each.field)
+    for each in SETTINGS
+    if each.field != "horizontal_field_of_view"  # our cameras refuse another one
+]
+
+
+@pytest.mark.parametrize(
+    ("profile", "target", "query"),
+    [
+        *SENSORS,
+        pytest.param("manipulator-2.0", JausID(101, 1, 104), QueryJointMotionProfile(), id="arm"),
+        pytest.param("manipulator-2.0", JausID(101, 1, 107), QueryPanTiltMotionProfile(), id="pan-tilt"),
+    ],
+)
+def test_settings_are_put_back(profile, target, query):
+    bench = robot(name="inc1", component=target.component, tick=None)
+    told = []
+
+    def look(tester):
+        told.append(tester.client("42.1.1").ask(query, type(query).REPORT))
+
+    asking = Profile("asking", "x", (Step("1", "x", look),))
+    examined(asking, bench, target)
+    command = query.NAME.replace("Query", "Set", 1)
+    report = examined(profile, bench, target, only=(f"{READY}/{command}/pilot",))
+    assert report.status == 0
+    examined(asking, bench, target)
+    assert told[0] == told[1]
+
+
+def test_the_clock_is_put_back():
+    bench = robot(component=1, tick=None)
+    only = "NotControlled.Available.Standby/SetTime/rival", f"{READY}/SetTime/pilot"
+    assert examined("core-1.1", bench, JausID(105, 1, 1), only=only).status == 0
+    (part,) = bench.parts.values()
+    assert abs(part.host.service(Time).offset.total_seconds()) < 0.1
