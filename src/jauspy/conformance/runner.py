@@ -144,9 +144,9 @@ def _offers(profile: Profile, tester: Tester) -> Offers:
 def _chosen(steps: tuple[Step, ...], only: Iterable[str]) -> tuple[Step, ...]:
     chosen = tuple(step for step in steps if not only or any(step.id.startswith(each) for each in only))
     if not chosen:
-        raise ConfigError(
-            f"no step begins with {' or '.join(only)}; there are: {', '.join(s.id for s in steps[:12])}, ..."
-        )
+        beginnings = list(dict.fromkeys(step.id.partition("/")[0] for step in steps))
+        there_are = ", ".join([*beginnings[:12], *(["..."] if len(beginnings) > 12 else [])])
+        raise ConfigError(f"no step begins with {' or '.join(only)}; they begin with {there_are}")
     return chosen
 
 
