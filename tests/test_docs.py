@@ -1,16 +1,19 @@
-"""The programs in docs/ocu.md and docs/testing.md do what they say."""
+"""The programs in docs/components.md, docs/ocu.md and docs/testing.md do what they say."""
 
 from __future__ import annotations
 
 import re
 import textwrap
 from pathlib import Path
+from typing import Any
 
 import pytest
 
-from jauspy.testing import LocalNode
+from jauspy.messages.core import Standby
+from jauspy.testing import LocalNode, VirtualNetwork
 
 DOCS = Path(__file__).parents[1] / "docs"
+GATE = Path(__file__).parent / "vendor" / "Gate.xml"
 
 
 def program(name: str, beginning: str) -> str:
@@ -28,6 +31,32 @@ def test_the_synchronous_ocu(node_manager: LocalNode, robot) -> None:
     exec(start + source.replace('OCU("42.1.1")', f'OCU("42.1.1", "{node_manager.local}")'), {})
     assert robot.snapshot.pose.x > 1.99
     assert robot.components[0].host.state.endswith("NotControlled.Available.Standby")
+
+
+async def test_the_gate_with_states_of_its_own(virtual_network: VirtualNetwork) -> None:
+    states = program("components.md", '<state name="Ready" initial_state="Closed">')
+    assert " ".join(states.split()) in " ".join(GATE.read_text().split())
+    names: dict[str, Any] = {}
+    exec(program("components.md", "import jauspy\n\ngate").replace("Gate.xml", str(GATE)), names)
+    registry, wanted = names["gate"], names["SetGate"].Wanted
+    async with (
+        virtual_network.component("101.1.120", [names["Gate"]()]) as component,
+        virtual_network.ocu("42.1.1", registry=registry) as ocu,
+    ):
+        gate = (await ocu.discover(101)).service("Gate")
+        async with gate.subscribe(registry.by_name("QueryGate")()) as changes, gate.control():
+            await gate.resume()
+            for left_by in (None, wanted.CLOSED, Standby()):
+                assert (await changes.get()).opening == 0
+                began = virtual_network.now()
+                await gate.send(names["SetGate"](wanted=wanted.OPEN))
+                assert (await changes.get()).opening == 100
+                assert component.state.endswith("Ready.Open")
+                if left_by is not None:
+                    await gate.send(left_by if isinstance(left_by, Standby) else names["SetGate"](wanted=left_by))
+            assert (await changes.get()).opening == 0
+            assert virtual_network.now() - began < 1.0
+    assert "host.action_failed" not in component.counters
 
 
 def test_the_first_tests_of_a_component(pytester: pytest.Pytester) -> None:

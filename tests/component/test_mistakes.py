@@ -8,6 +8,15 @@ import jauspy
 from jauspy.services.core import AccessControl, Events, Liveness
 
 
+class Early(jauspy.Service, urn="urn:example:Early"):
+    def __init__(self) -> None:
+        self.every(1.0, self.attached)
+
+
+class Misspelt(jauspy.Service, urn="urn:jaus:jss:mobility:PrimitveDriver"):
+    pass
+
+
 class Unknown(jauspy.Service, urn="urn:example:Unknown"):
     pass
 
@@ -25,6 +34,10 @@ OF_A_WRONG_TYPE = {
     "text": (lambda: jauspy.Component("1.1.1", ["Liveness"]), r"inherits from jauspy.Service, not the str 'Liveness'$"),
     "id": (lambda: jauspy.Component(1, []), r"^a JAUS id is text, as in '101\.1\.102', or a JausID, not the int 1$"),
     "name": (lambda: jauspy.Component("1.1.1", [], name=5), r"^a component's name is text, not the int 5$"),
+    "definitions": (
+        lambda: type("Lamp", (jauspy.Service,), {}, urn="urn:example:Lamp", definitions="lamp.xml"),
+        r"^definitions are what `jauspy.load` gives, not the str 'lamp.xml'$",
+    ),
     "run": (lambda: jauspy.run(Liveness()), r"^run\(\) takes components, as in jauspy\.Component\("),
     "seconds": (lambda: AccessControl(timeout=2.5), r"^access control: timeout is a whole number, not the float 2\.5$"),
     "minutes": (lambda: Events(timeout=1.5), r"^events: timeout is a whole number"),
@@ -53,6 +66,10 @@ OUT_OF_RANGE = {
         lambda: Liveness().every(0.0, print),
         r"^every\(\) is given 0\.0 s; it must be above 0$",
     ),
+    "misspelt": (
+        lambda: jauspy.Component("1.1.1", [Misspelt()]),
+        r"is loaded \(did you mean urn:jaus:jss:mobility:PrimitiveDriver\? one of your own",
+    ),
     "unknown": (
         lambda: jauspy.Component("1.1.1", [Unknown()]),
         r"no definition of urn:example:Unknown is loaded \(one of your own is given by `definitions=jauspy.load",
@@ -64,3 +81,12 @@ OUT_OF_RANGE = {
 def test_values_out_of_range_are_named_with_the_range(make, words):
     with pytest.raises(jauspy.ConfigError, match=words):
         make()
+
+
+def test_a_service_that_is_in_no_component_yet():
+    with pytest.raises(
+        AttributeError, match=r"^'Early' object has no attribute 'host'; it is there from `attached\(\)`"
+    ):
+        Early()
+    with pytest.raises(AttributeError, match=r"^'Liveness' object has no attribute 'hots'$"):
+        Liveness().hots  # noqa: B018 - it is the access that fails

@@ -41,7 +41,7 @@ async def perform(link: Link, id: JausID, command: Message, within: float) -> No
         link.controls.check(id, command)
         raise RequestError(
             f"{id} did not carry out {command.NAME} within {within:g} s: it gave up, another command took its place, "
-            "or it does not obey you now (see `control()` and `status()`)"
+            "or it does not take it now (see `control()` and `status()`)"
         )
 
 

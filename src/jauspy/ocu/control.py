@@ -224,13 +224,13 @@ class Control:
             return
         if asyncio.get_running_loop().time() - self._taken_at > ECHOES:
             self._taken, self.lost = True, self.lost or why
-        self._asker = asyncio.create_task(self._ask_who(why), name=f"who controls {self.id}")
+        self._asker = asyncio.create_task(self._ask_who(why, self._link.id), name=f"who controls {self.id}")
 
-    async def _ask_who(self, why: str) -> None:
-        """An echo of what was said before does not count."""
+    async def _ask_who(self, why: str, me: JausID) -> None:
+        """An echo of what was said before does not count; the OCU may be closed when the answer is looked at."""
         control = await self._standing.ask(QueryControl(), ASK_TIMEOUT)
         if isinstance(control, ReportControl):
-            if not self._taken and holder(control) == self._link.id:
+            if not self._taken and holder(control) == me:
                 return
             if self._standing.is_elsewhere(control):
                 why = f"{self.id} took it back, and {self._standing.held_by()}; you had {self.authority}"

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from difflib import get_close_matches
 
 from jauspy.errors import ConfigError
+from jauspy.messages import registry
 from jauspy.schema.model import Schema, Service as Definition
 from jauspy.services.service import Service
 
@@ -76,6 +78,14 @@ def _lookup(schema: Schema, urn: str, version: str | None, who: str) -> Definiti
     if not any(service.id == urn and version in (None, service.version) for service in schema.services):
         known = ", ".join(f"{service.version}" for service in schema.services if service.id == urn)
         which = f"{urn} {version}" if version else urn
-        hint = f"versions there: {known}" if known else "one of your own is given by `definitions=jauspy.load(...)`"
+        hint = f"versions there: {known}" if known else _meant(schema, urn)
         raise ConfigError(f"{who}: no definition of {which} is loaded ({hint})")
     return schema.service(urn, version)
+
+
+def _meant(schema: Schema, urn: str) -> str:
+    known = {each.id for each in schema.services} | {each.service for each in registry.entries}
+    by_end = sorted(each for each in known if each.endswith(f":{urn}"))
+    meant = (by_end or get_close_matches(urn, known, 1, 0.9))[:1]
+    own = "one of your own is given by `definitions=jauspy.load(...)`"
+    return f"did you mean {meant[0]}? {own}" if meant else own

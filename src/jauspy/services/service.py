@@ -7,11 +7,11 @@ from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, ClassVar
 
 from jauspy.arguments import check_number, described
+from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 
 if TYPE_CHECKING:
-    from jauspy.codec.registry import Registry
     from jauspy.services.host import Host
 
 
@@ -63,10 +63,19 @@ class Service:
         private: bool = False,
     ) -> None:
         super().__init_subclass__()
+        if definitions is not None and not isinstance(definitions, Registry):
+            raise TypeError(f"definitions are what `jauspy.load` gives, not {described(definitions)}")
         cls.urn = urn or cls.urn
         cls.version = version or cls.version
         cls.definitions = definitions or cls.definitions
         cls.private = private or cls.private
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> object:
+            """What is not there: most often `host`, in `__init__`."""
+            hint = "; it is there from `attached()` on, so set timers up there" if name == "host" else ""
+            raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}{hint}", name=name, obj=self)
 
     def every(self, seconds: float, call: Callable[[], None]) -> None:
         """Call a method of this service again and again, first in so many seconds; a second `every` replaces it.

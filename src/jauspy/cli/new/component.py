@@ -41,7 +41,7 @@ def component(
     schema = _schema(source)
     definition = _find(schema, service, version, source)
     write_new_folder(Path(name), stubs.package(name, definition, schema, source, me))
-    print(f"run it with `python -m {name}`, test it with `pytest {name}`")
+    print(f"run it with `python -m {name}`, test it with `pytest {name}` (pip install pytest-asyncio)")
 
 
 def _check(name: str) -> None:

@@ -209,7 +209,7 @@ _README: Final = """# {name}
 A JAUS component that offers {urn} {version}.
 
     python -m {name}        # beside a node manager: jauspy node-manager
-    pytest {name}
+    pytest {name}           # with pytest-asyncio: pip install pytest-asyncio
 
 What it does is in `services.py`; how that works is in jauspy's `docs/components.md`.
 """
