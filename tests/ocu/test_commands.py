@@ -14,6 +14,7 @@ from jauspy.messages.core import (
     ConfirmEventRequest,
     CreateCommandEvent,
     QueryStatus,
+    Resume,
     SetTime,
     Standby,
     TimeStamp,
@@ -91,6 +92,13 @@ async def test_it_returns_when_the_command_has_been_carried_out(robot, client):
 
 async def test_what_takes_no_time_is_over_at_once(client):
     await asyncio.wait_for(client.perform(Standby(), within=0), 0.1)
+
+
+async def test_a_standby_that_is_waited_for_is_no_loss_of_control(client):
+    await asyncio.sleep(3)
+    await client.perform(Standby(), within=1)
+    await asyncio.sleep(3)
+    await client.perform(Resume(), within=1)
 
 
 async def test_given_up(robot, client):

@@ -54,6 +54,19 @@ async def test_lost_questions_are_asked_again(world):
     assert robot.service("mobility:PrimitiveDriver")
 
 
+async def test_who_was_not_heard_at_first_is_found_all_the_same(world):
+    await world.robot()
+    other = JausID(101, 2, 7)
+    await world.component(other, [Discovery()])
+    ocu = await world.ocu()
+    start = world.network.clock.elapsed
+    world.network.keeps = lambda packet: packet.source != other or world.network.clock.elapsed > start + 0.1
+
+    found = await ocu.discover(subsystem=101)
+
+    assert [component.id for component in found.components] == [JausID(101, 1, 1), other]
+
+
 async def test_components_that_others_answer_for_are_asked_themselves(world):
     robot = await world.robot()
     await world.component(JausID(101, 2, 7), [Discovery()])

@@ -15,6 +15,7 @@ from jauspy.messages.core import (
     DeleteElement,
     ElementRec,
     Event,
+    ReportElementList,
     SetElement,
 )
 from jauspy.messages.mobility import ExecuteList, ReportActiveElement, SetGlobalWaypoint, SetLocalWaypoint
@@ -354,6 +355,21 @@ async def test_a_lost_command_is_sent_again_and_a_lost_end_is_noticed(virtual_ne
         seen.append(index)
         driver.arrive(robot)
     assert seen == [0, 1]
+
+
+async def test_late_answers_about_other_elements_are_not_mixed_up(virtual_network, robot, client):
+    await client.waypoints.upload(at(1, 2, 3))
+    virtual_network.delay = 0.3  # so that each question is sent twice
+    assert xs(await client.waypoints.read()) == [1, 2, 3]
+
+
+async def test_a_late_answer_about_the_list_as_it_was_does_not_matter(virtual_network, robot, client):
+    virtual_network.delay = 0.02
+    upload = asyncio.create_task(client.waypoints.upload(at(1, 2, 3)))
+    await until(lambda: virtual_network.sent(ConfirmElementRequest))
+    robot.send("42.1.1", ReportElementList([]))
+    await upload
+    assert order(robot) == xs(client.waypoints) == [1, 2, 3]
 
 
 async def test_silence_is_not_taken_for_the_end(virtual_network, robot, driver, client):

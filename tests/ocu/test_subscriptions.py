@@ -351,6 +351,17 @@ async def test_a_cancellation_that_gets_lost_does_not_end_the_event_after_it(wor
             assert poses.received == pytest.approx(50, abs=5)
 
 
+async def test_an_event_that_is_being_cancelled_is_not_made_anew(world):
+    robot = await world.robot()
+    sensor = await sensor_of(await world.ocu())
+    world.network.delay = 0.02
+    async with sensor.subscribe(QueryStatus()):
+        await asyncio.sleep(module.CHECK_INTERVAL - 0.02)
+    await asyncio.sleep(1)
+    assert not events_of(robot).subscriptions.all()
+    assert len(world.network.sent(CreateEvent)) == 1
+
+
 async def test_events_that_change_their_numbers_in_a_restart_are_not_mixed_up(world):
     robot = await world.robot()
     sensor = await sensor_of(await world.ocu())

@@ -73,6 +73,7 @@ class _Performance:
         ended = link.replies.waiting(id)  # takes no message by itself, and ends when the OCU is closed
         with ended as waiter, link.replies.tapped(id, heard, ConfirmEventRequest, CommandEvent):
             link.events.join(id, self._encoded, self)
+            link.controls.sent(id, self._command)
             try:
                 await ask(link, id, request, self._command, link.patience)
                 self.ends = self._clock() + math.ceil(self._within)

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import asyncio
+from itertools import count
 from typing import Final
 
 from jauspy.arguments import check_number
@@ -28,8 +29,10 @@ ASK_AGAIN: Final = 0.5
 """Seconds between two rounds of questions."""
 LOOK: Final = 0.05
 """Seconds between two looks at what has come in."""
-QUIET: Final = 0.2
-"""Seconds without news after which a complete picture is believed."""
+QUIET: Final = 0.15
+"""Seconds without news after which a picture seems to be complete."""
+ROUNDS: Final = 2
+"""How often everybody is asked before that is believed: the questions to a component, or its answers, may get lost."""
 MAX_FOLLOW_UPS: Final = 64
 """Questions to single components in one round, so that a flood of answers is not answered with a flood."""
 
@@ -64,10 +67,11 @@ async def _search(link: Link, subsystem: int | None, timeout: float) -> Findings
     clock = asyncio.get_running_loop().time
     end = clock() + timeout
     with link.replies.tapped(EVERYONE, heard, ReportIdentification, ReportServices):
-        while clock() < end:
+        for asked in count(1):
             ask_everybody(link, subsystem)
             _follow_up(link, findings, subsystem)
-            if await _settled(findings, subsystem, min(end, clock() + ASK_AGAIN), link):
+            settled = await _settled(findings, subsystem, min(end, clock() + ASK_AGAIN), link)
+            if (settled and asked >= ROUNDS) or clock() >= end:
                 break
     return findings
 

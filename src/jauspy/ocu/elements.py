@@ -239,8 +239,8 @@ class Elements(Sequence[Element]):
             await self._wire.put([ElementRec(order[-1], order[-2] if len(order) > 1 else 0, 0, data)])
 
     async def _compare(self) -> None:
-        there, wanted = await self._wire.order(), list(await self._known())
-        if there != wanted:
+        wanted = list(await self._known())
+        if not await self._wire.comes_to(lambda there: there == wanted):
             raise ElementRejected(
                 f"{self._service.id} confirmed a new list in front of its old one, and now reports another one: "
                 "somebody else changes it, too, or it does not link as the standard says; the old list was left there"

@@ -142,11 +142,12 @@ class Link:
         *,
         patience: Patience | None = None,
         expects: type[Message] | None = None,
+        accept: Callable[[Message], bool] = lambda _: True,
     ) -> Message:
         """The answer to a query; raises `ResponseTimeout` when none comes.
 
-        Equal queries may be outstanding at once. Different ones whose reports have the same class take turns, since a
-        report does not say which query it answers.
+        Equal queries may be outstanding at once. Different ones whose reports have the same class take turns, since
+        most reports do not say which query they answer; those that do are chosen by `accept`.
         """
         patience = patience or self.patience
         kind = answer_to(self.registry, message, expects)
@@ -154,7 +155,7 @@ class Link:
             async with asyncio.timeout(patience.total) as deadline:
                 async with self._lanes.enter((destination, kind.CODE), message.encode()):
                     deadline.reschedule(None)  # it was for the turn; what follows keeps time itself
-                    return await self._exchange(destination, message, patience, (kind,))
+                    return await self._exchange(destination, message, patience, (kind,), accept)
         except TimeoutError:
             if not deadline.expired():
                 raise

@@ -49,9 +49,20 @@ class ListRequests:
         assert isinstance(report, ReportElementList)
         return [each.element_uid for each in report.element_list]
 
+    async def comes_to(self, fits: Callable[[list[int]], bool]) -> bool:
+        """True when `order` fits; asked again when not, for a report may answer an earlier question late."""
+        for _ in range(self._link.patience.retries + 1):
+            if fits(await self.order()):
+                return True
+        return False
+
     async def element(self, uid: int) -> ReportElement:
         """One of them, with its links."""
-        report = await self._link.query(self._id, QueryElement(element_uid=uid))
+
+        def is_meant(report: Message) -> bool:
+            return isinstance(report, ReportElement) and report.element_uid == uid
+
+        report = await self._link.query(self._id, QueryElement(element_uid=uid), accept=is_meant)
         assert isinstance(report, ReportElement)
         return report
 
@@ -67,7 +78,7 @@ class ListRequests:
             await self._request(lambda number: DeleteElement(DeleteElement.RequestIDRec(number), records))
         except ElementRejected:
             # A request that was sent again, because its confirmation was lost, finds nothing to delete any more.
-            if set(gone) & set(await self.order()):
+            if not await self.comes_to(lambda order: not set(gone) & set(order)):
                 raise
 
     async def _request(self, make: Callable[[int], Message]) -> None:

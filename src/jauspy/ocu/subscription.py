@@ -99,11 +99,12 @@ class Subscription(Generic[R]):
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         keeper, self._keeper = self._keeper, None
+        if keeper is not None:
+            keeper.cancel()
         try:
             await self._end()
         finally:
             if keeper is not None:
-                keeper.cancel()
                 await asyncio.wait({keeper})
 
     async def __aiter__(self) -> AsyncIterator[R]:
