@@ -57,6 +57,9 @@ def test_some_steps_by_udp_and_through_a_node_manager(robot, tmp_path):
 
 def test_what_fails_is_explained(robot):
     _, port = robot
+    listed = invoke("ugv-1.0", "--list", "--target", "105.1.1", "--connect", f"udp://127.0.0.1:{port}", "--timeout", 5)
+    assert listed.exit_code == 0
+    assert "Controlled.Available.Ready/SetSkidSteerEffort/pilot  SetSkidSteerEffort from the pilot" in listed.stdout
     result = invoke("igvc-2015", "--target", "105.1.1", "--connect", f"udp://127.0.0.1:{port}", "--only", "24")
     assert result.exit_code == 1
     assert "24 the client is in control: fail" in result.stdout
@@ -164,6 +167,35 @@ def test_ctrl_c_leaves_a_report_and_a_free_robot(robot, tmp_path):
     assert free.exit_code == 0, free.stdout
 
 
+def test_steps_that_are_made_for_a_target_need_one(free_port):
+    assert "say of which, as in --target 101.1.102" in invoke("core-1.1", "--list").stderr
+    nobody = invoke(
+        "core-1.1", "--list", "--target", "7.1.1", "--connect", f"udp://127.0.0.1:{free_port}", "--timeout", 0.1
+    )
+    assert nobody.exit_code == 2
+    assert "7.1.1 answers nothing" in nobody.stderr
+
+
 def test_list():
     assert "igvc-2015" in invoke("--list").stdout
     assert "29  a client with more authority takes over" in invoke("igvc-2015", "--list").stdout
+
+
+OWN = """
+from jauspy.conformance import Profile, Step, ask
+from jauspy.messages.core import QueryStatus, ReportStatus
+
+PROFILE = Profile("mine", "My test", (Step("1", "says how it is", ask("42.1.1", QueryStatus(), ReportStatus)),))
+NONE = 5
+"""
+
+
+def test_a_profile_of_ones_own(tmp_path, monkeypatch):
+    (tmp_path / "my_test.py").write_text(OWN)
+    command = [Path(sys.executable).with_name("jauspy"), "conformance", "my_test:PROFILE", "--list"]
+    listed = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=60, check=False)
+    assert (listed.returncode, "says how it is" in listed.stdout) == (0, True)
+    monkeypatch.syspath_prepend(tmp_path)
+    for name, problem in (("my_test:NONE", "is no Profile"), ("my_tset:PROFILE", "No module named 'my_tset'")):
+        result = invoke(name, "--list")
+        assert (result.exit_code, problem in " ".join(result.output.split())) == (2, True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import os
 import zlib
 from datetime import UTC, datetime
@@ -107,6 +108,26 @@ async def test_a_camera_that_sends_nothing_may_be_starting(service, video):
     video.sleeps = True
     with pytest.raises(ResponseTimeout, match=r"no picture of sensor 1 in 0\.4 s: its camera may still be starting"):
         await service.still(timeout=0.4)
+
+
+@pytest.mark.parametrize("start", [15.0, 35.0, 60.0])
+async def test_a_camera_that_starts_slowly_is_waited_for(virtual_network, video, start):
+    """Its component gives up after ten seconds, and says that there is no picture."""
+    video.sleeps = True
+    cameras = {1: VideoCamera(Transform, source=video)}
+    async with (
+        virtual_network.component(CAMERA, [VisualSensor(cameras), StillImage(cameras)]),
+        virtual_network.ocu() as ocu,
+    ):
+        service = (await ocu.discover(CAMERA.subsystem)).component(str(CAMERA)).service("StillImage")
+        asked = asyncio.create_task(service.still(timeout=40.0))
+        await asyncio.sleep(start)
+        video.develop(Still(b"a picture", 0.0))
+        if start < 40.0:
+            assert (await asked).content == b"a picture"
+        else:
+            with pytest.raises(ResponseTimeout, match="in 40 s: its camera may still be starting"):
+                await asked
 
 
 async def test_pictures_as_events(service, video):

@@ -7,6 +7,7 @@ import subprocess
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from functools import cache
 from pathlib import Path
 
 from jauspy.platform.video_settings import VideoSettings
@@ -29,9 +30,18 @@ def gstreamer(_: Path, port: int, settings: VideoSettings) -> list[str]:
 PLAYERS = [ffmpeg, gstreamer]
 
 
+@cache
+def know_plugins(gstreamer: str) -> None:
+    """The first time that a user starts GStreamer it looks at all plugins, and complains about some."""
+    command = [gstreamer, "-q", "fakesrc", "num-buffers=1", "!", "fakesink"]
+    subprocess.run(command, check=True, capture_output=True, timeout=120)
+
+
 @contextmanager
 def playing(command: list[str], port: int, complaints: Path) -> Iterator[subprocess.Popen[bytes]]:
     """The player, once it listens; what it has to say goes to the file, warnings of its decoder, too."""
+    if command[0].startswith("gst"):
+        know_plugins(command[0])
     loud = {**os.environ, "GST_DEBUG": "2", "GST_DEBUG_NO_COLOR": "1"}
     with (
         complaints.open("wb") as errors,

@@ -240,6 +240,16 @@ async def test_a_process_that_does_not_take_a_picture_is_ended(camera, monkeypat
     assert (await asyncio.wait_for(taken, PATIENCE)).content
 
 
+async def test_a_process_that_is_still_starting_does_not_hang(camera, monkeypatch):
+    monkeypatch.setattr(camera_process, "STILL_TIMEOUT", 0.01)
+    taken = asyncio.get_running_loop().create_future()
+    camera.take(TINY, taken.set_result)
+    await until(lambda: camera.description)
+    monkeypatch.undo()
+    assert (await asyncio.wait_for(taken, PATIENCE)).content
+    assert camera.counters["hung"] == 0
+
+
 async def test_it_ends_with_the_robots_process(tmp_path):
     program = tmp_path / "robot.py"
     program.write_text(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
@@ -111,20 +112,26 @@ def known() -> list[str]:
 
 
 def find(name: str) -> Profile:
-    """The profile of that name; `ConfigError` lists what there is, or says why it cannot be loaded."""
+    """The profile of that name, or at that place, as in `acme.brakes:PROFILE`.
+
+    Raises `ConfigError` that lists what there is, or says why it cannot be loaded.
+    """
+    if re.fullmatch(r"[\w.]+:\w+", name):
+        return _loaded(EntryPoint(name, name, GROUP))
     if name in BUILT_IN:
         return _loaded(EntryPoint(name, f"jauspy.conformance.profiles.{BUILT_IN[name]}", GROUP))
     for entry in entry_points(group=GROUP, name=name):
         return _loaded(entry)
-    raise ConfigError(f"no conformance profile {name!r}; there are: {', '.join(known())}")
+    raise ConfigError(f"no conformance profile {name!r}; there are: {', '.join(known())}; MODULE:NAME is one of yours")
 
 
 def _loaded(entry: EntryPoint) -> Profile:
+    which = entry.name if entry.name == entry.value else f"{entry.name!r} ({entry.value})"
     try:
         profile = entry.load()
     except Exception as error:
         what = f"{type(error).__name__}: {error}"
-        raise ConfigError(f"conformance profile {entry.name!r} ({entry.value}) cannot be loaded: {what}") from error
+        raise ConfigError(f"conformance profile {which} cannot be loaded: {what}") from error
     if not isinstance(profile, Profile):
-        raise ConfigError(f"conformance profile {entry.name!r} ({entry.value}) is no Profile")
+        raise ConfigError(f"conformance profile {which} is no Profile")
     return profile

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import asyncio
 from contextlib import AbstractAsyncContextManager, nullcontext
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Final
@@ -14,6 +15,7 @@ from jauspy.messages.environment_sensing.v1_0.types import StillImageSensorError
 from jauspy.messages.environment_sensing.v2_0.still_image import (
     QueryStillImageDataExt,
     QueryStillImageSensorConfiguration,
+    ReportStillImageDataExt,
     ReportStillImageSensorConfiguration,
     SetStillImageSensorConfiguration,
 )
@@ -34,6 +36,8 @@ DELIVERY: Final = Delivery(max_message=MAX_REPORT)
 FORMATS: Final = ReportStillImageSensorConfiguration.StillImageFormat
 ALL: Final = 0xFF
 ATTEMPTS: Final = 4
+PATIENT: Final = 2.0
+"""Seconds; who says later than this that there is no picture has waited for one, and may have it when asked again."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,20 +97,31 @@ async def _taken(service: ServiceClient, sensor: int, timeout: float) -> Photo:
     record = QueryStillImageDataExt.QueryStillImageDataRec(
         sensor, QueryStillImageDataExt.ReportCoordinateSystem.NATIVE, ALL
     )
-    # Pieces get lost. Asked again while the picture is under way, the camera takes no second one.
-    query = QueryStillImageDataExt([record])
-    try:
-        report = await service.query(query, timeout=timeout / ATTEMPTS, retries=ATTEMPTS - 1)
-    except ResponseTimeout as error:
-        raise ResponseTimeout(
-            f"{service.id} sent no picture of sensor {sensor} in {timeout:g} s: its camera may still be starting, or "
-            "its machine be busy; ask again, or allow more time"
-        ) from error
+    query, clock = QueryStillImageDataExt([record]), asyncio.get_running_loop().time
+    end = clock() + timeout
+    late = ResponseTimeout(
+        f"{service.id} sent no picture of sensor {sensor} in {timeout:g} s: its camera may still be starting, or "
+        "its machine be busy; ask again, or allow more time"
+    )
+    while (began := clock()) < end:
+        # Pieces get lost. Asked again while the picture is under way, the camera takes no second one.
+        try:
+            report = await service.query(query, timeout=(end - began) / ATTEMPTS, retries=ATTEMPTS - 1)
+        except ResponseTimeout as error:
+            raise late from error
+        if (photo := _photo(report)) is not None:
+            return photo
+        if clock() - began < PATIENT:
+            raise RequestError(
+                f"{service.id} has no picture of sensor {sensor}: there is no such sensor, too much is asked of it, or "
+                "its robot has no extra 'video'; the robot's log tells"
+            )
+    raise late
+
+
+def _photo(report: ReportStillImageDataExt) -> Photo | None:
     for each in report.still_image_data_list:
         if each.image_frame is not None:
             number = each.image_frame.format
             return Photo(each.image_frame.data, getattr(number, "name", str(number)), each.sensor_id, each.time_stamp)
-    raise RequestError(
-        f"{service.id} has no picture of sensor {sensor}: there is no such sensor, too much is asked of it, or its "
-        "robot has no extra 'video'; the robot's log tells"
-    )
+    return None

@@ -23,7 +23,9 @@ from jauspy.video.still_orders import StillOrders, Then
 from jauspy.video.worker_process import WorkerProcess
 
 STILL_TIMEOUT: Final = 30.0
-"""Seconds in which a process must have taken a still image; one that has not hangs."""
+"""Seconds that a process may be silent while a still image is wanted; one that is longer hangs."""
+START_TIMEOUT: Final = 90.0
+"""Seconds that it may be until its camera is open; where many processes share a small machine that takes a while."""
 
 _LOG: Final = logging.getLogger("jauspy.video")
 
@@ -43,6 +45,8 @@ class CameraProcess:
         self._before: Counter[str] = Counter()
         self._description = ""
         self._process: WorkerProcess | None = None
+        self._heard_at = 0.0
+        self._patience = START_TIMEOUT
         self._keeper: asyncio.Task[None] | None = None
         self._is_open = False
 
@@ -143,8 +147,13 @@ class CameraProcess:
             self._kill(self._process)
 
     def _look_after(self, order: Take) -> None:
-        if order in self._stills and self._process is not None:
+        if order not in self._stills or self._process is None:
+            return
+        left = self._heard_at + self._patience - time.monotonic()
+        if left <= 0.0:
             self._kill(self._process)
+        else:
+            asyncio.get_running_loop().call_later(left, self._look_after, order)
 
     def _kill(self, process: WorkerProcess) -> None:
         self._own["hung"] += 1
@@ -153,6 +162,7 @@ class CameraProcess:
     async def _start(self) -> WorkerProcess:
         self._process = process = await WorkerProcess.start(self._camera.descriptors)
         self._own["started"] += 1
+        self._heard_at, self._patience = time.monotonic(), START_TIMEOUT
         self._order(Begin(self._camera, self._settings, self._stamped))
         for address, playing in self._receivers.items():
             self._order(Watch(address, playing))
@@ -174,6 +184,7 @@ class CameraProcess:
         _LOG.warning("camera %s: its process ended (%s); it starts again in %.1f s", name, status, pause)
 
     def _hear(self, word: object) -> None:
+        self._heard_at, self._patience = time.monotonic(), STILL_TIMEOUT
         match word:
             case Opened(description, reduced):
                 if description != self._description:
