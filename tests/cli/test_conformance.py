@@ -57,6 +57,9 @@ def test_some_steps_by_udp_and_through_a_node_manager(robot, tmp_path):
 
 def test_what_fails_is_explained(robot):
     _, port = robot
+    listed = invoke("ugv-1.0", "--list", "--target", "105.1.1", "--connect", f"udp://127.0.0.1:{port}", "--timeout", 5)
+    assert listed.exit_code == 0
+    assert "Controlled.Available.Ready/SetSkidSteerEffort/pilot  SetSkidSteerEffort from the pilot" in listed.stdout
     result = invoke("igvc-2015", "--target", "105.1.1", "--connect", f"udp://127.0.0.1:{port}", "--only", "24")
     assert result.exit_code == 1
     assert "24 the client is in control: fail" in result.stdout
@@ -163,6 +166,15 @@ def test_ctrl_c_leaves_a_report_and_a_free_robot(robot, tmp_path):
     assert "interrupted after 3 steps" in page.read_text()
     free = invoke("igvc-2015", *where, "--only", "21", "--only", "37", "--timeout", 5)
     assert free.exit_code == 0, free.stdout
+
+
+def test_steps_that_are_made_for_a_target_need_one(free_port):
+    assert "say of which, as in --target 101.1.102" in invoke("core-1.1", "--list").stderr
+    nobody = invoke(
+        "core-1.1", "--list", "--target", "7.1.1", "--connect", f"udp://127.0.0.1:{free_port}", "--timeout", 0.1
+    )
+    assert nobody.exit_code == 2
+    assert "7.1.1 answers nothing" in nobody.stderr
 
 
 def test_list():

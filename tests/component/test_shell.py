@@ -99,6 +99,23 @@ async def test_an_answer_that_comes_later_is_sent_when_it_is_there():
     slow.later.fulfil(ReportHeartbeatPulse())
 
 
+async def test_services_are_told_what_was_acknowledged_and_keep_room_for_others(virtual_network):
+    hub, told = LoopbackHub(), []
+    async with component(hub, clock=loop_time) as me, Peer(hub) as peer:
+        me.host.receive(RequestControl(1).encode(), PEER, loop_time())
+        for _ in range(100):
+            me.host.send(PEER, ReportHeartbeatPulse(), told=told.append)
+        me.wake()
+        assert told == []
+        sent = [await peer.next() for _ in range(101)][1:]
+        assert [each.ack for each in sent] == [Ack.REQUIRED] * 64 + [Ack.NONE] * 36
+        peer.transport.send(pack(Packet(PEER, ME, b"", sent[0].sequence, ack=Ack.ACK)))
+        await until(lambda: told == [True])
+        await until(lambda: len(told) == 64)
+        assert told == [True] + [False] * 63
+        assert me.host.controller == PEER, "who does not acknowledge may be there all the same"
+
+
 async def test_what_asks_for_an_ack_gets_one():
     hub = LoopbackHub()
     async with component(hub), Peer(hub) as peer:

@@ -147,7 +147,7 @@ def test_transitions_are_counted_and_those_that_are_left_have_a_reason():
         Transition(reset, "b"),
         Transition(query, reason="it depends on what only the target knows, and the target decided otherwise"),
     )
-    total = "1 of 3 transitions of its state machines were taken and judged"
+    total = "1 of 3 state machine transitions in these steps were taken and judged"
     assert summary_json(report)["transitions"] == {
         "declared": 3,
         "taken": 1,

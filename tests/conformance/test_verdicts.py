@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from tests.conformance.scripted import ScriptedWire
+from tests.conformance.simulated import examined, robot
 from typer.testing import CliRunner
 
 import jauspy
@@ -143,7 +144,16 @@ def test_waiting_scales_with_the_timeout():
 
 def test_only_some_steps():
     assert outcome((0.1, READY), only=("1",)).counts[Verdict.PASS] == 1
-    assert "no step begins with 7" in outcome((0.1, READY), only=("7",)).problem
+    assert outcome((0.1, READY), only=("7",)).problem == "no step begins with 7; they begin with 1"
+
+
+def test_steps_made_from_jsidl_are_told_by_their_states():
+    report = examined("core-1.1", robot(component=1, tick=None), JausID(105, 1, 1), only=("Standby",))
+    assert report.problem == (
+        "no step begins with Standby; they begin with NotControlled.Available.Standby, Controlled.Available.Standby, "
+        "NotControlled.NotAvailable.Emergency, Controlled.Available.Ready, Controlled.NotAvailable.Emergency, "
+        "NotControlled.NotAvailable.Shutdown, untried"
+    )
 
 
 def test_a_missing_feature_skips():

@@ -216,6 +216,15 @@ async def test_a_silent_component_that_never_takes_control_back_counts_as_lost_t
             await driver.send(FULL)
 
 
+async def test_a_component_that_says_who_has_control_is_not_silent(world):
+    robot = await world.robot(timeout=1)
+    driver = await driver_of(await world.ocu())
+    async with driver.control() as control:
+        world.network.lose(ConfirmControl)
+        await asyncio.sleep(10)
+        assert (control.held, robot.host.controller) == (True, HOLDER)
+
+
 async def test_a_lost_control_may_be_taken_again(world):
     robot = await world.robot(timeout=1)
     driver = await driver_of(await world.ocu())

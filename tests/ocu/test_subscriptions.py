@@ -12,9 +12,11 @@ from jauspy.messages.core import (
     ConfirmEventRequest,
     CreateEvent,
     Event,
+    QueryHeartbeatPulse,
     QueryStatus,
     QueryTime,
     RejectEventRequest,
+    ReportHeartbeatPulse,
     ReportStatus,
     UpdateEvent,
 )
@@ -23,7 +25,7 @@ from jauspy.ocu import subscription as module
 from jauspy.ocu.event_requests import EventRequests
 from jauspy.protocol.header import Packet
 from jauspy.protocol.judp import pack
-from jauspy.services.core import Events
+from jauspy.services.core import Discovery, Events, Liveness
 
 POSE = QueryLocalPose(presence_vector=0x43)
 Status = ReportStatus.Status
@@ -111,6 +113,32 @@ async def test_every_change_reports_at_once_and_then_only_changes(world):
 
     assert seen == [Status.STANDBY, Status.READY, Status.STANDBY]
     assert statuses.received == 3
+
+
+@pytest.mark.parametrize("rate", [None, 10.0])
+async def test_an_event_that_the_component_ends_is_told(world, rate):
+    class Broken(Liveness):
+        works = True
+
+        def report_heartbeat_pulse(self):
+            if not self.works:
+                raise RuntimeError("stopped")
+            return ReportHeartbeatPulse()
+
+    broken = Broken()
+    await world.component(JausID(101, 1, 7), [broken, Events(), Discovery()])
+    liveness = (await (await world.ocu()).discover(subsystem=101)).service("Liveness")
+    async with liveness.subscribe(QueryHeartbeatPulse(), rate=rate) as pulses:
+        await pulses.get()
+        broken.works = False
+        with pytest.raises(
+            EventRejected, match=r"101\.1\.7 ended the event for QueryHeartbeatPulse: it does not answer"
+        ):
+            async with asyncio.timeout(10):
+                await drain(pulses)
+    with pytest.raises(EventRejected, match="ended the event"):
+        async with liveness.subscribe(QueryHeartbeatPulse(), rate=rate) as pulses:
+            await asyncio.wait_for(pulses.get(), 10)
 
 
 async def test_two_streams_at_once_are_not_mixed_up(world):

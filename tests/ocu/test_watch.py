@@ -111,6 +111,15 @@ async def test_lost_packets_do_not_make_it_vanish(virtual_network, news):
         assert news == []
 
 
+async def test_who_does_not_hear_the_question_to_all_is_asked_by_itself(virtual_network, news):
+    async with virtual_network.component(ME, [named("robot"), Liveness()], core=False):
+        await asyncio.sleep(10)
+        news.clear()
+        virtual_network.keeps = lambda packet: not packet.destination.is_wildcard
+        await asyncio.sleep(60)
+        assert news == []
+
+
 async def test_another_name_is_a_change(virtual_network, news):
     async with virtual_network.component(ME, [named("robot"), Liveness()], core=False):
         await asyncio.sleep(10)

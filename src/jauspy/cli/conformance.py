@@ -13,10 +13,7 @@ import typer
 from jauspy.cli.options import Json
 
 if TYPE_CHECKING:
-    from jauspy.conformance.profile import Profile
     from jauspy.conformance.results import Report, Result
-    from jauspy.conformance.runner import Settings
-    from jauspy.conformance.wire import Wire
 
 ProfileName = Annotated[
     str | None,
@@ -80,7 +77,8 @@ def conformance(
     """
     from jauspy.cli import console
     from jauspy.cli.conformance_files import Files
-    from jauspy.cli.conformance_view import show_list, show_steps
+    from jauspy.cli.conformance_run import report_of, steps_of
+    from jauspy.cli.conformance_view import show_list, show_steps, watching
     from jauspy.cli.run import stoppable
     from jauspy.conformance.profile import find
     from jauspy.conformance.runner import Interrupted, Settings
@@ -89,18 +87,20 @@ def conformance(
     sys.path.append("")  # profiles of one's own, as with `python -m`
     try:
         if list_:
-            show_steps(find(profile)) if profile else show_list()
+            show_steps(steps_of(find(profile), target, connect, timeout)) if profile else show_list()
             return
         if profile is None or target is None:
             raise ConfigError("say which test, and of what: `jauspy conformance igvc-2015 --target 101.1.255`")
         files = Files(junit=junit, html=html, pcapng=pcapng)
+        settings = Settings(timeout, motion, tuple(only or ()))
         with stoppable() as stopped:
             try:
-                report = _run(find(profile), target, connect, Settings(timeout, motion, tuple(only or ())), json=json)
+                with watching() as progress:
+                    report = report_of(find(profile), target, connect, settings, _lines if json else progress)
                 status = report.status
             except Interrupted as stop:
                 report, status = stop.report, stopped()
-        unwritten = files.write(report)
+            unwritten = files.write(report)
         for each in unwritten:
             console.error(each)
         with _unread_is_fine():
@@ -109,36 +109,6 @@ def conformance(
         console.error(str(error))
         raise typer.Exit(2) from None
     raise typer.Exit(2 if unwritten else status)
-
-
-def _run(profile: Profile, target: str, connect: str | None, settings: Settings, *, json: bool) -> Report:
-    import asyncio
-    import time
-    from contextlib import closing
-
-    from jauspy.cli.conformance_view import watching
-    from jauspy.conformance.links import open_wire
-    from jauspy.conformance.runner import Interrupted, run
-    from jauspy.errors import ConfigError
-    from jauspy.ids import JausID
-
-    id = JausID.parse(target)
-    if 0 in (id.subsystem, id.node, id.component):
-        raise ConfigError(f"{id} is nobody: ids of components are above 0; 255 stands for any node or component")
-    with closing(asyncio.run(open_wire(connect))) as wire, watching() as progress:
-        try:
-            report = run(profile, wire, id, began=time.time(), settings=settings, watch=_lines if json else progress)
-        except Interrupted as stop:
-            stop.report = _noted(stop.report, wire)
-            raise
-        return _noted(report, wire)
-
-
-def _noted(report: Report, wire: Wire) -> Report:
-    """With what the wire has to say."""
-    from dataclasses import replace
-
-    return replace(report, notes=(*getattr(wire, "notes", ()), *report.notes))
 
 
 def _lines(result: Result) -> None:

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Final
 
 from jauspy.cli import console
 from jauspy.conformance.html import summary
 from jauspy.conformance.junit import transcript
-from jauspy.conformance.profile import Profile, find, known
+from jauspy.conformance.profile import Step, find, known
 from jauspy.conformance.results import Report, Result, Verdict, transitions_sum
 from jauspy.errors import ConfigError
 
@@ -99,11 +99,9 @@ def show_list() -> None:
     console.stdout().print(table)
 
 
-def show_steps(profile: Profile) -> None:
-    """The steps of one profile; raises `ConfigError` when they depend on the target."""
-    if callable(profile.steps):
-        raise ConfigError(f"the steps of {profile.name} are made from what a target offers; run it to see them")
-    for step in profile.steps:
+def show_steps(steps: Iterable[Step]) -> None:
+    """The steps of one profile."""
+    for step in steps:
         console.stdout().print(f"{step.id}  {step.title}", markup=False)
 
 

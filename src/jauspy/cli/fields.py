@@ -55,7 +55,7 @@ def _named(registry: Registry, name: str, hints: Hints) -> type[Message]:
     try:
         return registry.by_name(name, service=hints.service, version=hints.version)
     except ConfigError as error:
-        more = "; `--from` reads definitions of your own" if registry is public else ""
+        more = " (`--from` reads definitions of your own)" if registry is public else ""
         raise ConfigError(f"{error}{more}") from None
 
 

@@ -126,11 +126,12 @@ def find(name: str) -> Profile:
 
 
 def _loaded(entry: EntryPoint) -> Profile:
+    which = entry.name if entry.name == entry.value else f"{entry.name!r} ({entry.value})"
     try:
         profile = entry.load()
     except Exception as error:
         what = f"{type(error).__name__}: {error}"
-        raise ConfigError(f"conformance profile {entry.name!r} ({entry.value}) cannot be loaded: {what}") from error
+        raise ConfigError(f"conformance profile {which} cannot be loaded: {what}") from error
     if not isinstance(profile, Profile):
-        raise ConfigError(f"conformance profile {entry.name!r} ({entry.value}) is no Profile")
+        raise ConfigError(f"conformance profile {which} is no Profile")
     return profile

@@ -146,7 +146,7 @@ def transitions_sum(report: Report) -> str:
     """`218 of 230 transitions were taken and judged`; empty for a profile that is not about state machines."""
     found = report.transitions
     taken = sum(1 for each in found if each.step)
-    return f"{taken} of {len(found)} transitions of its state machines were taken and judged" if found else ""
+    return f"{taken} of {len(found)} state machine transitions in these steps were taken and judged" if found else ""
 
 
 def worst(reports: Iterable[Report]) -> int:

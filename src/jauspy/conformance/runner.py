@@ -75,7 +75,7 @@ def run(
     except (ConfigError, TransportError) as error:
         problem = str(error)
     except RequestError as error:
-        problem = str(error) if tester.answered else DEAF.format(target=target)
+        problem = _unanswered(tester, error)
     except KeyboardInterrupt:
         problem, interrupted = f"interrupted after {len(results)} steps", True
     except BaseException:
@@ -98,12 +98,27 @@ def run(
     return report
 
 
+def planned(
+    profile: Profile, wire: Wire, target: JausID, *, timeout: float = TIMEOUT, registry: Registry = known_messages
+) -> tuple[Step, ...]:
+    """The steps that a run would have; raises `ConfigError` when there is nobody to ask, or nothing to test."""
+    tester = Tester(wire, target, registry=registry, timeout=timeout)
+    try:
+        return profile.plan(_offers(profile, tester))
+    except RequestError as error:
+        raise ConfigError(_unanswered(tester, error)) from error
+
+
+def _unanswered(tester: Tester, error: RequestError) -> str:
+    return str(error) if tester.answered else DEAF.format(target=tester.target)
+
+
 def _notes(tester: Tester) -> tuple[str, ...]:
     """What became of the target, and what came and cannot be found in the report."""
     left_out, unread = tester.record.left_out, tester.unread
     notes = (
         silent_since(tester.lost) if tester.lost else "",
-        f"{left_out} datagrams were too many to keep for the report; they were judged all the same" if left_out else "",
+        f"{left_out} datagrams were too many to keep for the report; no verdict depends on that" if left_out else "",
         f"{unread} messages were dropped before a step looked at them: more came than a client holds" if unread else "",
     )
     return tuple(filter(None, notes))
@@ -144,9 +159,9 @@ def _offers(profile: Profile, tester: Tester) -> Offers:
 def _chosen(steps: tuple[Step, ...], only: Iterable[str]) -> tuple[Step, ...]:
     chosen = tuple(step for step in steps if not only or any(step.id.startswith(each) for each in only))
     if not chosen:
-        raise ConfigError(
-            f"no step begins with {' or '.join(only)}; there are: {', '.join(s.id for s in steps[:12])}, ..."
-        )
+        beginnings = list(dict.fromkeys(step.id.partition("/")[0] for step in steps))
+        there_are = ", ".join([*beginnings[:12], *(["..."] if len(beginnings) > 12 else [])])
+        raise ConfigError(f"no step begins with {' or '.join(only)}; they begin with {there_are}")
     return chosen
 
 

@@ -72,7 +72,7 @@ class Control:
         self._calmed = False
         self._link = link
         self._patience = patience
-        self._taken_at = self._confirmed_at = 0.0
+        self._taken_at = self._confirmed_at = self._known_at = 0.0
         self._stack = ExitStack()
         self._keeper: asyncio.Task[None] | None = None
         self._asker: asyncio.Task[None] | None = None
@@ -168,7 +168,9 @@ class Control:
         while not self.lost:
             due = max(due + interval, clock())
             await asyncio.sleep(due - clock())
-            silence = due - self._confirmed_at  # and not until now: this event loop may have been busy since
+            silence = due - max(
+                self._known_at, self._confirmed_at
+            )  # and not until now: this event loop may have been busy since
             if silence > (self.timeout or SILENCE):
                 most = f", and its timeout is {self.timeout:g} s" if self.timeout else ""
                 self._lose(f"{self.id} has not answered for {silence:.1f} s{most}")
@@ -194,13 +196,15 @@ class Control:
             self._standing.ask(QueryControl(), patience), self._standing.ask(QueryStatus(), patience)
         )
         if not self.timeout and (control or status):  # it is not asked to confirm
-            self._confirmed_at = asyncio.get_running_loop().time()
+            self._known_at = asyncio.get_running_loop().time()
         if isinstance(control, ReportControl) and not self.lost:
             if self._standing.is_elsewhere(control):
                 self._taken = True
                 self._lose(f"{self.id} {self._standing.held_by()}")
             elif holder(control) == NOBODY:
                 self._lose(f"{self.id} says that nobody is in control; it was started anew, or did not hear us in time")
+            else:
+                self._known_at = asyncio.get_running_loop().time()
         if isinstance(status, ReportStatus) and not self._calmed:
             if status.status == ReportStatus.Status.READY:
                 self._ready = True

@@ -135,7 +135,7 @@ async def ask(
         patience=patience,
     )
     if isinstance(answer, RejectEventRequest):
-        raise EventRejected(f"{id} rejected the event for {of.NAME}: {_reason(answer)}")
+        raise EventRejected(f"{id} rejected the event for {of.NAME}: {reason(answer)}")
     assert isinstance(answer, ConfirmEventRequest)
     return answer
 
@@ -146,7 +146,8 @@ def cancel(link: Link, id: JausID, event: int) -> None:
     link.send(id, CancelEvent(request_id=number, event_id=event), ack=Ack.REQUIRED)
 
 
-def _reason(answer: RejectEventRequest) -> str:
+def reason(answer: RejectEventRequest) -> str:
+    """Why a component refuses an event, or ends it."""
     code = answer.response_code
     why = _MEANINGS.get(code, f"code {code}") if code is not None else "no reason given"
     return f"{why} ({answer.error_message})" if answer.error_message else why

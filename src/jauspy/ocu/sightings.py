@@ -90,6 +90,10 @@ class Sightings:
         """Those of whom no service is known, of all or of those who are known only since then."""
         return [id for id in self if self._seen[id].since >= since and not self._seen[id].offered]
 
+    def silent(self, since: float) -> list[JausID]:
+        """Those of whom nothing was heard since then."""
+        return [id for id in self if self._seen[id].at < since]
+
     def next_settled(self, now: float) -> float | None:
         """When the next newcomer has had its time."""
         return min((seen.since + SETTLE for seen in self._seen.values() if seen.since + SETTLE > now), default=None)

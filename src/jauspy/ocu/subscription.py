@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING, Any, Final, Generic, NoReturn, Self, TypeVar
 from jauspy.codec.base import Message
 from jauspy.errors import ConfigError, DecodeError, EventRejected, JausError, ResponseTimeout, TransportError
 from jauspy.ids import JausID
-from jauspy.messages.core import ConfirmEventRequest, Event
-from jauspy.ocu.event_requests import EventRequests, Request
+from jauspy.messages.core import ConfirmEventRequest, Event, RejectEventRequest
+from jauspy.ocu.event_requests import EventRequests, Request, reason
 from jauspy.ocu.link import Link
 from jauspy.ocu.only_async import use
 from jauspy.ocu.patience import Patience
@@ -61,6 +61,8 @@ class Subscription(Generic[R]):
         self._buffer: deque[R] = deque(maxlen=request.buffer)
         self._early: deque[Event] = deque(maxlen=EARLY)
         self._asked_anew = False
+        self._accepted: int | None = None
+        """Which of all requests to the component was the last one that it confirmed."""
         self._news = asyncio.Event()
         self._error: Exception | None = None
         self._stack = ExitStack()
@@ -76,9 +78,9 @@ class Subscription(Generic[R]):
             raise ConfigError("this subscription is already open; subscribe once more for a second one")
         if self._farewell is not None:
             self._leave()
-        self._error = None
+        self._error = self._accepted = None
         self._buffer.clear()
-        tap = self._link.replies.tapped(self.request.id, self._heard, ConfirmEventRequest, Event)
+        tap = self._link.replies.tapped(self.request.id, self._heard, ConfirmEventRequest, RejectEventRequest, Event)
         self._stack.enter_context(tap)
         self._stack.enter_context(self._link.before_closing(self._cut_off))
         try:
@@ -140,6 +142,9 @@ class Subscription(Generic[R]):
         if isinstance(message, ConfirmEventRequest):
             if message.request_id == self._wire.number:
                 self._confirmed(message)
+        elif isinstance(message, RejectEventRequest):
+            if self._is_about_mine(message):
+                self._ended(message)
         elif isinstance(message, Event):
             if message.event_id == self.event_id:
                 self._arrived(message)
@@ -148,6 +153,8 @@ class Subscription(Generic[R]):
 
     def _confirmed(self, message: ConfirmEventRequest) -> None:
         """Here and not when it was asked for: the first report may come in the same wake-up as the confirmation."""
+        made = self._link.requests[self.request.id]
+        self._accepted = made - (made - message.request_id & 0xFF)
         if message.event_id != self.event_id:
             self._link.events.leave(self.request.id, self.event_id, self)
             self.event_id, self._sequence = message.event_id, Sequence()
@@ -161,6 +168,22 @@ class Subscription(Generic[R]):
             if each.event_id == self.event_id:
                 self._arrived(each)
         self._early.clear()
+
+    def _is_about_mine(self, message: RejectEventRequest) -> bool:
+        """It names a request of ours that was confirmed before; numbers come again after 256 requests."""
+        made, accepted = self._link.requests[self.request.id], self._accepted
+        return accepted is not None and made - accepted < 256 and accepted & 0xFF == message.request_id
+
+    def _ended(self, message: RejectEventRequest) -> None:
+        """The component had confirmed the event, and cannot go on with it: its report has a bug."""
+        self._link.events.leave(self.request.id, self.event_id, self)
+        self.event_id, self._accepted = None, None
+        self._error = EventRejected(
+            f"{self.request.id} ended the event for {self.request.query.NAME}: {reason(message)}; its log may say more"
+        )
+        if self._keeper is not None:
+            self._keeper.cancel()
+        self._news.set()
 
     def _shares_with(self, other: Subscription[Any]) -> bool:
         """True when a component has one event for both."""
@@ -211,6 +234,8 @@ class Subscription(Generic[R]):
 
     async def _keep(self, lifetime: float) -> None:
         """Renew at a third of the lifetime, when reports stay out, and what reports changes always: one may be lost."""
+        if self._error is not None:
+            return  # the component has ended it already
         clock = asyncio.get_running_loop().time
         most, on_change = self._longest_gap(), self.request.rate is None
         interval = min(CHECK_INTERVAL, lifetime / 3 or CHECK_INTERVAL, most)

@@ -27,6 +27,8 @@ from jauspy.ocu.model import Component, Node, ServiceInfo, Subsystem
 from jauspy.ocu.sightings import SETTLE, Sightings
 from jauspy.protocol.header import Broadcast
 
+PROBES: Final = 4
+"""How often in each interval those are asked who have not answered the question to all: packets get lost."""
 QUIET: Final = 0.1
 """Seconds that news may wait for more of them."""
 
@@ -81,7 +83,7 @@ async def watch(link: Link, subsystem: int | None, interval: float, silence: flo
             heard_something.set()
 
     told: _Picture = {}
-    ask_at, judge_at = clock(), -math.inf
+    ask_at, judge_at, probe_at = clock(), -math.inf, clock()
     with link.replies.tapped(EVERYONE, heard, ReportIdentification, ReportServices, ReportHeartbeatPulse):
         while True:
             if clock() >= ask_at:
@@ -90,13 +92,17 @@ async def watch(link: Link, subsystem: int | None, interval: float, silence: flo
                 _ask_everybody(link, subsystem)
                 _follow_up(link, sightings, -math.inf)
                 ask_at = clock() + interval
+            if clock() >= probe_at:
+                for id in sightings.silent(clock() - interval)[:MAX_FOLLOW_UPS]:
+                    link.send(id, QueryHeartbeatPulse())
+                probe_at = clock() + interval / PROBES
             if clock() >= judge_at:
                 sightings.expire(clock() - silence)
             now = _picture(sightings.subsystems(clock()))
             for each in _differences(told, now):
                 yield each
             told = now
-            if await _news(heard_something, min(ask_at, sightings.next_settled(clock()) or ask_at)):
+            if await _news(heard_something, min(ask_at, probe_at, sightings.next_settled(clock()) or ask_at)):
                 _follow_up(link, sightings, clock() - SETTLE)
 
 
