@@ -31,6 +31,11 @@ def say(data: bytes, address: tuple[str, int]) -> None:
         robot.sendto(data, address)
 
 
+def need_network(wire: UdpWire) -> None:
+    if any("cannot be joined" in each for each in wire.notes):
+        pytest.skip("needs a network with multicasts")
+
+
 @pytest.fixture
 def node_manager(free_port: int) -> Iterator[socket.socket]:
     """Its socket, as it is bound on all addresses."""
@@ -43,6 +48,7 @@ def node_manager(free_port: int) -> Iterator[socket.socket]:
 def test_multicasts_are_heard_beside_a_node_manager(node_manager, free_port):
     wire = UdpWire(group=(GROUP, free_port), port=free_port)
     try:
+        need_network(wire)
         assert wire.port != free_port
         (note,) = wire.notes
         assert f"UDP port {free_port} is taken" in note
@@ -73,6 +79,7 @@ def test_the_port_of_a_node_manager_is_not_shared(node_manager, free_port):
 def test_multicasts_are_heard_once_on_a_port_that_is_free(free_port):
     wire = UdpWire(group=(GROUP, free_port), port=free_port)
     try:
+        need_network(wire)
         assert (wire.port, wire.notes) == (free_port, [])
         say(QUESTION, (GROUP, free_port))
         say(QUESTION[:-1] + b"\x01", ("127.0.0.1", free_port))
