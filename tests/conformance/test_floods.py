@@ -63,7 +63,9 @@ def test_what_is_too_much_is_counted_in_every_report(monkeypatch):
     (suite,) = ET.fromstring(junit(report))
     assert "480 datagrams of this step were too many to keep" in suite.findall("testcase")[1].findtext("system-out")
     (note,) = summary_json(report)["notes"]
-    assert note == "480 datagrams were too many to keep for the report; they were judged all the same"
+    assert note == "480 datagrams were too many to keep for the report; no verdict depends on that"
+    assert note in page(report)
+    assert [each.attrib for each in suite.iter("property")] == [{"name": "note", "value": note}]
 
 
 def test_a_record_that_is_full_still_has_the_begin_of_each_step(monkeypatch):

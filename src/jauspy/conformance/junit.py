@@ -28,9 +28,11 @@ def junit(report: Report) -> bytes:
         timestamp=datetime.fromtimestamp(report.began, UTC).strftime("%Y-%m-%dT%H:%M:%S"),
         hostname=report.target,
     )
-    if total := transitions_sum(report):
+    said = [("transitions", transitions_sum(report)), *(("note", note) for note in report.notes)]
+    if known := [(name, value) for name, value in said if value]:
         properties = ET.SubElement(suite, "properties")
-        ET.SubElement(properties, "property", name="transitions", value=total)
+        for name, value in known:
+            ET.SubElement(properties, "property", name=name, value=_clean(value))
     for result in report.results:
         _case(suite, report, result)
     if report.problem:

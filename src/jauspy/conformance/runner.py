@@ -118,7 +118,7 @@ def _notes(tester: Tester) -> tuple[str, ...]:
     left_out, unread = tester.record.left_out, tester.unread
     notes = (
         silent_since(tester.lost) if tester.lost else "",
-        f"{left_out} datagrams were too many to keep for the report; they were judged all the same" if left_out else "",
+        f"{left_out} datagrams were too many to keep for the report; no verdict depends on that" if left_out else "",
         f"{unread} messages were dropped before a step looked at them: more came than a client holds" if unread else "",
     )
     return tuple(filter(None, notes))
