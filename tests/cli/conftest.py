@@ -7,6 +7,12 @@ from pathlib import Path
 import pytest
 
 
+@pytest.fixture(autouse=True)
+def width(monkeypatch):
+    """Of the terminal, in columns: what it is where nobody says."""
+    monkeypatch.setenv("COLUMNS", "80")
+
+
 def _root():
     root = Path(tempfile.mkdtemp(prefix="jauspy-"))
     yield root

@@ -30,7 +30,8 @@ async def test_a_child_that_fails_says_why(free_port, local_root):
 
 
 async def test_a_child_that_ends_is_noticed(free_port, local_root):
-    arguments = ["node-manager", "--port", str(free_port), "--local-root", str(local_root)]
+    where = ["--port", str(free_port), "--interface", "127.0.0.1", "--local-root", str(local_root)]
+    arguments = ["node-manager", *where]
     async with Child("node manager", arguments) as child:
         os.kill(child.pid, signal.SIGKILL)
         error = await child.ended()

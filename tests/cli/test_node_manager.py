@@ -19,7 +19,7 @@ COMMAND = [sys.executable, "-m", "jauspy.cli.main", "node-manager"]
 @pytest.fixture
 def node_manager(free_port, local_root):
     process = subprocess.Popen(
-        [*COMMAND, "--port", str(free_port), "--local-root", str(local_root)],
+        [*COMMAND, "--port", str(free_port), "--local-root", str(local_root), "--interface", "127.0.0.1"],
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
@@ -144,7 +144,8 @@ def test_no_status_where_none_runs(local_root):
 
 def test_sighup_reads_the_file_again_and_a_bad_one_changes_nothing(free_port, local_root, tmp_path):
     file = tmp_path / "nm.toml"
-    file.write_text(f'port = {free_port}\nlocal_root = "{local_root}"\n')
+    interfaces = 'multicast_interfaces = ["127.0.0.1"]'  # others may not be there, which is said
+    file.write_text(f'port = {free_port}\nlocal_root = "{local_root}"\n{interfaces}\n')
     with subprocess.Popen(
         [*COMMAND, "--config", str(file)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
     ) as process:

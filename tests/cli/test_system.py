@@ -46,7 +46,8 @@ def assert_gone(processes):
 
 @pytest.fixture
 def robot(free_port, local_root):
-    process = start("up", "inc1", "--backend", "kinematic", "--port", str(free_port), "--local-root", str(local_root))
+    where = ("--port", str(free_port), "--interface", "127.0.0.1", "--local-root", str(local_root))
+    process = start("up", "inc1", "--backend", "kinematic", *where)
     process.family = wait_for(process, "stop it")
     yield process
     process.kill()
