@@ -7,6 +7,7 @@ import math
 
 import pytest
 
+from jauspy.messages.manipulator import JointPositionRec, QueryJointPositions, SetJointPositions
 from jauspy.messages.mobility import QueryGlobalPose, SetGlobalWaypoint, SetLocalWaypoint
 
 SQUARE = ((4.0, 0.0), (4.0, 3.0), (1.0, 4.0), (0.0, 1.0))
@@ -52,6 +53,27 @@ async def test_four_global_waypoints_in_order(virtual_network, robot, ocu):
         await driver.waypoints.upload(waypoint(x, y) for x, y in SQUARE)
         reached = await drive(robot, driver)
     assert all(math.dist(*pair) < 0.5 for pair in zip(reached, SQUARE, strict=True)), reached
+
+
+@pytest.mark.parametrize("name", ["ManipulatorJointPositionListDriver", "ManipulatorListDriver"])
+async def test_joint_positions_in_order(virtual_network, robot, ocu, name):
+    arm = (await ocu.discover(101)).component(104)
+    sensor, driver = arm.service("ManipulatorJointPositionSensor"), arm.service(name)
+    start = await sensor.query(QueryJointPositions())
+
+    def moved(by: float) -> SetJointPositions:
+        make, radian = JointPositionRec.JointPosition, JointPositionRec.JointPositionChoice.RADIAN
+        values = [each.joint_position.value + by for each in start.joint_position_list]
+        return SetJointPositions([JointPositionRec(make(radian, value)) for value in values])
+
+    async with driver.control():
+        await driver.resume()
+        await driver.elements.upload(map(moved, (0.3, 0.2, 0.1)))
+        await driver.elements.execute()
+        assert [index async for index in driver.elements.progress()] == [0, 1, 2]
+    end = await sensor.query(QueryJointPositions())
+    for before, after in zip(start.joint_position_list, end.joint_position_list, strict=True):
+        assert after.joint_position.value == pytest.approx(before.joint_position.value + 0.1, abs=0.03)
 
 
 async def test_on_a_real_node_manager(node_manager, robot, ocu):

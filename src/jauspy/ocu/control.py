@@ -168,9 +168,8 @@ class Control:
         while not self.lost:
             due = max(due + interval, clock())
             await asyncio.sleep(due - clock())
-            silence = due - max(
-                self._known_at, self._confirmed_at
-            )  # and not until now: this event loop may have been busy since
+            # And not until now: this event loop may have been busy since.
+            silence = due - max(self._known_at, self._confirmed_at)
             if silence > (self.timeout or SILENCE):
                 most = f", and its timeout is {self.timeout:g} s" if self.timeout else ""
                 self._lose(f"{self.id} has not answered for {silence:.1f} s{most}")

@@ -28,6 +28,8 @@ R = TypeVar("R", bound=Message)
 
 DEFAULT_AUTHORITY: Final = 127
 """The middle of 0..255: leaves room above for those who must be able to take over."""
+_LISTS: Final = "urn:jaus:jss:manipulator:ManipulatorListDriver"
+"""The messages that carry out a list are its, since manipulator 2.0; the drivers of its elements inherit them."""
 _POLL: Final = 0.05
 _OBEYS: Final = "it obeys only the client in control: use `control()` first"
 _REFUSES: Final = "you are in control, so it refuses or takes longer; see its log, or allow more `timeout`"
@@ -65,9 +67,9 @@ class ServiceClient:
         """The message class of this JAUS name as the service has it, in the component's version when that is known."""
         check_text(name, "a message's name")
         registry = self._link.registry
-        for version in (self.info.version, None):
+        for urn, version in ((self.info.urn, self.info.version), *_parent(self.info), (self.info.urn, None)):
             with suppress(ConfigError):
-                return registry.by_name(name, service=self.info.urn, version=version)
+                return registry.by_name(name, service=urn, version=version)
         if any(entry.service == self.info.urn for entry in registry.entries):
             raise ConfigError(f"{self.info.short} has no message {name}")
         raise ConfigError(f"no definition of {self.info.urn} is known here; give it: OCU(registry=jauspy.load(FILE))")
@@ -233,3 +235,8 @@ class ServiceClient:
         hint = _HINTS.get(status, _REFUSES if in_control else _OBEYS)
         name = getattr(status, "name", status)
         return RequestError(f"{self.id} still reports {name} {timeout:g} s after {command.NAME}; {hint}")
+
+
+def _parent(info: ServiceInfo) -> tuple[tuple[str, str], ...]:
+    is_driver = info.urn.startswith(_LISTS.removesuffix("ListDriver")) and info.urn.endswith("ListDriver")
+    return ((_LISTS, info.version),) if is_driver else ()
