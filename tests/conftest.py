@@ -14,6 +14,9 @@ import pytest
 from hypothesis import HealthCheck, settings
 from tests.node.hosts.switch import Switch
 
+for name in ("FORCE_COLOR", "PY_COLORS", "GITHUB_ACTIONS"):
+    os.environ.pop(name, None)  # what tests read of a command has no colours
+
 settings.register_profile("any machine", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.load_profile("any machine")
 
