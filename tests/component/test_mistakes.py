@@ -90,3 +90,15 @@ def test_a_service_that_is_in_no_component_yet():
         Early()
     with pytest.raises(AttributeError, match=r"^'Liveness' object has no attribute 'hots'$"):
         Liveness().hots  # noqa: B018 - it is the access that fails
+
+
+def test_a_property_that_fails_says_why():
+    class Battery(Liveness):
+        bus = None
+
+        @property
+        def charge(self):
+            return self.bus.read()
+
+    with pytest.raises(AttributeError, match="'NoneType' object has no attribute 'read'"):
+        Battery().charge  # noqa: B018 - it is the access that fails

@@ -132,6 +132,14 @@ async def test_equal_ones_at_once_hear_of_the_same_end(virtual_network, robot, c
     assert len(virtual_network.sent(CommandEvent)) == 1
 
 
+async def test_the_most_patient_of_equal_ones_blames_nobody(virtual_network, client):
+    virtual_network.lose(CommandEvent)
+    waits = [client.perform(SET_TIME, within=each) for each in (1.0, 6.0)]
+    impatient, patient = await asyncio.gather(*waits, return_exceptions=True)
+    assert "another `perform()` of the same command allows more" in str(impatient)
+    assert isinstance(patient, ResponseTimeout)
+
+
 async def test_who_stops_waiting_leaves_the_event_to_an_equal_one(virtual_network, robot, client):
     first, second = await begun(client, robot), await begun(client, robot)
     third = asyncio.create_task(client.perform(SET_TIME, within=30.0))

@@ -467,6 +467,28 @@ async def test_a_goodbye_that_gets_lost_is_said_again_before_the_ocu_is_closed(w
         assert not robot.host.service(Events).subscriptions.all()
 
 
+async def test_closing_waits_for_a_block_that_is_just_left(world):
+    robot = await world.robot()
+    ocu = await world.ocu()
+    driver, over = await driver_of(ocu), asyncio.Event()
+
+    async def drive() -> None:
+        async with driver.subscribe(QueryStatus()), driver.control():
+            await driver.resume()
+            over.set()
+
+    world.network.delay = 0.02
+    driving = asyncio.create_task(drive())
+    await over.wait()
+    world.network.lose(Standby, times=1)
+    await asyncio.sleep(0.01)
+    await ocu.close()
+    await asyncio.gather(driving, return_exceptions=True)
+    await asyncio.sleep(0.1)
+    assert (robot.host.controller, len(world.network.sent(ReleaseControl))) == (None, 1)
+    assert not robot.host.service(Events).subscriptions.all()
+
+
 async def test_an_echo_of_the_block_before_ends_no_control(world):
     robot = await world.robot()
     driver = await driver_of(await world.ocu())

@@ -5,6 +5,7 @@ from typing import Any
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
 from jauspy.protocol import fragments, judp, reassembly
 from jauspy.protocol.delivery import Delivery
@@ -49,6 +50,20 @@ def test_pieces_wait_while_there_is_no_room_for_them() -> None:
         now = endpoint.next_timeout() or 0.0
         endpoint.handle_timeout(now, room=room)
         assert len(endpoint.poll_output()) == count
+
+
+def test_while_nothing_gets_out_the_oldest_give_way_to_what_is_newer() -> None:
+    endpoint = Endpoint(A, first_sequence=1, delivery=Delivery(total_memory=100_000))
+    endpoint.send(B, bytes(80_000), now=0.0)
+    with pytest.raises(ProtocolError, match="too_much_under_way"):
+        endpoint.send(B, bytes(80_000), now=0.0)
+    endpoint.handle_timeout(TURN, room=False)
+    endpoint.poll_output()
+    for number in range(50):
+        endpoint.send(B, bytes([number]) * 80_000, now=TURN)
+    endpoint.send(B, b"stop", now=TURN, ack=Ack.REQUIRED)
+    assert endpoint.counters["dropped.large_message.stuck"] == 50
+    assert len(endpoint.poll_output()) == 1
 
 
 @settings(max_examples=60, deadline=None)

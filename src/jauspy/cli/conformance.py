@@ -84,7 +84,7 @@ def conformance(
     from jauspy.conformance.runner import Interrupted, Settings
     from jauspy.errors import ConfigError, JausError
 
-    sys.path.append("")  # profiles of one's own, as with `python -m`
+    sys.path.append("")  # profiles of one's own, in the folder where one is; last, so that they hide nothing
     try:
         if list_:
             show_steps(steps_of(find(profile), target, connect, timeout)) if profile else show_list()
@@ -100,11 +100,10 @@ def conformance(
                 status = report.status
             except Interrupted as stop:
                 report, status = stop.report, stopped()
-            unwritten = files.write(report)
-        for each in unwritten:
-            console.error(each)
-        with _unread_is_fine():
-            _show(report, json=json)
+            for each in (unwritten := files.write(report)):
+                console.error(each)
+            with _unread_is_fine():
+                _show(report, json=json)
     except JausError as error:
         console.error(str(error))
         raise typer.Exit(2) from None

@@ -27,8 +27,8 @@ class Verdict(StrEnum):
     """Not tried; the reason says why."""
 
 
-OTHERWISE: Final = "it depends on what only the target knows, and the target decided otherwise"
-"""Why a transition was not taken although its input was sent."""
+OTHERWISE: Final = "it depends on what only the target knows: it went the other way, or nobody can tell which way"
+"""Why a transition was not seen although its input was sent."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,9 +122,10 @@ class Report:
                 if name not in found or not found[name].step:
                     found[name] = Transition(name, result.id)
             tried = result.verdict is not Verdict.SKIPPED
+            reason = OTHERWISE if result.verdict is Verdict.PASS else result.reason
             for name in result.transitions:
                 if name not in found or (tried and not found[name].step):
-                    found[name] = Transition(name, reason=OTHERWISE if tried else result.reason)
+                    found[name] = Transition(name, reason=reason)
         return tuple(found.values())
 
     @property

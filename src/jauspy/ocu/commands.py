@@ -95,7 +95,9 @@ class _Performance:
         patience = self._link.patience
         while not waiter.arrival.done():
             self._link.controls.check(self._id, self._command)
-            self._shared = self._shared or bool(self._others())
+            self._shared = self._shared or any(
+                each.ends > self.ends for each in self._others() if isinstance(each, _Performance)
+            )
             left = self.ends + (patience.timeout if self._shared else patience.total) - self._clock()
             if left <= 0:
                 raise self._too_long()

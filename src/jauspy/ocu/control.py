@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import asyncio
+import logging
 from contextlib import ExitStack
 from types import TracebackType
 from typing import TYPE_CHECKING, Final, Self
 
 from jauspy.arguments import check_number
 from jauspy.codec.base import Message
-from jauspy.errors import ConfigError, ControlRejected, ResponseTimeout, TransportError
+from jauspy.errors import ConfigError, ControlRejected, ProtocolError, ResponseTimeout, TransportError
 from jauspy.ids import JausID
 from jauspy.messages.core import (
     ConfirmControl,
@@ -31,6 +32,8 @@ from jauspy.ocu.only_async import use
 from jauspy.ocu.patience import Patience
 from jauspy.ocu.standing import ASK_TIMEOUT, NOBODY, Standing, holder, status_name
 from jauspy.protocol.header import Ack
+
+_LOG: Final = logging.getLogger("jauspy.ocu")
 
 LEAVE: Final = 0.5
 """Seconds for which leaving the block waits for the component to say that control is released, if it did not
@@ -65,7 +68,7 @@ class Control:
         """Seconds after which the component takes control back from a silent client; 0 when it never does."""
         self.lost = ""
         """Why control was lost; empty while it is held."""
-        self._taken = False
+        self._taken = self._parted = False
         self._standing = Standing(link, id, patience)
         self._gone = asyncio.Event()
         self._ready = False
@@ -103,7 +106,7 @@ class Control:
     async def __aenter__(self) -> Self:
         self._link.controls.take(self.id, self)
         self.lost = ""
-        self._taken = self._ready = self._calmed = False
+        self._taken = self._parted = self._ready = self._calmed = False
         self._gone.clear()
         try:
             await self._acquire()
@@ -124,13 +127,17 @@ class Control:
     ) -> None:
         keeper, self._keeper = self._keeper, None
         self._stack.close()
+        left = asyncio.Event()
+        self._stack.enter_context(self._link.before_closing(left.wait))  # closing the OCU waits for what follows
         try:
             tasks = {each for each in (keeper, self._asker) if each is not None}
             for each in tasks:
                 each.cancel()
-            if not self._taken:
+            if not self._taken and not self._parted:
                 await self._give_back()
         finally:
+            left.set()
+            self._stack.close()
             self._gone.set()
             self._link.controls.drop(self.id, self)
             if tasks:
@@ -251,6 +258,7 @@ class Control:
         """The OCU is being closed inside the block."""
         self._lose("the OCU was closed")
         if not self._taken:
+            self._parted = True
             await self._give_back()
 
     async def _give_back(self) -> None:
@@ -276,3 +284,5 @@ class Control:
             self._link.send(self.id, message, ack=ack)
         except TransportError:
             self._lose("the OCU was closed")
+        except ProtocolError:
+            _LOG.warning("%s cannot be sent %s: too much is under way", self.id, message.NAME)

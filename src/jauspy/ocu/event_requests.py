@@ -104,7 +104,8 @@ class EventRequests:
     async def end(self, event: int) -> None:
         """End it, and wait until that was heard: it must not come after the creation of a new one, and end that."""
         number = self._link.next_request_id(self._request.id)
-        await self._link.assure(self._request.id, CancelEvent(request_id=number, event_id=event))
+        async with self._link.ends:
+            await self._link.assure(self._request.id, CancelEvent(request_id=number, event_id=event))
 
     async def lifetime(self) -> float:
         """Seconds after which the component forgets the event; 0 when it never does."""

@@ -29,6 +29,8 @@ _LOG: Final = logging.getLogger("jauspy.ocu")
 
 ASK_AGAIN: Final = 0.5
 """Seconds between two questions to all that a wildcard reaches."""
+ENDS: Final = 128
+"""Events that are ended at once: of what may be under way, the rest is for others, as for Standby."""
 MAX_ANSWERS: Final = 4096
 """Different components that one question may be answered by."""
 
@@ -46,16 +48,20 @@ class Link:
         self.events = SharedEvents()
         self._component: Shell | None = None
         self._loop: asyncio.AbstractEventLoop | None = None
-        self._farewells: list[Callable[[], Awaitable[None]]] = []
+        self._farewells: list[Callable[[], Awaitable[object]]] = []
         self._lanes = Lanes()
 
     def attach(self, component: Shell) -> None:
         """Use this component for sending."""
         self._component, self._loop = component, asyncio.get_running_loop()
+        self.ends = asyncio.Semaphore(ENDS)
 
     async def say_goodbye(self) -> None:
         """The OCU is about to be closed: whoever is to say goodbye does so, until that was heard."""
-        await asyncio.gather(*(farewell() for farewell in self._farewells))
+        said = await asyncio.gather(*(farewell() for farewell in self._farewells), return_exceptions=True)
+        for each in said:
+            if isinstance(each, BaseException):
+                raise each
 
     def detach(self) -> None:
         """The OCU is closed: nobody waits any more."""
@@ -63,7 +69,7 @@ class Link:
         self.replies.fail(TransportError("the OCU was closed while this waited for an answer"))
 
     @contextmanager
-    def before_closing(self, farewell: Callable[[], Awaitable[None]]) -> Iterator[None]:
+    def before_closing(self, farewell: Callable[[], Awaitable[object]]) -> Iterator[None]:
         """Inside, `farewell` is awaited when the OCU is closed, while it can still send."""
         self._farewells.append(farewell)
         try:

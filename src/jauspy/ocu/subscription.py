@@ -101,9 +101,12 @@ class Subscription(Generic[R]):
         keeper, self._keeper = self._keeper, None
         if keeper is not None:
             keeper.cancel()
+        left = asyncio.Event()
         try:
-            await self._end()
+            with self._link.before_closing(left.wait):  # closing the OCU waits for this
+                await self._end()
         finally:
+            left.set()
             if keeper is not None:
                 await asyncio.wait({keeper})
 

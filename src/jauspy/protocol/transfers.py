@@ -82,6 +82,7 @@ class Transfers:
         self._ticket = 0
         self._count = 0
         self._bytes = 0
+        self._stuck = False
         self._lanes: dict[int, _Lane] = {}
         self._flights: OrderedDict[tuple[int, int], _Flight] = OrderedDict()
         self._outcomes: deque[Outcome] = deque(maxlen=4 * MAX_TRANSFERS)
@@ -92,7 +93,9 @@ class Transfers:
     def start(self, packet: Packet, now: float) -> int:
         """Begin; its number is given later. Returns the ticket; raises `ProtocolError` when too much is under way."""
         size = len(packet.payload)
-        if self._count >= MAX_TRANSFERS or self._bytes + size > self._settings.total_memory:
+        if self._stuck and self._is_full(size):
+            self._give_way(size)
+        if self._is_full(size):
             raise ProtocolError("too_much_under_way", f"{self._count} messages wait to be sent or acknowledged")
         self._ticket += 1
         self._count += 1
@@ -106,6 +109,16 @@ class Transfers:
             if len(lane.waiting) == 1:
                 self._pump(lane, now)
         return self._ticket
+
+    def _is_full(self, size: int) -> bool:
+        return self._count >= MAX_TRANSFERS or self._bytes + size > self._settings.total_memory
+
+    def _give_way(self, size: int) -> None:
+        """While nothing gets out, what nobody acknowledges gives way to what is newer; it is counted."""
+        for lane in self._lanes.values():
+            while lane.waiting and lane.timed and self._is_full(size):
+                self._forget(lane.waiting.popleft())
+                self._counters["dropped.large_message.stuck"] += 1
 
     def acknowledge(self, source: int, sequence: int, now: float) -> bool:
         """An ACK has come; false when nothing waits for it."""
@@ -152,6 +165,7 @@ class Transfers:
 
     def handle_timeout(self, now: float, *, room: bool = True) -> None:
         """Send again what was not acknowledged, and, if there is room, further pieces of what nobody acknowledges."""
+        self._stuck = not room
         while self._flights:
             flight = next(iter(self._flights.values()))
             if now < flight.deadline:

@@ -207,8 +207,9 @@ class Host:
     ) -> None:
         """Send a message; one that cannot be encoded is a bug: it is logged, counted and not sent.
 
-        With `told` it is sent again until the one component that it is for acknowledges it, or it is given up; `told`
-        hears which, unless the component is closed before. Who does not acknowledge is not taken for gone.
+        With `told` it is sent up to four times, until the one component that it is for acknowledges it; `told` hears
+        whether it did, unless the component is closed before, or so many are under way that it is sent only once. Who
+        does not acknowledge is not taken for gone.
         """
         self._sending.send(destination, message, priority, broadcast, told)
 

@@ -74,8 +74,11 @@ class Service:
 
         def __getattr__(self, name: str) -> object:
             """What is not there: most often `host`, in `__init__`."""
-            hint = "; it is there from `attached()` on, so set timers up there" if name == "host" else ""
-            raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}{hint}", name=name, obj=self)
+            if name == "host":
+                hint = "it is there from `attached()` on, so set timers up there"
+                text = f"{type(self).__name__!r} object has no attribute {name!r}; {hint}"
+                raise AttributeError(text, name=name, obj=self)
+            return self.__getattribute__(name)  # which says why, also when a property of the user has failed
 
     def every(self, seconds: float, call: Callable[[], None]) -> None:
         """Call a method of this service again and again, first in so many seconds; a second `every` replaces it.

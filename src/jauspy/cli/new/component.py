@@ -62,7 +62,8 @@ def _is_installed(name: str) -> bool:
     from importlib.machinery import PathFinder
 
     elsewhere = [each for each in sys.path if Path(each).resolve() != Path.cwd()]
-    return name in sys.stdlib_module_names or PathFinder.find_spec(name, elsewhere) is not None
+    known = {*sys.stdlib_module_names, "pytest", "pytest_asyncio", "conftest"}  # the tests need these, installed or not
+    return name in known or PathFinder.find_spec(name, elsewhere) is not None
 
 
 def _schema(source: Path | None) -> Schema:

@@ -20,7 +20,7 @@ def first_of_two(text: str) -> int:
     except ValueError:
         code = 0
     if not 0 < code < OWN.stop:
-        raise typer.BadParameter(f"{text!r} is no message id; use D001 to FFFE", param_hint="--first-id")
+        raise typer.BadParameter(f"{text!r} is no message id; use D000 to FFFE", param_hint="--first-id")
     if (user := _user(code) or _user(code + 1)) is not None:
         raise typer.BadParameter(
             f"{user.code:04X} is {user.name} of {user.service} already; {_free_from(code)}", param_hint="--first-id"

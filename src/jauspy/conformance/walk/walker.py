@@ -9,7 +9,7 @@ from typing import Final
 
 from jauspy.codec.base import Message
 from jauspy.conformance.client import Client
-from jauspy.conformance.outcome import Failed, Outcome, Skipped
+from jauspy.conformance.outcome import Failed, Outcome, Silent, Skipped
 from jauspy.conformance.tester import Tester
 from jauspy.conformance.walk.machine import Situation
 from jauspy.ids import JausID
@@ -119,7 +119,8 @@ class Walker:
         except Outcome as outcome:
             if not path:
                 raise  # where the component begins it must at least say where it is
-            raise self._out_of_reach(goal, str(outcome)) from outcome
+            first = Silent if isinstance(outcome, Silent) else Failed
+            raise self._out_of_reach(goal, str(outcome), first) from outcome
         if not self.agrees(seen, goal):
             raise self._out_of_reach(goal, f"it reports {seen}")
         self.quiet()
@@ -142,9 +143,9 @@ class Walker:
             return f"{self.component} is shut down, and nothing leads out of that: start it again before a test"
         return f"{self.component} reports {seen}, and a test begins in {self.start}"
 
-    def _out_of_reach(self, goal: Situation, why: str) -> Outcome:
+    def _out_of_reach(self, goal: Situation, why: str, first: type[Outcome] = Failed) -> Outcome:
         """Every situation can be reached, so the first step that wants it fails, and the others have their reason."""
-        kind = Skipped if goal in self._lost else Failed
+        kind = Skipped if goal in self._lost else first
         self._lost.add(goal)
         return kind(f"the component cannot be brought to {goal}: {why}")
 
