@@ -18,7 +18,7 @@ from jauspy.conformance.as_json import result_json, summary_json
 from jauspy.conformance.html import page, summary
 from jauspy.conformance.junit import junit
 from jauspy.conformance.pcap import capture
-from jauspy.conformance.results import Report, Result, Transition
+from jauspy.conformance.results import OTHERWISE, Report, Result, Transition
 from jauspy.messages.core import QueryIdentification, QueryStatus, ReportIdentification, ReportStatus
 
 NAME = b"<b>\x01\x9f&"
@@ -134,29 +134,28 @@ def test_pcapng(report, tmp_path):
 
 
 def test_transitions_are_counted_and_those_that_are_left_have_a_reason():
-    names = ("Management, Ready: Reset", "Management, Ready: Failure", "Events, Ready: Query [known(msg)]")
-    reset, failure, query = names
+    reset, failure = "Management, Ready: Reset", "Management, Ready: Failure"
+    query, create = "Events, Ready: Query [known(msg)]", "Events, Ready: CreateEvent [!supported(msg)]"
     results = (
         Result("a", "skipped", Verdict.SKIPPED, "it comes from inside", transitions=(failure, reset)),
         Result("b", "tried", Verdict.FAIL, "wrong", transitions=(reset, query), taken=(reset,)),
-        Result("c", "again", Verdict.PASS, transitions=(reset,), taken=(reset,)),
+        Result("c", "again", Verdict.PASS, transitions=(reset, create), taken=(reset,)),
     )
     report = Report("p", "t", "1.1.1", 0.0, results=results)
     assert report.transitions == (
         Transition(failure, reason="it comes from inside"),
         Transition(reset, "b"),
-        Transition(query, reason="it depends on what only the target knows, and the target decided otherwise"),
+        Transition(query, reason="wrong"),
+        Transition(create, reason=OTHERWISE),
     )
-    total = "1 of 3 state machine transitions in these steps were taken and judged"
+    total = "1 of 4 state machine transitions in these steps were taken and judged"
     assert summary_json(report)["transitions"] == {
-        "declared": 3,
+        "declared": 4,
         "taken": 1,
         "left": [
             {"transition": failure, "reason": "it comes from inside"},
-            {
-                "transition": query,
-                "reason": "it depends on what only the target knows, and the target decided otherwise",
-            },
+            {"transition": query, "reason": "wrong"},
+            {"transition": create, "reason": OTHERWISE},
         ],
     }
     assert f"{total}</summary><ul><li>Management, Ready: Failure: it comes from inside</li>" in page(report)
