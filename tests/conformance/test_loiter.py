@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from datetime import UTC, datetime
-
 import pytest
+from tests.conformance.judging import failed, judged
 
 from jauspy import Service
-from jauspy.conformance import Bench, Part, Report, find, run
-from jauspy.ids import JausID
 from jauspy.messages.mobility import (
     ReportGlobalLoiter,
     ReportLocalLoiter,
@@ -17,10 +14,7 @@ from jauspy.messages.mobility import (
     ZPosition,
 )
 from jauspy.services import sending
-from jauspy.services.core import Discovery
-from jauspy.services.host import Host
 
-ID = JausID(101, 1, 1)
 READY = "Controlled.Available.Ready"
 STILL = SetTravelSpeedExt.Speed(SetTravelSpeedExt.Speed.Choice.SPEED_OVER_GROUND, 0.0)
 
@@ -65,16 +59,6 @@ class GlobalLoiterer(Loiterer, urn="urn:jaus:jss:mobility:GlobalLoiterDriver"):
     def send_report_global_loiter(self):
         place = ReportGlobalLoiter.GlobalLoiterRec(self.loiter.latitude, self.loiter.longitude)
         return ReportGlobalLoiter(place, ReportGlobalLoiter.HoverRec(0, 0.0, 0.0))
-
-
-def judged(service: Service) -> Report:
-    component = Host(ID, [service, Discovery()], utc_now=lambda: datetime(2026, 1, 1, tzinfo=UTC))
-    return run(find("mobility-1.1"), Bench([Part(component)]), ID, began=0.0)
-
-
-def failed(report: Report) -> set[str]:
-    assert report.problem == ""
-    return {each.id for each in report.failures}
 
 
 def nothing(self, msg):

@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-from datetime import UTC, datetime
-
 import pytest
+from tests.conformance.judging import failed, judged
 
 from jauspy import Service
-from jauspy.conformance import Bench, Part, Report, find
-from jauspy.conformance.runner import run
-from jauspy.ids import JausID
 from jauspy.messages.mobility import (
     ReportAccelerationStateExtRec,
     ReportGlobalPoseExtRec,
@@ -21,10 +17,7 @@ from jauspy.messages.mobility import (
 )
 from jauspy.messages.mobility.v1_1.navigation_state import ReportNavigation
 from jauspy.services import sending
-from jauspy.services.core import Discovery
-from jauspy.services.host import Host
 
-ID = JausID(101, 1, 1)
 EXTENDED = "Ready/QueryVelocityStateExt/rival"
 NAVIGATION = "Ready/QueryNavigation/rival"
 
@@ -67,16 +60,6 @@ PARTS = {
     "velocity": {"roll_rate": 1.0},
     "acceleration": {"acceleration_x": 1.0},
 }
-
-
-def judged(service: Service) -> Report:
-    component = Host(ID, [service, Discovery()], utc_now=lambda: datetime(2026, 1, 1, tzinfo=UTC))
-    return run(find("mobility-1.1"), Bench([Part(component)]), ID, began=0.0)
-
-
-def failed(report: Report) -> set[str]:
-    assert report.problem == ""
-    return {each.id for each in report.failures}
 
 
 def test_parts_of_a_report_are_not_mixed_up():

@@ -11,10 +11,14 @@ from typing import TYPE_CHECKING, Final
 from jauspy.cli.options import DEFAULT_ROOT
 
 if TYPE_CHECKING:
+    from jauspy.codec.registry import Registry
     from jauspy.ids import JausID
+    from jauspy.ocu import OCU
 
 SUBSYSTEM: Final = 42
 NODE: Final = 1
+ATTEMPTS: Final = 6
+"""Questions that share the time a verb waits for answers, for packets get lost."""
 _FIRST, _LAST = 2, 254  # 42.1.1 is left to programs, as the one in README
 
 
@@ -46,6 +50,14 @@ def own_id(given: str | None, connect: str | None) -> str:
     return str(
         next((id for id in ids if not local_socket.is_alive(root / str(int(id))) and _claim(id, connect)), ids[0])
     )
+
+
+def client(given: str | None, connect: str | None, timeout: float, registry: Registry | None = None) -> OCU:
+    """An OCU that waits so many seconds for an answer, with the id of `own_id`."""
+    from jauspy.ocu import OCU
+
+    id = own_id(given, connect)
+    return OCU(id, connect, timeout=timeout / ATTEMPTS, retries=ATTEMPTS - 1, registry=registry)
 
 
 def _claim(id: JausID, connect: str | None) -> bool:

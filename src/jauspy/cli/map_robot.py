@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from jauspy.cli.options import ATTEMPTS, Connect, OwnId, Timeout
+from jauspy.cli.options import Connect, OwnId, Timeout
 
 if TYPE_CHECKING:
     from jauspy.mapping.grid import OccupancyGrid
@@ -52,10 +52,9 @@ def map_robot(
     if not output.absolute().parent.is_dir():
         raise ConfigError(f"{output}: there is no folder {output.absolute().parent}; make it first")
     from jauspy.mapping.grid import OccupancyGrid
-    from jauspy.ocu import OCU
 
     grid = OccupancyGrid(size, resolution)
-    ocu = OCU(addresses.own_id(own_id, connect), connect, timeout=timeout / ATTEMPTS, retries=ATTEMPTS - 1)
+    ocu = addresses.client(own_id, connect, timeout)
     run(_map(ocu, (subsystem, sensor), grid, output, seconds))
 
 

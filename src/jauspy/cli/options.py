@@ -52,7 +52,6 @@ OwnId = Annotated[
     str | None,
     typer.Option("--id", metavar="ID", help="The JAUS id to speak as. Default: 42.1.2, or the next that is free."),
 ]
-ATTEMPTS = 6  # questions that share the --timeout, for packets get lost
 Timeout = Annotated[float, typer.Option("--timeout", min=0.01, metavar="SECONDS", help="How long to wait for answers.")]
 Json = Annotated[bool, typer.Option("--json", help="One JSON object per line.")]
 WithParent = Annotated[

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from jauspy.cli.definitions import Beside, ServiceName, ServiceVersion
-from jauspy.cli.options import ATTEMPTS, Connect, OwnId, Timeout
+from jauspy.cli.options import Connect, OwnId, Timeout
 
 if TYPE_CHECKING:
     from jauspy.codec.base import Message
@@ -56,20 +56,13 @@ def query(
     from jauspy.cli.fields import message_from
     from jauspy.cli.run import run
     from jauspy.errors import ConfigError
-    from jauspy.ocu import OCU
 
     to = addresses.destination(destination)
     known = definitions(sources)
     question = message_from(known.registry, message, fields or [], known.hints(service, version))
     if not question.IS_QUERY:
         raise ConfigError(f"{question.NAME} is no query, nothing would answer it; use `jauspy send`")
-    ocu = OCU(
-        addresses.own_id(own_id, connect),
-        connect,
-        timeout=timeout / ATTEMPTS,
-        retries=ATTEMPTS - 1,
-        registry=known.registry,
-    )
+    ocu = addresses.client(own_id, connect, timeout, known.registry)
     run(_ask_all(ocu, to, question, timeout) if to.is_wildcard else _ask(ocu, to, question))
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Final
 import typer
 
 from jauspy.cli.definitions import Beside, ServiceName, ServiceVersion
-from jauspy.cli.options import ATTEMPTS, Connect, OwnId, Timeout
+from jauspy.cli.options import Connect, OwnId, Timeout
 from jauspy.cli.query import Destination, Fields, MessageName
 
 if TYPE_CHECKING:
@@ -65,7 +65,6 @@ def send(
     from jauspy.cli.fields import message_from
     from jauspy.cli.run import run
     from jauspy.errors import ConfigError
-    from jauspy.ocu import OCU
 
     if control is None and hold:
         raise typer.BadParameter("control can only be held with --control", param_hint="--hold")
@@ -78,13 +77,7 @@ def send(
         raise ConfigError(f"{command.NAME} is a query, and its answer would not be shown; use `jauspy query`")
     if control is not None and to.is_wildcard:
         raise ConfigError(f"control is taken of one component at a time, and {to} may be several")
-    ocu = OCU(
-        addresses.own_id(own_id, connect),
-        connect,
-        timeout=timeout / ATTEMPTS,
-        retries=ATTEMPTS - 1,
-        registry=known.registry,
-    )
+    ocu = addresses.client(own_id, connect, timeout, known.registry)
     if control is None:
         remark = run(_send(ocu, to, command))
         if remark:

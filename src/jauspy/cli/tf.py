@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from jauspy.cli.options import ATTEMPTS, Connect, Json, OwnId, Timeout
+from jauspy.cli.options import Connect, Json, OwnId, Timeout
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -43,7 +43,6 @@ def tf(
     """
     import json
 
-    from jauspy.cli import addresses
     from jauspy.cli.run import run
     from jauspy.errors import ConfigError
     from jauspy.modules import robots
@@ -51,7 +50,7 @@ def tf(
     if (source is None) != (target is None):
         raise ConfigError(f"{source} alone is not enough: give the frame to start from and the one that is wanted")
     config = robots.load(robot)
-    found = run(_look(addresses.own_id(own_id, connect), connect, config, timeout))
+    found = run(_look(own_id, connect, config, timeout))
     if found is None:
         return
     frames, assumed = found
@@ -62,15 +61,15 @@ def tf(
 
 
 async def _look(
-    own_id: str, connect: str | None, config: RobotConfig, patience: float
+    own_id: str | None, connect: str | None, config: RobotConfig, patience: float
 ) -> tuple[Frames, Callable[[str, str], list[str]]]:
     """All frames, and what tells on which joints that nobody reports the pose of one in another one depends."""
+    from jauspy.cli import addresses
     from jauspy.modules.description import robot_model
-    from jauspy.ocu import OCU
     from jauspy.ocu.frames import RobotFrames
 
     model = robot_model(config)
-    async with OCU(own_id, connect, timeout=patience / ATTEMPTS, retries=ATTEMPTS - 1) as ocu:
+    async with addresses.client(own_id, connect, patience) as ocu:
         reader = RobotFrames(await ocu.discover(config.subsystem, timeout=patience), model, config.movers)
         return await reader.look(), reader.assumed_between
 

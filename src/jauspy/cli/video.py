@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from jauspy.cli.options import ATTEMPTS, Connect, OwnId, Timeout
+from jauspy.cli.options import Connect, OwnId, Timeout
 
 
 def video(
@@ -53,7 +53,6 @@ def video(
     from jauspy.cli.run import run
     from jauspy.cli.video_watch import players, record, watch
     from jauspy.errors import ConfigError
-    from jauspy.ocu import OCU
     from jauspy.services.environment_sensing.video_camera import address_of
 
     component = addresses.destination(camera)
@@ -62,7 +61,7 @@ def video(
     if save is not None and show:
         raise typer.BadParameter("a port has one listener: watch, or record", param_hint="--show")
     address = address_of(f"rtp://{to}")
-    ocu = OCU(addresses.own_id(own_id, connect), connect, timeout=timeout / ATTEMPTS, retries=ATTEMPTS - 1)
+    ocu = addresses.client(own_id, connect, timeout)
     if save is not None:
         run(record(ocu, component, sensor, address, file=save, seconds=seconds))
         return
