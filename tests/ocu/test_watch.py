@@ -9,9 +9,9 @@ import pytest
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages.core import ReportIdentification, ReportServices
-from jauspy.ocu import Appeared, Changed, Component, Node, ServiceInfo, Subsystem, Vanished
+from jauspy.ocu import Appeared, Changed, ComponentInfo, NodeInfo, ServiceInfo, SubsystemInfo, Vanished
 from jauspy.ocu.findings import MAX_COMPONENTS
-from jauspy.ocu.sightings import SETTLE, Sightings
+from jauspy.ocu.sightings import INTRODUCTION_TIME, Sightings
 from jauspy.protocol.header import Packet
 from jauspy.protocol.judp import pack
 from jauspy.services.core import Discovery, Identity, Liveness
@@ -78,9 +78,9 @@ async def test_the_whole_is_told_before_its_parts_and_each_once(virtual_network,
     async with virtual_network.component(ME, [named("robot"), Liveness()], core=False):
         await asyncio.sleep(60)
         assert [each for each in kinds(news) if "Transport" not in each and "Events" not in each] == ALL
-        assert isinstance(news[0].now, Subsystem)
-        assert isinstance(news[1].now, Node)
-        assert isinstance(news[2].now, Component)
+        assert isinstance(news[0].now, SubsystemInfo)
+        assert isinstance(news[1].now, NodeInfo)
+        assert isinstance(news[2].now, ComponentInfo)
         assert (news[0].now.name, news[2].now.name) == ("robot", "component")
 
 
@@ -212,7 +212,7 @@ def test_a_flood_of_ids_is_bounded():
     for number in range(MAX_COMPONENTS + 100):
         sightings.add(ReportIdentification(4, 60001, "x"), JausID(1 + number // 200, 1, 1 + number % 200), 0.0)
     assert len(list(sightings)) == MAX_COMPONENTS
-    assert len(sightings.subsystems(SETTLE)) == MAX_COMPONENTS // 200 + 1
+    assert len(sightings.subsystems(INTRODUCTION_TIME)) == MAX_COMPONENTS // 200 + 1
     sightings.expire(1.0)
     assert list(sightings) == []
     assert sightings._names == {}

@@ -3,7 +3,7 @@
 from jauspy.ocu.client import OCU
 from jauspy.ocu.control import Control
 from jauspy.ocu.elements import Elements
-from jauspy.ocu.model import Component, Node, ServiceInfo, Subsystem
+from jauspy.ocu.model import ComponentInfo, NodeInfo, ServiceInfo, SubsystemInfo
 from jauspy.ocu.robot import ComponentClient, Robot
 from jauspy.ocu.service import ServiceClient
 from jauspy.ocu.stats import Stats
@@ -14,16 +14,16 @@ __all__ = [
     "OCU",
     "Appeared",
     "Changed",
-    "Component",
     "ComponentClient",
+    "ComponentInfo",
     "Control",
     "Elements",
-    "Node",
+    "NodeInfo",
     "Robot",
     "ServiceClient",
     "ServiceInfo",
     "Stats",
     "Subscription",
-    "Subsystem",
+    "SubsystemInfo",
     "Vanished",
 ]

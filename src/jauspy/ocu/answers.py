@@ -7,19 +7,19 @@ from typing import Final
 from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
-from jauspy.ocu.arguments import check_class, check_message
+from jauspy.ocu.arguments import check_message, check_message_class
 
 REPORT_OFFSET: Final = 0x2000
 """From the code of a query (2000h to 3FFFh) to that of its report (AS5710)."""
-REPORTS: Final = range(0x4000, 0x6000)
+REPORT_CODES: Final = range(0x4000, 0x6000)
 
 
-def answer_to(
+def reply_class(
     registry: Registry, message: Message, expects: type[Message] | None, use: str = "query()"
 ) -> type[Message]:
     """What answers this message: `expects`, else the report of the query that it is; `use` is what it was given to."""
     check_message(message, use)
-    check_class(expects, "expects")
+    check_message_class(expects, "expects")
     return expects or report_of(registry, message)
 
 
@@ -30,12 +30,12 @@ def report_of(registry: Registry, query: Message) -> type[Message]:
     if (report := getattr(query, "REPORT", None)) is not None:
         return report  # type: ignore[no-any-return]  # queries whose report is of the same service have it
     code = query.CODE + REPORT_OFFSET
-    found = registry.by_code(code) if code in REPORTS else _named_report(registry, query)
+    found = registry.by_code(code) if code in REPORT_CODES else _named_report(registry, query)
     for each in found:
         if (each.SERVICE, each.VERSION) == (query.SERVICE, query.VERSION):
             return each
     if not found:
-        what = f"with id {code:04X}" if code in REPORTS else f"called {report_name(query)} of {query.SERVICE}"
+        what = f"with id {code:04X}" if code in REPORT_CODES else f"called {report_name(query)} of {query.SERVICE}"
         raise ConfigError(f"no message {what} is known to answer {query.NAME}; say with `expects` which one does")
     return found[0]
 

@@ -15,7 +15,7 @@ def check_message(value: object, use: str, example: str = "QueryStatus()") -> No
     raise TypeError(f"{use} takes a message, as in {example}, not {described(value)}")
 
 
-def check_class(value: object, use: str) -> None:
+def check_message_class(value: object, use: str) -> None:
     """Raise `TypeError` unless it is the class of a message, or None."""
     if value is None or (isinstance(value, type) and issubclass(value, Message)):
         return

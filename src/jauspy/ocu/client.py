@@ -16,9 +16,9 @@ from jauspy.component import Shell
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.ocu import discovery
-from jauspy.ocu.link import Link
-from jauspy.ocu.only_async import use
-from jauspy.ocu.patience import Patience
+from jauspy.ocu.link import Connection
+from jauspy.ocu.only_async import async_only
+from jauspy.ocu.patience import RetryPolicy
 from jauspy.ocu.robot import Robot
 from jauspy.ocu.stats import Stats
 from jauspy.ocu.watch import News, watch
@@ -68,7 +68,7 @@ class OCU:
         check_text(name, "an OCU's name")
         if registry is not None and not isinstance(registry, Registry):
             raise TypeError(f"registry is what `jauspy.load` gives, not {described(registry)}")
-        self._link = Link(registry or _builtin(), Patience(timeout, retries))
+        self._link = Connection(registry or _builtin(), RetryPolicy(timeout, retries))
         self._component: Shell | None = None
 
     def __repr__(self) -> str:
@@ -125,7 +125,7 @@ class OCU:
         await self.close()
 
     if not TYPE_CHECKING:
-        __enter__ = __exit__ = use("`async with`")
+        __enter__ = __exit__ = async_only("`async with`")
 
     # --- finding --------------------------------------------------------------------------------------------------
 

@@ -17,26 +17,26 @@ from jauspy.errors import ConfigError, JausError, RequestError, ResponseTimeout
 from jauspy.ids import JausID
 from jauspy.messages.core import CommandEvent, ConfirmEventRequest, CreateCommandEvent
 from jauspy.ocu.arguments import check_message
-from jauspy.ocu.event_requests import ask, cancel
-from jauspy.ocu.link import Link
-from jauspy.ocu.replies import Waiter
+from jauspy.ocu.event_requests import cancel_event, request_event
+from jauspy.ocu.link import Connection
+from jauspy.ocu.replies import ReplyWaiter
 
-LONGEST: Final = 0xFFFF_FFFF
+MAX_WITHIN: Final = 0xFFFF_FFFF
 """Seconds; what fits the message."""
-LOOK: Final = 0.2
+CONTROL_CHECK_INTERVAL: Final = 0.2
 """Seconds between two looks at whether control is still held."""
 
 
-async def perform(link: Link, id: JausID, command: Message, within: float) -> None:
+async def perform(link: Connection, id: JausID, command: Message, within: float) -> None:
     """As `ServiceClient.perform`."""
     check_message(command, "perform()", "Resume()")
     check_number(within, "within")
-    if not 0 <= within <= LONGEST:
-        raise ConfigError(f"within {within} s is outside 0..{LONGEST}")
+    if not 0 <= within <= MAX_WITHIN:
+        raise ConfigError(f"within {within} s is outside 0..{MAX_WITHIN}")
     if not command.IS_COMMAND:
         raise ConfigError(f"{command.NAME} is no command; `query()` asks, `send()` sends anything")
     link.controls.check(id, command)
-    result = await _Performance(link, id, command, within).result()
+    result = await _PendingCommand(link, id, command, within).result()
     if result.command_result != CommandEvent.CommandResult.SUCCESSFUL:
         link.controls.check(id, command)
         raise RequestError(
@@ -45,10 +45,10 @@ async def perform(link: Link, id: JausID, command: Message, within: float) -> No
         )
 
 
-class _Performance:
+class _PendingCommand:
     """One command that somebody waits for; `ends` is when the component should have said how it ended."""
 
-    def __init__(self, link: Link, id: JausID, command: Message, within: float) -> None:
+    def __init__(self, link: Connection, id: JausID, command: Message, within: float) -> None:
         self._link, self._id, self._command, self._within = link, id, command, within
         self._encoded = command.encode()
         self._clock = asyncio.get_running_loop().time
@@ -75,33 +75,33 @@ class _Performance:
             link.events.join(id, self._encoded, self)
             link.controls.sent(id, self._command)
             try:
-                await ask(link, id, request, self._command, link.patience)
+                await request_event(link, id, request, self._command, link.patience)
                 self.ends = self._clock() + math.ceil(self._within)
                 return await self._wait(waiter)
             except BaseException:
                 if link.events.users(id, self._encoded) == {self}:
-                    _forget(link, id, events)
+                    _cancel_events(link, id, events)
                 raise
             finally:
                 link.events.leave(id, self._encoded, self)
 
     def _request(self) -> CreateCommandEvent:
         """For as long as any of those who wait for an equal command allows."""
-        others = [each.ends for each in self._others() if isinstance(each, _Performance)]
+        others = [each.ends for each in self._others() if isinstance(each, _PendingCommand)]
         seconds = math.ceil(max(self.ends, *others) - self._clock()) if others else math.ceil(self._within)
-        return CreateCommandEvent(self._link.next_request_id(self._id), min(seconds, LONGEST), self._command)
+        return CreateCommandEvent(self._link.next_request_id(self._id), min(seconds, MAX_WITHIN), self._command)
 
-    async def _wait(self, waiter: Waiter) -> CommandEvent:
+    async def _wait(self, waiter: ReplyWaiter) -> CommandEvent:
         patience = self._link.patience
         while not waiter.arrival.done():
             self._link.controls.check(self._id, self._command)
             self._shared = self._shared or any(
-                each.ends > self.ends for each in self._others() if isinstance(each, _Performance)
+                each.ends > self.ends for each in self._others() if isinstance(each, _PendingCommand)
             )
             left = self.ends + (patience.timeout if self._shared else patience.total) - self._clock()
             if left <= 0:
                 raise self._too_long()
-            await asyncio.wait({waiter.arrival}, timeout=min(LOOK, left))
+            await asyncio.wait({waiter.arrival}, timeout=min(CONTROL_CHECK_INTERVAL, left))
         message, _ = waiter.arrival.result()
         assert isinstance(message, CommandEvent)
         return message
@@ -122,8 +122,8 @@ class _Performance:
         )
 
 
-def _forget(link: Link, id: JausID, events: set[int]) -> None:
+def _cancel_events(link: Connection, id: JausID, events: set[int]) -> None:
     """Nobody waits any more; that the OCU may be closed is said already."""
     with suppress(JausError):
         for event in events:
-            cancel(link, id, event)
+            cancel_event(link, id, event)

@@ -27,24 +27,24 @@ from jauspy.messages.core import (
     Shutdown,
     Standby,
 )
-from jauspy.ocu.link import Link
-from jauspy.ocu.only_async import use
-from jauspy.ocu.patience import Patience
-from jauspy.ocu.standing import ASK_TIMEOUT, NOBODY, Standing, holder, status_name
+from jauspy.ocu.link import Connection
+from jauspy.ocu.only_async import async_only
+from jauspy.ocu.patience import RetryPolicy
+from jauspy.ocu.standing import NOBODY, STATUS_RETRY, ControlStatus, holder, status_name
 from jauspy.protocol.header import Ack
 
 _LOG: Final = logging.getLogger("jauspy.ocu")
 
-LEAVE: Final = 0.5
+RELEASE_TIMEOUT: Final = 0.5
 """Seconds for which leaving the block waits for the component to say that control is released, if it did not
 acknowledge that it has heard of it."""
-ECHOES: Final = 1.0
+STALE_REPLY_TIME: Final = 1.0
 """Seconds in which what was said of control that this OCU had before, or asked for, may still come in."""
-LOOK: Final = 2.0
+CHECK_INTERVAL: Final = 2.0
 """Seconds, at most, between two looks at whether the component still knows of us and does what it was told."""
-SILENCE: Final = 10.0
+MAX_SILENCE: Final = 10.0
 """Seconds without any answer after which a component is gone that would never take control back by itself."""
-REQUESTS: Final = 4
+MAX_RENEWALS: Final = 4
 """Renewals of control that are sent at most each time, until one is confirmed."""
 _CALMING: Final = tuple(each.CODE for each in (Standby, SetEmergency, Reset, Shutdown))
 """After one of these from us it is no wonder that the component leaves Ready."""
@@ -58,7 +58,7 @@ class Control:
     when the component has left Ready by itself, as after a restart: from then on it would ignore every command.
     """
 
-    def __init__(self, link: Link, id: JausID, authority: int, patience: Patience) -> None:
+    def __init__(self, link: Connection, id: JausID, authority: int, patience: RetryPolicy) -> None:
         check_number(authority, "authority", whole=True)
         if not 0 <= authority <= 255:
             raise ConfigError(f"authority {authority} is outside 0..255")
@@ -69,7 +69,7 @@ class Control:
         self.lost = ""
         """Why control was lost; empty while it is held."""
         self._taken = self._parted = False
-        self._standing = Standing(link, id, patience)
+        self._standing = ControlStatus(link, id, patience)
         self._gone = asyncio.Event()
         self._ready = False
         self._calmed = False
@@ -144,7 +144,7 @@ class Control:
                 await asyncio.wait(tasks)
 
     if not TYPE_CHECKING:
-        __enter__ = __exit__ = use("`async with`")
+        __enter__ = __exit__ = async_only("`async with`")
 
     # --- taking ---------------------------------------------------------------------------------------------------
 
@@ -169,15 +169,15 @@ class Control:
     async def _keep(self) -> None:
         """Look, and ask again, at a third of the timeout, so that a gap in the network does no harm."""
         clock = asyncio.get_running_loop().time
-        interval = min(self.timeout / 3 or LOOK, LOOK)
-        patience = Patience(min(self._patience.timeout, interval / 3), 1)
+        interval = min(self.timeout / 3 or CHECK_INTERVAL, CHECK_INTERVAL)
+        patience = RetryPolicy(min(self._patience.timeout, interval / 3), 1)
         due = self._confirmed_at
         while not self.lost:
             due = max(due + interval, clock())
             await asyncio.sleep(due - clock())
             # And not until now: this event loop may have been busy since.
             silence = due - max(self._known_at, self._confirmed_at)
-            if silence > (self.timeout or SILENCE):
+            if silence > (self.timeout or MAX_SILENCE):
                 most = f", and its timeout is {self.timeout:g} s" if self.timeout else ""
                 self._lose(f"{self.id} has not answered for {silence:.1f} s{most}")
                 return
@@ -190,13 +190,13 @@ class Control:
         """Ask for control again, several times within these seconds while it is not confirmed: packets get lost."""
         clock = asyncio.get_running_loop().time
         asked_at = clock()
-        for _ in range(REQUESTS):
+        for _ in range(MAX_RENEWALS):
             self._quietly(RequestControl(authority_code=self.authority))
-            await asyncio.sleep(seconds / REQUESTS)
+            await asyncio.sleep(seconds / MAX_RENEWALS)
             if self.lost or self._confirmed_at >= asked_at:
                 return
 
-    async def _look(self, patience: Patience) -> None:
+    async def _look(self, patience: RetryPolicy) -> None:
         """See whether the component still holds us for its controller, and is as we left it; silence says nothing."""
         control, status = await asyncio.gather(
             self._standing.ask(QueryControl(), patience), self._standing.ask(QueryStatus(), patience)
@@ -232,13 +232,13 @@ class Control:
         """It is lost from now on; who waits for that is told when it is known who has it."""
         if self._taken or (self._asker is not None and not self._asker.done()):
             return
-        if asyncio.get_running_loop().time() - self._taken_at > ECHOES:
+        if asyncio.get_running_loop().time() - self._taken_at > STALE_REPLY_TIME:
             self._taken, self.lost = True, self.lost or why
         self._asker = asyncio.create_task(self._ask_who(why, self._link.id), name=f"who controls {self.id}")
 
     async def _ask_who(self, why: str, me: JausID) -> None:
         """An echo of what was said before does not count; the OCU may be closed when the answer is looked at."""
-        control = await self._standing.ask(QueryControl(), ASK_TIMEOUT)
+        control = await self._standing.ask(QueryControl(), STATUS_RETRY)
         if isinstance(control, ReportControl):
             if not self._taken and holder(control) == me:
                 return
@@ -276,7 +276,7 @@ class Control:
         with self._link.replies.waiting(self.id, RejectControl) as waiter:
             if await self._link.assure(self.id, ReleaseControl()):
                 return True
-            await asyncio.wait({waiter.arrival}, timeout=LEAVE)
+            await asyncio.wait({waiter.arrival}, timeout=RELEASE_TIMEOUT)
             return waiter.arrival.done()
 
     def _quietly(self, message: Message, ack: Ack = Ack.NONE) -> None:

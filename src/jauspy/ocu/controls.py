@@ -17,14 +17,14 @@ from jauspy.messages.core import (
     UpdateEvent,
 )
 
-FREE_FOR_ALL: Final = frozenset(
+COMMANDS_WITHOUT_CONTROL: Final = frozenset(
     each.CODE
     for each in (RequestControl, ReleaseControl, SetEmergency, ClearEmergency, CreateEvent, UpdateEvent, CancelEvent)
 )
 """Commands that need no control."""
 
 
-class Held(Protocol):
+class ControlHandle(Protocol):
     """Control of a component, as others see it."""
 
     def check(self) -> None:
@@ -34,29 +34,29 @@ class Held(Protocol):
         """Hear of a message that was sent to the component."""
 
 
-class Controls:
+class ActiveControls:
     """One for each component, from when it is asked for until it is given back."""
 
     def __init__(self) -> None:
-        self._held: dict[JausID, Held] = {}
+        self._held: dict[JausID, ControlHandle] = {}
 
     def __contains__(self, id: JausID) -> bool:
         return id in self._held
 
-    def take(self, id: JausID, control: Held) -> None:
+    def take(self, id: JausID, control: ControlHandle) -> None:
         """Remember who controls a component; `ControlRejected` when something else here does."""
         if id in self._held:
             raise ControlRejected(f"this OCU already controls {id}; one `async with` block serves all of its services")
         self._held[id] = control
 
-    def drop(self, id: JausID, control: Held) -> None:
+    def drop(self, id: JausID, control: ControlHandle) -> None:
         """Forget it; fine when another one is there."""
         if self._held.get(id) is control:
             del self._held[id]
 
     def check(self, id: JausID, message: Message) -> None:
         """Raise `ControlRejected` for a command to a component whose control was taken and is lost."""
-        if id in self._held and message.IS_COMMAND and message.CODE not in FREE_FOR_ALL:
+        if id in self._held and message.IS_COMMAND and message.CODE not in COMMANDS_WITHOUT_CONTROL:
             self._held[id].check()
 
     def sent(self, destination: JausID, message: Message) -> None:

@@ -20,16 +20,16 @@ from jauspy.messages.core import (
     ReportIdentification,
     ReportServices,
 )
-from jauspy.ocu.findings import Findings, Level
-from jauspy.ocu.link import Link
-from jauspy.ocu.model import Subsystem
+from jauspy.ocu.findings import Level, SubsystemTree
+from jauspy.ocu.link import Connection
+from jauspy.ocu.model import SubsystemInfo
 from jauspy.protocol.header import Broadcast
 
-ASK_AGAIN: Final = 0.5
+ROUND_INTERVAL: Final = 0.5
 """Seconds between two rounds of questions."""
-LOOK: Final = 0.05
+POLL_INTERVAL: Final = 0.05
 """Seconds between two looks at what has come in."""
-QUIET: Final = 0.15
+QUIET_TIME: Final = 0.15
 """Seconds without news after which a picture seems to be complete."""
 ROUNDS: Final = 2
 """How often everybody is asked before that is believed: the questions to a component, or its answers, may get lost."""
@@ -37,7 +37,7 @@ MAX_FOLLOW_UPS: Final = 64
 """Questions to single components in one round, so that a flood of answers is not answered with a flood."""
 
 
-async def discover(link: Link, subsystem: int, timeout: float) -> Subsystem:
+async def discover(link: Connection, subsystem: int, timeout: float) -> SubsystemInfo:
     """The subsystem of this number as soon as it is known whole; raises `ResponseTimeout` when it does not answer."""
     check_number(subsystem, "a subsystem", whole=True)
     if not 0 < subsystem < ANY_SUBSYSTEM:
@@ -49,16 +49,16 @@ async def discover(link: Link, subsystem: int, timeout: float) -> Subsystem:
     return found
 
 
-async def discover_all(link: Link, timeout: float) -> tuple[Subsystem, ...]:
+async def discover_all(link: Connection, timeout: float) -> tuple[SubsystemInfo, ...]:
     """Every subsystem that answers within `timeout` seconds, which are used whole."""
     return (await _search(link, None, timeout)).subsystems()
 
 
-async def _search(link: Link, subsystem: int | None, timeout: float) -> Findings:
+async def _search(link: Connection, subsystem: int | None, timeout: float) -> SubsystemTree:
     check_number(timeout, "timeout")
     if not timeout > 0:
         raise ConfigError(f"timeout {timeout} s must be above 0")
-    findings, myself = Findings(), link.id
+    findings, myself = SubsystemTree(), link.id
 
     def heard(message: Message, source: JausID) -> None:
         if source != myself:
@@ -68,39 +68,39 @@ async def _search(link: Link, subsystem: int | None, timeout: float) -> Findings
     end = clock() + timeout
     with link.replies.tapped(EVERYONE, heard, ReportIdentification, ReportServices):
         for asked in count(1):
-            ask_everybody(link, subsystem)
+            query_everybody(link, subsystem)
             _follow_up(link, findings, subsystem)
-            settled = await _settled(findings, subsystem, min(end, clock() + ASK_AGAIN), link)
+            settled = await _settled(findings, subsystem, min(end, clock() + ROUND_INTERVAL), link)
             if (settled and asked >= ROUNDS) or clock() >= end:
                 break
     return findings
 
 
-async def _settled(findings: Findings, subsystem: int | None, end: float, link: Link) -> bool:
+async def _settled(findings: SubsystemTree, subsystem: int | None, end: float, link: Connection) -> bool:
     """Wait for answers until `end`; true as soon as the subsystem is known whole and nothing more comes."""
     clock = asyncio.get_running_loop().time
     known, news_at = len(findings), clock()
     while clock() < end:
-        await asyncio.sleep(min(LOOK, end - clock()))
+        await asyncio.sleep(min(POLL_INTERVAL, end - clock()))
         if len(findings) != known:
             if known == 0 or subsystem is None:
                 _follow_up(link, findings, subsystem)
             known, news_at = len(findings), clock()
-        elif subsystem is not None and findings.is_complete(subsystem) and clock() - news_at >= QUIET:
+        elif subsystem is not None and findings.is_complete(subsystem) and clock() - news_at >= QUIET_TIME:
             return True
     return False
 
 
-def ask_everybody(link: Link, subsystem: int | None) -> JausID:
+def query_everybody(link: Connection, subsystem: int | None) -> JausID:
     """Ask who everybody is, or everybody in one subsystem, and what they offer; the address that reaches them."""
     number = ANY_SUBSYSTEM if subsystem is None else subsystem
     everybody = JausID(number, ANY_NODE, ANY_COMPONENT)
-    for question in (QueryIdentification(query_type=Level.SUBSYSTEM), all_services()):
+    for question in (QueryIdentification(query_type=Level.SUBSYSTEM), query_all_services()):
         link.send(everybody, question, broadcast=Broadcast.GLOBAL)
     return everybody
 
 
-def _follow_up(link: Link, findings: Findings, subsystem: int | None) -> None:
+def _follow_up(link: Connection, findings: SubsystemTree, subsystem: int | None) -> None:
     """Ask each component for what it has not said."""
     asked: list[tuple[JausID, Message]] = []
     nodes: set[tuple[int, int]] = set()
@@ -114,12 +114,12 @@ def _follow_up(link: Link, findings: Findings, subsystem: int | None) -> None:
     asked += [
         (id, QueryIdentification(query_type=Level.COMPONENT)) for id in findings.unnamed(Level.COMPONENT, subsystem)
     ]
-    asked += [(id, all_services()) for id in findings.mute(subsystem)]
+    asked += [(id, query_all_services()) for id in findings.mute(subsystem)]
     for id, question in asked[:MAX_FOLLOW_UPS]:
         link.send(id, question)
 
 
-def all_services() -> QueryServices:
+def query_all_services() -> QueryServices:
     """The question for all services of all components."""
     return QueryServices(
         node_list=[
@@ -131,7 +131,7 @@ def all_services() -> QueryServices:
     )
 
 
-def _nobody(subsystem: int, findings: Findings, timeout: float) -> str:
+def _nobody(subsystem: int, findings: SubsystemTree, timeout: float) -> str:
     others = sorted({each.subsystem for each in findings.components()})
     answered = f"subsystems {', '.join(map(str, others))} did" if others else "nobody else did either"
     return (

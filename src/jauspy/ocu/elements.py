@@ -11,10 +11,10 @@ from jauspy.codec.base import Message
 from jauspy.errors import ConfigError, DecodeError, ElementRejected, JausError, RequestError
 from jauspy.messages.core import ElementRec, ReportElement, ReportStatus
 from jauspy.ocu.arguments import check_message
-from jauspy.ocu.link import Link
-from jauspy.ocu.list_requests import BATCH, ListRequests
-from jauspy.ocu.only_async import use
-from jauspy.ocu.progress import progress
+from jauspy.ocu.link import Connection
+from jauspy.ocu.list_requests import MAX_ELEMENTS_PER_REQUEST, ListClient
+from jauspy.ocu.only_async import async_only
+from jauspy.ocu.progress import active_elements
 
 if TYPE_CHECKING:
     from jauspy.ocu.service import ServiceClient
@@ -22,10 +22,10 @@ if TYPE_CHECKING:
 Element: TypeAlias = Message | bytes
 """A message, or bytes of a format of the user's own."""
 
-RESERVED: Final = (0, 65535)
+RESERVED_UIDS: Final = (0, 65535)
 """Numbers that no element has: 0 stands for none, 65535 for all."""
 
-EXAMPLE: Final = "SetLocalWaypoint(x=1.0, y=2.0)"
+EXAMPLE_ELEMENT: Final = "SetLocalWaypoint(x=1.0, y=2.0)"
 
 
 class Elements(Sequence[Element]):
@@ -35,10 +35,10 @@ class Elements(Sequence[Element]):
     `ElementRejected` with the reason, or `ResponseTimeout`. Lists longer than 255 are changed in several requests.
     """
 
-    def __init__(self, link: Link, service: ServiceClient) -> None:
+    def __init__(self, link: Connection, service: ServiceClient) -> None:
         self._link = link
         self._service = service
-        self._wire = ListRequests(link, service.id)
+        self._wire = ListClient(link, service.id)
         self._items: dict[int, Element] | None = None
         """By number, in the list's order; None before the first look at the component's own."""
 
@@ -128,9 +128,9 @@ class Elements(Sequence[Element]):
         await self.upload(())
 
     if not TYPE_CHECKING:
-        __setitem__ = use("`await elements.replace(index, ...)`")
-        __delitem__ = use("`await elements.delete(index)`")
-        __iadd__ = use("`await elements.extend(...)`")
+        __setitem__ = async_only("`await elements.replace(index, ...)`")
+        __delitem__ = async_only("`await elements.delete(index)`")
+        __iadd__ = async_only("`await elements.extend(...)`")
 
     # --- carrying out ---------------------------------------------------------------------------------------------
 
@@ -164,7 +164,7 @@ class Elements(Sequence[Element]):
         (seconds) it may take until the first is active.
         """
         query = self._service.message("QueryActiveElement")()
-        async for uid in progress(self._service, query, rate, grace):
+        async for uid in active_elements(self._service, query, rate, grace):
             index = await self._index(uid)
             if index is not None:
                 yield index
@@ -204,17 +204,19 @@ class Elements(Sequence[Element]):
 
     async def _insert(self, at: int, elements: list[Element]) -> None:
         order = list(taken := await self._known())
-        free = (uid for uid in range(1, RESERVED[1]) if uid not in taken)
+        free = (uid for uid in range(1, RESERVED_UIDS[1]) if uid not in taken)
         new = dict(zip(free, elements, strict=False))
         if len(new) < len(elements):
-            raise ConfigError(f"{len(order) + len(elements)} elements are more than the {RESERVED[1] - 1} of a list")
+            raise ConfigError(
+                f"{len(order) + len(elements)} elements are more than the {RESERVED_UIDS[1] - 1} of a list"
+            )
         await self._set(new, [*order[:at], *new, *order[at:]])
 
     async def _set(self, new: dict[int, Element], order: list[int]) -> None:
         """Make these elements; `order` is the list's afterwards. Each request alone leaves the list well linked."""
         uids = [uid for uid in order if uid in new]
-        for start in range(0, len(uids), BATCH):
-            batch, later = uids[start : start + BATCH], set(uids[start + BATCH :])
+        for start in range(0, len(uids), MAX_ELEMENTS_PER_REQUEST):
+            batch, later = uids[start : start + MAX_ELEMENTS_PER_REQUEST], set(uids[start + MAX_ELEMENTS_PER_REQUEST :])
             items = await self._known()
             then = [uid for uid in order if uid in items or uid not in later]
             links = {uid: (before, after) for (before, uid), (_, after) in pairwise(pairwise([0, *then, 0]))}
@@ -224,8 +226,8 @@ class Elements(Sequence[Element]):
             self._items = {uid: changed[uid] for uid in then}
 
     async def _delete(self, uids: list[int]) -> None:
-        for start in range(0, len(uids), BATCH):
-            gone = uids[start : start + BATCH]
+        for start in range(0, len(uids), MAX_ELEMENTS_PER_REQUEST):
+            gone = uids[start : start + MAX_ELEMENTS_PER_REQUEST]
             await self._wire.remove(gone)
             self._items = {uid: item for uid, item in (self._items or {}).items() if uid not in gone}
 
@@ -272,11 +274,11 @@ class Elements(Sequence[Element]):
 
 def _checked(elements: Any) -> list[Element]:
     if isinstance(elements, Message | bytes | type) or not isinstance(elements, Iterable):
-        raise TypeError(f"a list is made of several elements, as in [{EXAMPLE}], not {described(elements)}")
+        raise TypeError(f"a list is made of several elements, as in [{EXAMPLE_ELEMENT}], not {described(elements)}")
     found = list(elements)
     for each in found:
         if not isinstance(each, bytes):
-            check_message(each, "a list", EXAMPLE)
+            check_message(each, "a list", EXAMPLE_ELEMENT)
     return found
 
 

@@ -20,13 +20,13 @@ from jauspy.messages.core import (
     ReportEventTimeout,
     UpdateEvent,
 )
-from jauspy.ocu.link import Link
-from jauspy.ocu.patience import Patience
+from jauspy.ocu.link import Connection
+from jauspy.ocu.patience import RetryPolicy
 from jauspy.protocol.header import Ack
 
 MAX_RATE: Final = 1092.0
 """Hz; what fits the message."""
-_MEANINGS: Final[Mapping[int, str]] = {
+_REJECTION_REASONS: Final[Mapping[int, str]] = {
     RejectEventRequest.ResponseCode.PERIODIC_NOT_SUPPORTED: "it has no periodic events; subscribe with rate=None",
     RejectEventRequest.ResponseCode.EVERY_CHANGE_NOT_SUPPORTED: "it has no every-change events; subscribe with a rate",
     RejectEventRequest.ResponseCode.CONNECTION_REFUSED: "it refused; it may have as many events as it can hold",
@@ -37,7 +37,7 @@ _MEANINGS: Final[Mapping[int, str]] = {
 
 
 @dataclass(frozen=True, slots=True)
-class Request:
+class EventRequest:
     """What is subscribed to: `rate` in Hz, None for every change; `silence` in seconds, None for any time."""
 
     id: JausID
@@ -63,10 +63,10 @@ class Request:
         return kinds.EVERY_CHANGE if self.rate is None else kinds.PERIODIC
 
 
-class EventRequests:
+class EventClient:
     """Raise `EventRejected` with the reason, or `ResponseTimeout`. `number` is that of the last one."""
 
-    def __init__(self, link: Link, request: Request, patience: Patience) -> None:
+    def __init__(self, link: Connection, request: EventRequest, patience: RetryPolicy) -> None:
         self.number = 0
         self._link = link
         self._request = request
@@ -97,9 +97,9 @@ class EventRequests:
             )
         )
 
-    def cancel(self, event: int) -> None:
+    def cancel_event(self, event: int) -> None:
         """End it; raises `TransportError` when the OCU is closed."""
-        cancel(self._link, self._request.id, event)
+        cancel_event(self._link, self._request.id, event)
 
     async def end(self, event: int) -> None:
         """End it, and wait until that was heard: it must not come after the creation of a new one, and end that."""
@@ -120,11 +120,15 @@ class EventRequests:
         return self.number
 
     async def _ask(self, message: CreateEvent | UpdateEvent) -> None:
-        await ask(self._link, self._request.id, message, self._request.query, self._patience)
+        await request_event(self._link, self._request.id, message, self._request.query, self._patience)
 
 
-async def ask(
-    link: Link, id: JausID, request: CreateEvent | UpdateEvent | CreateCommandEvent, of: Message, patience: Patience
+async def request_event(
+    link: Connection,
+    id: JausID,
+    request: CreateEvent | UpdateEvent | CreateCommandEvent,
+    of: Message,
+    patience: RetryPolicy,
 ) -> ConfirmEventRequest:
     """The confirmation of an event of this query or command."""
     answer = await link.request(
@@ -136,19 +140,19 @@ async def ask(
         patience=patience,
     )
     if isinstance(answer, RejectEventRequest):
-        raise EventRejected(f"{id} rejected the event for {of.NAME}: {reason(answer)}")
+        raise EventRejected(f"{id} rejected the event for {of.NAME}: {rejection_reason(answer)}")
     assert isinstance(answer, ConfirmEventRequest)
     return answer
 
 
-def cancel(link: Link, id: JausID, event: int) -> None:
+def cancel_event(link: Connection, id: JausID, event: int) -> None:
     """End an event; sent again until acknowledged, since components may have them for ever."""
     number = link.next_request_id(id)
     link.send(id, CancelEvent(request_id=number, event_id=event), ack=Ack.REQUIRED)
 
 
-def reason(answer: RejectEventRequest) -> str:
+def rejection_reason(answer: RejectEventRequest) -> str:
     """Why a component refuses an event, or ends it."""
     code = answer.response_code
-    why = _MEANINGS.get(code, f"code {code}") if code is not None else "no reason given"
+    why = _REJECTION_REASONS.get(code, f"code {code}") if code is not None else "no reason given"
     return f"{why} ({answer.error_message})" if answer.error_message else why

@@ -9,14 +9,14 @@ from typing import TypeAlias
 from jauspy.codec.base import Message
 from jauspy.ids import JausID
 from jauspy.messages.core import QueryIdentification, ReportIdentification, ReportServices
-from jauspy.ocu.model import Component, Node, ServiceInfo, Subsystem
+from jauspy.ocu.model import ComponentInfo, NodeInfo, ServiceInfo, SubsystemInfo
 
 Level: TypeAlias = QueryIdentification.QueryType
 MAX_COMPONENTS = 4096
 """Components that are remembered; a flood of made-up ids ends here."""
 
 
-class Findings:
+class SubsystemTree:
     """Grows with `add`; the properties say what is still missing."""
 
     def __init__(self) -> None:
@@ -35,13 +35,13 @@ class Findings:
         self.responders.add(source)
         self._services.setdefault(source, frozenset())
         if isinstance(message, ReportIdentification):
-            key = (int(message.query_type), at_level(int(message.query_type), source))
+            key = (int(message.query_type), name_owner(int(message.query_type), source))
             self._names[key] = (message.identification, int(message.type))
         elif isinstance(message, ReportServices):
             self._add_services(message, source)
 
     def _add_services(self, report: ReportServices, source: JausID) -> None:
-        for id, offered in offers(report, source).items():
+        for id, offered in offered_services(report, source).items():
             if id in self._services or len(self._services) < MAX_COMPONENTS:
                 self._services[id] = self._services.get(id, frozenset()) | offered
 
@@ -52,7 +52,7 @@ class Findings:
     def unnamed(self, level: Level, subsystem: int | None = None) -> list[JausID]:
         """Components whose name at this level is not known yet."""
         ids = self.components(subsystem)
-        return [each for each in ids if (int(level), at_level(int(level), each)) not in self._names]
+        return [each for each in ids if (int(level), name_owner(int(level), each)) not in self._names]
 
     def mute(self, subsystem: int | None = None) -> list[JausID]:
         """Components of which no service is known."""
@@ -69,31 +69,31 @@ class Findings:
             and not self.mute(subsystem)
         )
 
-    def subsystems(self) -> tuple[Subsystem, ...]:
+    def subsystems(self) -> tuple[SubsystemInfo, ...]:
         """Everything known, as values."""
         return tuple(
             self._subsystem(number, list(ids))
             for number, ids in groupby(self.components(), key=attrgetter("subsystem"))
         )
 
-    def _subsystem(self, number: int, ids: list[JausID]) -> Subsystem:
+    def _subsystem(self, number: int, ids: list[JausID]) -> SubsystemInfo:
         name, type = self._name(Level.SUBSYSTEM, ids[0])
         nodes = tuple(self._node(node, list(own)) for node, own in groupby(ids, key=attrgetter("node")))
-        return Subsystem(number, name, type, nodes)
+        return SubsystemInfo(number, name, type, nodes)
 
-    def _node(self, number: int, ids: list[JausID]) -> Node:
+    def _node(self, number: int, ids: list[JausID]) -> NodeInfo:
         name, type = self._name(Level.NODE, ids[0])
-        return Node(number, name, type, tuple(map(self._component, ids)))
+        return NodeInfo(number, name, type, tuple(map(self._component, ids)))
 
-    def _component(self, id: JausID) -> Component:
+    def _component(self, id: JausID) -> ComponentInfo:
         name, type = self._name(Level.COMPONENT, id)
-        return Component(id, name, type, tuple(sorted(self._services[id])))
+        return ComponentInfo(id, name, type, tuple(sorted(self._services[id])))
 
     def _name(self, level: Level, id: JausID) -> tuple[str, int]:
-        return self._names.get((int(level), at_level(int(level), id)), ("", 0))
+        return self._names.get((int(level), name_owner(int(level), id)), ("", 0))
 
 
-def offers(report: ReportServices, source: JausID) -> dict[JausID, frozenset[ServiceInfo]]:
+def offered_services(report: ReportServices, source: JausID) -> dict[JausID, frozenset[ServiceInfo]]:
     """The services that a report tells of, by component."""
     found: dict[JausID, frozenset[ServiceInfo]] = {}
     for node in report.node_list:
@@ -109,7 +109,7 @@ def offers(report: ReportServices, source: JausID) -> dict[JausID, frozenset[Ser
     return found
 
 
-def at_level(level: int, id: JausID) -> JausID:
+def name_owner(level: int, id: JausID) -> JausID:
     """What a name at this level belongs to: all components of a subsystem share its name."""
     if level <= Level.SUBSYSTEM:
         return JausID(id.subsystem, 0, 0)

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Final
 
 from jauspy.messages.mobility import QueryLocalPose, ReportLocalPose
-from jauspy.ocu.joint_positions import JointReader, readers
+from jauspy.ocu.joint_positions import JointReader, joint_readers
 from jauspy.ocu.robot import Robot
 from jauspy.platform.contract import Pose
 from jauspy.platform.description import JointKind, RobotModel
@@ -40,7 +40,7 @@ class RobotFrames:
     async def look(self) -> Frames:
         """All frames now. Raises `ConfigError` without a pose sensor, `ResponseTimeout` when an answer stays out."""
         if self._readers is None:
-            self._readers = await readers(self._robot, self._model, self._movers)
+            self._readers = await joint_readers(self._robot, self._model, self._movers)
         told = asyncio.gather(*(reader.read() for reader in self._readers))
         base, found = await asyncio.gather(self._base(), told)
         positions = self._starts()

@@ -75,7 +75,7 @@ class PanTiltReader:
         return {joint: -angle if turned else angle for joint, angle, turned in rows}
 
 
-async def readers(robot: Robot, model: RobotModel, movers: Mapping[int, str]) -> list[JointReader]:
+async def joint_readers(robot: Robot, model: RobotModel, movers: Mapping[int, str]) -> list[JointReader]:
     """All that can be asked and whose joints are known: named by a specification, or else by `movers`."""
     found: list[JointReader] = []
     for info in robot.info.offering(MANIPULATOR):

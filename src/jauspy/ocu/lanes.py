@@ -9,18 +9,18 @@ from dataclasses import dataclass, field
 
 
 @dataclass(slots=True)
-class _Lane:
+class _Turns:
     content: bytes = b""
     active: int = 0
     waiting: int = 0
     turn: asyncio.Event = field(default_factory=asyncio.Event)
 
 
-class Lanes:
+class QuerySerializer:
     """By key; a lane exists only while somebody is in it."""
 
     def __init__(self) -> None:
-        self._lanes: dict[Hashable, _Lane] = {}
+        self._lanes: dict[Hashable, _Turns] = {}
 
     def __len__(self) -> int:
         return len(self._lanes)
@@ -28,7 +28,7 @@ class Lanes:
     @asynccontextmanager
     async def enter(self, key: Hashable, content: bytes) -> AsyncIterator[None]:
         """Share the lane with equal content, wait until other content has left it."""
-        lane = self._lanes.setdefault(key, _Lane())
+        lane = self._lanes.setdefault(key, _Turns())
         try:
             await self._wait(lane, content)
             lane.content = content
@@ -43,7 +43,7 @@ class Lanes:
                 if not lane.waiting:
                     self._lanes.pop(key, None)
 
-    async def _wait(self, lane: _Lane, content: bytes) -> None:
+    async def _wait(self, lane: _Turns, content: bytes) -> None:
         """Who comes new goes behind all who wait, or these might wait for ever."""
         has_turn = not lane.waiting
         lane.waiting += 1

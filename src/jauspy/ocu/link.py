@@ -15,46 +15,46 @@ from jauspy.codec.registry import Registry
 from jauspy.component import Shell
 from jauspy.errors import ConfigError, JausError, ResponseTimeout, TransportError
 from jauspy.ids import JausID
-from jauspy.ocu.answers import answer_to
+from jauspy.ocu.answers import reply_class
 from jauspy.ocu.arguments import check_message
-from jauspy.ocu.controls import Controls
-from jauspy.ocu.lanes import Lanes
-from jauspy.ocu.patience import Patience
-from jauspy.ocu.replies import Arrival, Replies, Waiter
-from jauspy.ocu.shared_events import SharedEvents
-from jauspy.ocu.stats import Recorder
+from jauspy.ocu.controls import ActiveControls
+from jauspy.ocu.lanes import QuerySerializer
+from jauspy.ocu.patience import RetryPolicy
+from jauspy.ocu.replies import Reply, ReplyDispatcher, ReplyWaiter
+from jauspy.ocu.shared_events import EventUsers
+from jauspy.ocu.stats import StatsRecorder
 from jauspy.protocol.header import Ack, Broadcast, Packet, Priority
 
 _LOG: Final = logging.getLogger("jauspy.ocu")
 
-ASK_AGAIN: Final = 0.5
+QUERY_EACH_INTERVAL: Final = 0.5
 """Seconds between two questions to all that a wildcard reaches."""
-ENDS: Final = 128
+MAX_PENDING_CANCELS: Final = 128
 """Events that are ended at once: of what may be under way, the rest is for others, as for Standby."""
 MAX_ANSWERS: Final = 4096
 """Different components that one question may be answered by."""
 
 
-class Link:
+class Connection:
     """What all parts of the OCU share. `registry` has the known messages."""
 
-    def __init__(self, registry: Registry, patience: Patience) -> None:
+    def __init__(self, registry: Registry, patience: RetryPolicy) -> None:
         self.registry = registry
         self.patience = patience
-        self.recorder = Recorder()
-        self.replies = Replies(registry, self.malformed)
+        self.recorder = StatsRecorder()
+        self.replies = ReplyDispatcher(registry, self.malformed)
         self.requests: Counter[JausID] = Counter()
-        self.controls = Controls()
-        self.events = SharedEvents()
+        self.controls = ActiveControls()
+        self.events = EventUsers()
         self._component: Shell | None = None
         self._loop: asyncio.AbstractEventLoop | None = None
         self._farewells: list[Callable[[], Awaitable[object]]] = []
-        self._lanes = Lanes()
+        self._lanes = QuerySerializer()
 
     def attach(self, component: Shell) -> None:
         """Use this component for sending."""
         self._component, self._loop = component, asyncio.get_running_loop()
-        self.ends = asyncio.Semaphore(ENDS)
+        self.ends = asyncio.Semaphore(MAX_PENDING_CANCELS)
 
     async def say_goodbye(self) -> None:
         """The OCU is about to be closed: whoever is to say goodbye does so, until that was heard."""
@@ -146,7 +146,7 @@ class Link:
         destination: JausID,
         message: Message,
         *,
-        patience: Patience | None = None,
+        patience: RetryPolicy | None = None,
         expects: type[Message] | None = None,
         accept: Callable[[Message], bool] = lambda _: True,
     ) -> Message:
@@ -156,7 +156,7 @@ class Link:
         most reports do not say which query they answer; those that do are chosen by `accept`.
         """
         patience = patience or self.patience
-        kind = answer_to(self.registry, message, expects)
+        kind = reply_class(self.registry, message, expects)
         try:
             async with asyncio.timeout(patience.total) as deadline:
                 async with self._lanes.enter((destination, kind.CODE), message.encode()):
@@ -173,13 +173,13 @@ class Link:
 
     async def query_each(
         self, destination: JausID, message: Message, seconds: float, expects: type[Message] | None = None
-    ) -> AsyncIterator[Arrival]:
+    ) -> AsyncIterator[Reply]:
         """Every answer within `seconds`, with who gave it, as they come; one of each component."""
         check_number(seconds, "within")
         if not seconds > 0:
             raise ConfigError(f"within {seconds} s must be above 0")
-        kind, myself = answer_to(self.registry, message, expects, "query_each()"), self.id
-        answers: asyncio.Queue[Arrival] = asyncio.Queue()
+        kind, myself = reply_class(self.registry, message, expects, "query_each()"), self.id
+        answers: asyncio.Queue[Reply] = asyncio.Queue()
         seen: set[JausID] = set()
 
         def heard(answer: Message, source: JausID) -> None:
@@ -195,7 +195,7 @@ class Link:
             while (now := clock()) < end:
                 if now >= ask_at:
                     self.send(destination, message, broadcast=broadcast)
-                    ask_at = now + ASK_AGAIN
+                    ask_at = now + QUERY_EACH_INTERVAL
                 try:
                     yield await asyncio.wait_for(answers.get(), min(ask_at, end) - now)
                 except TimeoutError:
@@ -209,7 +209,7 @@ class Link:
         message: Message,
         *answers: type[Message],
         accept: Callable[[Message], bool] = lambda _: True,
-        patience: Patience | None = None,
+        patience: RetryPolicy | None = None,
     ) -> Message:
         """Send a command that is answered by one of `answers`, again and again until it is."""
         return await self._exchange(destination, message, patience or self.patience, answers, accept)
@@ -218,7 +218,7 @@ class Link:
         self,
         destination: JausID,
         message: Message,
-        patience: Patience,
+        patience: RetryPolicy,
         answers: tuple[type[Message], ...],
         accept: Callable[[Message], bool] = lambda _: True,
     ) -> Message:
@@ -262,7 +262,7 @@ class Link:
         return self._component
 
 
-def _no_answer(destination: JausID, message: Message, patience: Patience, waiter: Waiter) -> str:
+def _no_answer(destination: JausID, message: Message, patience: RetryPolicy, waiter: ReplyWaiter) -> str:
     times = f"{patience.retries + 1} times" if patience.retries else "once"
     what = "no answer came"
     if waiter.problem:

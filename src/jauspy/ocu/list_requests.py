@@ -19,12 +19,12 @@ from jauspy.messages.core import (
     ReportElementList,
     SetElement,
 )
-from jauspy.ocu.link import Link
+from jauspy.ocu.link import Connection
 
-BATCH: Final = 255
+MAX_ELEMENTS_PER_REQUEST: Final = 255
 """Elements that fit one request."""
 _Code: TypeAlias = RejectElementRequest.ResponseCode
-_MEANINGS: Final[dict[int, str]] = {
+_REFUSAL_REASONS: Final[dict[int, str]] = {
     _Code.INVALID_ELEMENT_ID: "it takes no element of this number",
     _Code.INVALID_PREVIOUS_ELEMENT: "the list has changed meanwhile; call `read()` and try again",
     _Code.INVALID_NEXT_ELEMENT: "the list has changed meanwhile; call `read()` and try again",
@@ -36,10 +36,10 @@ _MEANINGS: Final[dict[int, str]] = {
 }
 
 
-class ListRequests:
+class ListClient:
     """Asks one component. Changes raise `ElementRejected` with the reason, or `ResponseTimeout`."""
 
-    def __init__(self, link: Link, id: JausID) -> None:
+    def __init__(self, link: Connection, id: JausID) -> None:
         self._link = link
         self._id = id
 
@@ -67,11 +67,11 @@ class ListRequests:
         return report
 
     async def put(self, records: Sequence[ElementRec]) -> None:
-        """Insert or replace up to `BATCH` elements; all are taken, or none."""
+        """Insert or replace up to `MAX_ELEMENTS_PER_REQUEST` elements; all are taken, or none."""
         await self._request(lambda number: SetElement(SetElement.RequestIDRec(number), list(records)))
 
     async def remove(self, uids: Iterable[int]) -> None:
-        """Delete up to `BATCH` elements."""
+        """Delete up to `MAX_ELEMENTS_PER_REQUEST` elements."""
         gone = list(uids)
         records = [DeleteElement.DeleteElementRec(uid) for uid in gone]
         try:
@@ -95,5 +95,8 @@ class ListRequests:
             raise ResponseTimeout(f"{error}; a list obeys only the client in control: see `control()`") from None
         if isinstance(answer, RejectElementRequest):
             code = answer.response_code
-            name, why = getattr(code, "name", f"code {code}"), _MEANINGS.get(code, "a reason not in the standard")
+            name, why = (
+                getattr(code, "name", f"code {code}"),
+                _REFUSAL_REASONS.get(code, "a reason not in the standard"),
+            )
             raise ElementRejected(f"{self._id} refused to change its list ({name}): {why}")

@@ -30,7 +30,7 @@ class ServiceInfo:
 
 
 @dataclass(frozen=True, slots=True)
-class Component:
+class ComponentInfo:
     """A component; `name` and `type` as it reports them, empty and 0 when it did not."""
 
     id: JausID
@@ -49,23 +49,23 @@ class Component:
 
 
 @dataclass(frozen=True, slots=True)
-class Node:
+class NodeInfo:
     """A node (a computer) of a subsystem."""
 
     id: int
     name: str = ""
     type: int = 0
-    components: tuple[Component, ...] = ()
+    components: tuple[ComponentInfo, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
-class Subsystem:
+class SubsystemInfo:
     """A robot, an operator control unit or another unit that can work alone."""
 
     id: int
     name: str = ""
     type: int = 0
-    nodes: tuple[Node, ...] = ()
+    nodes: tuple[NodeInfo, ...] = ()
 
     @property
     def kind(self) -> str:
@@ -73,11 +73,11 @@ class Subsystem:
         return kind_of(self.type)
 
     @property
-    def components(self) -> tuple[Component, ...]:
+    def components(self) -> tuple[ComponentInfo, ...]:
         """The components of all nodes, in the order of their ids."""
         return tuple(each for node in self.nodes for each in node.components)
 
-    def offering(self, name: str) -> Iterator[Component]:
+    def offering(self, name: str) -> Iterator[ComponentInfo]:
         """The components with a service of this name."""
         return (each for each in self.components if each.find(name))
 

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import NoReturn
 
 
-def use(instead: str) -> Callable[..., NoReturn]:
+def async_only(instead: str) -> Callable[..., NoReturn]:
     """A method that only says what to write instead; hide it from type checkers, who know without it."""
 
     def refuse(self: object, *_: object) -> NoReturn:

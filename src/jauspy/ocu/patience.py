@@ -9,7 +9,7 @@ from jauspy.errors import ConfigError
 
 
 @dataclass(frozen=True, slots=True)
-class Patience:
+class RetryPolicy:
     """How long to wait for one answer (seconds), and how often to ask again; an answer to any of the questions counts.
 
     Of ten packets one may get lost: then a question and its answer fail once in 5 times, three in a row once in 150,
@@ -30,6 +30,6 @@ class Patience:
         """Seconds until it is given up."""
         return self.timeout * (self.retries + 1)
 
-    def changed(self, timeout: float | None, retries: int | None) -> Patience:
+    def changed(self, timeout: float | None, retries: int | None) -> RetryPolicy:
         """With what is given."""
-        return Patience(self.timeout if timeout is None else timeout, self.retries if retries is None else retries)
+        return RetryPolicy(self.timeout if timeout is None else timeout, self.retries if retries is None else retries)

@@ -14,13 +14,15 @@ if TYPE_CHECKING:
     from jauspy.ocu.service import ServiceClient
     from jauspy.ocu.subscription import Subscription
 
-POLL: Final = 0.2
+POLL_INTERVAL: Final = 0.2
 """Seconds between two questions to a component that does not tell by itself."""
-RECHECK: Final = 1.0
+RECHECK_INTERVAL: Final = 1.0
 """Seconds without an event after which one may have been lost, perhaps the last one: then it is asked."""
 
 
-async def progress(service: ServiceClient, query: Message, rate: float | None, grace: float) -> AsyncIterator[int]:
+async def active_elements(
+    service: ServiceClient, query: Message, rate: float | None, grace: float
+) -> AsyncIterator[int]:
     """The number of each element that becomes active, until none is; none at first may last `grace` seconds.
 
     Silence says nothing: while no report comes, the list may well be carried out.
@@ -45,7 +47,7 @@ async def _reports(service: ServiceClient, query: Message, rate: float | None) -
     except EventRejected:
         while True:
             yield await service.query(query)
-            await asyncio.sleep(POLL)
+            await asyncio.sleep(POLL_INTERVAL)
     try:
         while True:
             yield await _next(service, query, subscription)
@@ -55,7 +57,7 @@ async def _reports(service: ServiceClient, query: Message, rate: float | None) -
 
 async def _next(service: ServiceClient, query: Message, subscription: Subscription[Any]) -> Any:
     try:
-        async with asyncio.timeout(RECHECK) as limit:
+        async with asyncio.timeout(RECHECK_INTERVAL) as limit:
             return await subscription.get()
     except TimeoutError:
         if not limit.expired():

@@ -13,12 +13,12 @@ from jauspy.codec.registry import Registry
 from jauspy.errors import CodecError, DecodeError
 from jauspy.ids import JausID
 
-Arrival: TypeAlias = tuple[Message, JausID]
-Tap: TypeAlias = Callable[[Message, JausID], None]
+Reply: TypeAlias = tuple[Message, JausID]
+Callback: TypeAlias = Callable[[Message, JausID], None]
 
 
 @dataclass(slots=True, eq=False)
-class Waiter:
+class ReplyWaiter:
     """One answer somebody waits for.
 
     `problem` says what was wrong with answers that could not be read, `instead` what else came that nobody wanted.
@@ -27,7 +27,7 @@ class Waiter:
     source: JausID
     kinds: tuple[type[Message], ...]
     accept: Callable[[Message], bool]
-    arrival: asyncio.Future[Arrival]
+    arrival: asyncio.Future[Reply]
     problem: str = ""
     instead: str = ""
 
@@ -45,20 +45,20 @@ class Waiter:
 
 
 @dataclass(slots=True, eq=False)
-class _Tapped:
+class _Listener:
     source: JausID
     kinds: tuple[type[Message], ...]
-    tap: Tap
+    tap: Callback
 
 
 @dataclass(slots=True)
-class Replies:
+class ReplyDispatcher:
     """Taps see every message of their kinds; of the waiters, the one that has waited longest takes it."""
 
     registry: Registry
     malformed: Callable[[str], None]
-    _waiters: list[Waiter] = field(default_factory=list)
-    _taps: list[_Tapped] = field(default_factory=list)
+    _waiters: list[ReplyWaiter] = field(default_factory=list)
+    _taps: list[_Listener] = field(default_factory=list)
 
     def deliver(self, payload: bytes, source: JausID) -> bool:
         """Hand out one message, or say that nobody waits. Malformed ones are reported, and who waits remembers."""
@@ -86,9 +86,9 @@ class Replies:
         source: JausID,
         *kinds: type[Message],
         accept: Callable[[Message], bool] = lambda _: True,
-    ) -> Iterator[Waiter]:
+    ) -> Iterator[ReplyWaiter]:
         """Wait for one message of these kinds from `source` (wildcards are understood) that `accept` likes."""
-        waiter = Waiter(source, kinds, accept, asyncio.get_running_loop().create_future())
+        waiter = ReplyWaiter(source, kinds, accept, asyncio.get_running_loop().create_future())
         self._waiters.append(waiter)
         try:
             yield waiter
@@ -98,9 +98,9 @@ class Replies:
                 waiter.arrival.exception()  # looked at, so that nobody complains when it came too late to be raised
 
     @contextmanager
-    def tapped(self, source: JausID, tap: Tap, *kinds: type[Message]) -> Iterator[None]:
+    def tapped(self, source: JausID, tap: Callback, *kinds: type[Message]) -> Iterator[None]:
         """Call `tap` at once for every message of these kinds from `source`; wildcards are understood."""
-        entry = _Tapped(source, kinds, tap)
+        entry = _Listener(source, kinds, tap)
         self._taps.append(entry)
         try:
             yield
@@ -113,7 +113,7 @@ class Replies:
             if not waiter.arrival.done():
                 waiter.arrival.set_exception(error)
 
-    def _try_tap(self, entry: _Tapped, payload: bytes, source: JausID) -> bool:
+    def _try_tap(self, entry: _Listener, payload: bytes, source: JausID) -> bool:
         code = int.from_bytes(payload[:2], "little")
         kind = next((each for each in entry.kinds if code == each.CODE), None)
         if kind is None or not entry.source.matches(source):

@@ -5,15 +5,15 @@ from __future__ import annotations
 from jauspy.arguments import check_text
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
-from jauspy.ocu.link import Link
-from jauspy.ocu.model import Component, Node, Subsystem
+from jauspy.ocu.link import Connection
+from jauspy.ocu.model import ComponentInfo, NodeInfo, SubsystemInfo
 from jauspy.ocu.service import ServiceClient
 
 
 class ComponentClient:
     """One discovered component."""
 
-    def __init__(self, link: Link, info: Component) -> None:
+    def __init__(self, link: Connection, info: ComponentInfo) -> None:
         self.info = info
         self._link = link
 
@@ -37,7 +37,7 @@ class ComponentClient:
 class Robot:
     """A subsystem as it was when it was discovered; `info` has it as plain values."""
 
-    def __init__(self, link: Link, info: Subsystem) -> None:
+    def __init__(self, link: Connection, info: SubsystemInfo) -> None:
         self.info = info
         self._link = link
 
@@ -55,12 +55,12 @@ class Robot:
         return self.info.name
 
     @property
-    def nodes(self) -> tuple[Node, ...]:
+    def nodes(self) -> tuple[NodeInfo, ...]:
         """Its nodes."""
         return self.info.nodes
 
     @property
-    def components(self) -> tuple[Component, ...]:
+    def components(self) -> tuple[ComponentInfo, ...]:
         """The components of all of its nodes."""
         return self.info.components
 
@@ -94,9 +94,9 @@ class Robot:
         raise ConfigError(f"subsystem {self.id} does not offer {name}; it offers {offers}")
 
 
-def _ids(components: list[Component] | tuple[Component, ...]) -> str:
+def _ids(components: list[ComponentInfo] | tuple[ComponentInfo, ...]) -> str:
     return ", ".join(str(each.id) for each in components) or "none"
 
 
-def _listed(component: Component) -> str:
+def _listed(component: ComponentInfo) -> str:
     return ", ".join(map(str, component.services)) or "nothing"

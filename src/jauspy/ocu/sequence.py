@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import Final
 
-LATE: Final = 2.0
+MAX_DELAY: Final = 2.0
 """Seconds after which no report is taken for one that others have overtaken, whatever its number."""
 _HALF: Final = 0x80
 
 
-class Sequence:
+class SequenceTracker:
     """Numbers go from 0 to 255 and begin anew, so of a gap any multiple of 256 is not seen."""
 
     def __init__(self) -> None:
@@ -22,7 +22,7 @@ class Sequence:
         At `rate` (Hz, 0 when it is not known) half of all numbers take a while; after such a silence they are lost.
         """
         gap = 0 if self._next is None else number - self._next & 0xFF
-        if gap >= _HALF and now - self._at < (min(LATE, _HALF / rate) if rate else LATE):
+        if gap >= _HALF and now - self._at < (min(MAX_DELAY, _HALF / rate) if rate else MAX_DELAY):
             return None
         self._next, self._at = number + 1 & 0xFF, now
         return gap

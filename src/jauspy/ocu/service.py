@@ -14,12 +14,12 @@ from jauspy.codec.base import Message, Query
 from jauspy.errors import ConfigError, RequestError, ResponseTimeout
 from jauspy.ids import JausID
 from jauspy.messages.core import QueryStatus, ReportStatus, Resume, Standby
-from jauspy.ocu.answers import answer_to
+from jauspy.ocu.answers import reply_class
 from jauspy.ocu.commands import perform
 from jauspy.ocu.control import Control
 from jauspy.ocu.elements import Elements
-from jauspy.ocu.event_requests import Request
-from jauspy.ocu.link import Link
+from jauspy.ocu.event_requests import EventRequest
+from jauspy.ocu.link import Connection
 from jauspy.ocu.model import ServiceInfo
 from jauspy.ocu.stills import Photo, configuration, photograph
 from jauspy.ocu.subscription import Subscription
@@ -44,7 +44,7 @@ _HINTS: Final[Mapping[int, str]] = {
 class ServiceClient:
     """Sends to one component. Times are in seconds; `timeout` is for one attempt, `retries` attempts follow."""
 
-    def __init__(self, link: Link, id: JausID, info: ServiceInfo) -> None:
+    def __init__(self, link: Connection, id: JausID, info: ServiceInfo) -> None:
         self.id = id
         self.info = info
         self._link = link
@@ -176,8 +176,8 @@ class ServiceClient:
         check_number(rate, "rate", optional=True)
         if silence is None and rate:
             silence = max(2.0, 10.0 / rate)
-        kind = answer_to(self._link.registry, query, expects, "subscribe()")
-        return Subscription(self._link, Request(self.id, query, rate, silence, buffer), kind, self._link.patience)
+        kind = reply_class(self._link.registry, query, expects, "subscribe()")
+        return Subscription(self._link, EventRequest(self.id, query, rate, silence, buffer), kind, self._link.patience)
 
     async def still(
         self,

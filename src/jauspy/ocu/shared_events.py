@@ -5,7 +5,7 @@ from __future__ import annotations
 from jauspy.ids import JausID
 
 
-class SharedEvents:
+class EventUsers:
     """By component and number of the event; for a command by its bytes, known before there is a number."""
 
     def __init__(self) -> None:

@@ -10,10 +10,10 @@ from typing import Final
 from jauspy.codec.base import Message
 from jauspy.ids import JausID
 from jauspy.messages.core import ReportIdentification, ReportServices
-from jauspy.ocu.findings import MAX_COMPONENTS, Level, at_level, offers
-from jauspy.ocu.model import Component, Node, ServiceInfo, Subsystem
+from jauspy.ocu.findings import MAX_COMPONENTS, Level, name_owner, offered_services
+from jauspy.ocu.model import ComponentInfo, NodeInfo, ServiceInfo, SubsystemInfo
 
-SETTLE: Final = 1.0
+INTRODUCTION_TIME: Final = 1.0
 """Seconds that a newcomer has to introduce itself before it is reported as it is."""
 
 
@@ -51,9 +51,9 @@ class Sightings:
         seen.at, seen.answers = now, True
         if isinstance(message, ReportIdentification):
             level = int(message.query_type)
-            self._names[level, at_level(level, source)] = (message.identification, int(message.type))
+            self._names[level, name_owner(level, source)] = (message.identification, int(message.type))
         elif isinstance(message, ReportServices):
-            for id, services in offers(message, source).items():
+            for id, services in offered_services(message, source).items():
                 self._list(id, services, source, now)
 
     def _list(self, id: JausID, services: frozenset[ServiceInfo], source: JausID, now: float) -> None:
@@ -75,7 +75,7 @@ class Sightings:
         while len(self._gone) > MAX_COMPONENTS:
             del self._gone[next(iter(self._gone))]
         if silent:
-            named = {at_level(level, id) for id in self._seen for level in Level}
+            named = {name_owner(level, id) for id in self._seen for level in Level}
             self._names = {key: name for key, name in self._names.items() if key[1] in named}
 
     def __iter__(self) -> Iterator[JausID]:
@@ -84,7 +84,9 @@ class Sightings:
 
     def unknown(self, level: Level, since: float = -math.inf) -> list[JausID]:
         """Those whose name at this level is not known, of all or of those who are known only since then."""
-        return [id for id in self if self._seen[id].since >= since and (level, at_level(level, id)) not in self._names]
+        return [
+            id for id in self if self._seen[id].since >= since and (level, name_owner(level, id)) not in self._names
+        ]
 
     def mute(self, since: float = -math.inf) -> list[JausID]:
         """Those of whom no service is known, of all or of those who are known only since then."""
@@ -96,17 +98,20 @@ class Sightings:
 
     def next_settled(self, now: float) -> float | None:
         """When the next newcomer has had its time."""
-        return min((seen.since + SETTLE for seen in self._seen.values() if seen.since + SETTLE > now), default=None)
+        return min(
+            (seen.since + INTRODUCTION_TIME for seen in self._seen.values() if seen.since + INTRODUCTION_TIME > now),
+            default=None,
+        )
 
-    def subsystems(self, now: float) -> tuple[Subsystem, ...]:
+    def subsystems(self, now: float) -> tuple[SubsystemInfo, ...]:
         """Those who have introduced themselves, or have had the time to, as values."""
         unnamed = {id for level in (Level.SUBSYSTEM, Level.NODE, Level.COMPONENT) for id in self.unknown(level)}
-        shown: dict[int, dict[int, list[Component]]] = {}
+        shown: dict[int, dict[int, list[ComponentInfo]]] = {}
         for id in self:
             seen = self._seen[id]
-            if now - seen.since < SETTLE and (id in unnamed or not seen.offered):
+            if now - seen.since < INTRODUCTION_TIME and (id in unnamed or not seen.offered):
                 continue
-            component = Component(id, *self._name(Level.COMPONENT, id), tuple(sorted(seen.offered)))
+            component = ComponentInfo(id, *self._name(Level.COMPONENT, id), tuple(sorted(seen.offered)))
             shown.setdefault(id.subsystem, {}).setdefault(id.node, []).append(component)
         return tuple(self._subsystem(number, nodes) for number, nodes in shown.items())
 
@@ -116,13 +121,13 @@ class Sightings:
             return None
         return self._seen.setdefault(id, _Seen(now, now))
 
-    def _subsystem(self, number: int, nodes: dict[int, list[Component]]) -> Subsystem:
+    def _subsystem(self, number: int, nodes: dict[int, list[ComponentInfo]]) -> SubsystemInfo:
         any_id = next(iter(nodes.values()))[0].id
-        return Subsystem(
+        return SubsystemInfo(
             number,
             *self._name(Level.SUBSYSTEM, any_id),
-            tuple(Node(node, *self._name(Level.NODE, own[0].id), tuple(own)) for node, own in nodes.items()),
+            tuple(NodeInfo(node, *self._name(Level.NODE, own[0].id), tuple(own)) for node, own in nodes.items()),
         )
 
     def _name(self, level: Level, id: JausID) -> tuple[str, int]:
-        return self._names.get((level, at_level(level, id)), ("", 0))
+        return self._names.get((level, name_owner(level, id)), ("", 0))

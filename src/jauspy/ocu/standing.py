@@ -18,26 +18,26 @@ from jauspy.messages.core import (
     ReportStatus,
     ReportTimeout,
 )
-from jauspy.ocu.link import Link
-from jauspy.ocu.patience import Patience
+from jauspy.ocu.link import Connection
+from jauspy.ocu.patience import RetryPolicy
 
-ASSUMED_TIMEOUT: Final = 3.0
+DEFAULT_CONTROL_TIMEOUT: Final = 3.0
 """Seconds, of a component that does not say after how long it takes control back."""
-ASK_TIMEOUT: Final = Patience(timeout=0.3, retries=3)
+STATUS_RETRY: Final = RetryPolicy(timeout=0.3, retries=3)
 """For asking it that, and who is in control: the time is running already."""
 NOBODY: Final = JausID(0, 0, 0)
 
 
-class Standing:
+class ControlStatus:
     """Asks one component, and remembers which other client was last said to have control."""
 
-    def __init__(self, link: Link, id: JausID, patience: Patience) -> None:
+    def __init__(self, link: Connection, id: JausID, patience: RetryPolicy) -> None:
         self._link = link
         self._id = id
         self._patience = patience
         self._other: tuple[JausID | None, int | None] = (None, None)
 
-    async def ask(self, query: Message, patience: Patience | None = None) -> Message | None:
+    async def ask(self, query: Message, patience: RetryPolicy | None = None) -> Message | None:
         """The report; None when there is none."""
         try:
             return await self._link.query(self._id, query, patience=patience or self._patience)
@@ -46,8 +46,8 @@ class Standing:
 
     async def timeout(self) -> float:
         """Seconds after which it takes control back from a silent client; 0 when it never does."""
-        report = await self.ask(QueryTimeout(), ASK_TIMEOUT)
-        return float(report.timeout) if isinstance(report, ReportTimeout) else ASSUMED_TIMEOUT
+        report = await self.ask(QueryTimeout(), STATUS_RETRY)
+        return float(report.timeout) if isinstance(report, ReportTimeout) else DEFAULT_CONTROL_TIMEOUT
 
     async def explain(self, code: int, authority: int) -> str:
         """Why it refused control to a client with this authority."""

@@ -27,7 +27,7 @@ class Stats:
     rtt_max: float = 0.0
 
 
-class Recorder:
+class StatsRecorder:
     """Counts as it goes; `snapshot` makes a `Stats`."""
 
     def __init__(self) -> None:

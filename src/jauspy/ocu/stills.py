@@ -20,7 +20,7 @@ from jauspy.messages.environment_sensing.v2_0.still_image import (
     SetStillImageSensorConfiguration,
 )
 from jauspy.messages.environment_sensing.v2_0.visual_sensor import ConfirmSensorConfiguration
-from jauspy.ocu.link import Link
+from jauspy.ocu.link import Connection
 from jauspy.platform.stills import MAX_REPORT
 from jauspy.protocol.delivery import Delivery
 from jauspy.services.environment_sensing.frame_sizes import SIZES, number_of
@@ -30,13 +30,13 @@ if TYPE_CHECKING:
 
 Configuration = ReportStillImageSensorConfiguration.StillImageSensorConfigurationRec
 
-DELIVERY: Final = Delivery(max_message=MAX_REPORT)
+LARGE_IMAGE_DELIVERY: Final = Delivery(max_message=MAX_REPORT)
 """For an OCU that wants large pictures: by default messages have up to 1 MiB."""
 
 FORMATS: Final = ReportStillImageSensorConfiguration.StillImageFormat
-ALL: Final = 0xFF
-ATTEMPTS: Final = 4
-PATIENT: Final = 2.0
+ALL_FIELDS: Final = 0xFF
+IMAGE_QUERIES: Final = 4
+CAMERA_WAIT: Final = 2.0
 """Seconds; who says later than this that there is no picture has waited for one, and may have it when asked again."""
 
 
@@ -50,7 +50,7 @@ class Photo:
     taken: TimeStamp | None
 
 
-async def photograph(link: Link, service: ServiceClient, wanted: Configuration, timeout: float) -> Photo:
+async def photograph(link: Connection, service: ServiceClient, wanted: Configuration, timeout: float) -> Photo:
     """As `ServiceClient.still`."""
     sensor = wanted.sensor_id
     before = await _configuration(service, sensor)
@@ -77,7 +77,7 @@ def configuration(sensor: int, size: tuple[int, int] | None, format: str | None)
 
 
 async def _configuration(service: ServiceClient, sensor: int) -> Configuration:
-    record = QueryStillImageSensorConfiguration.QueryStillImageSensorConfigurationRec(sensor, ALL)
+    record = QueryStillImageSensorConfiguration.QueryStillImageSensorConfigurationRec(sensor, ALL_FIELDS)
     report = await service.query(QueryStillImageSensorConfiguration([record]))
     if not report.still_image_sensor_configuration_list:
         raise RequestError(f"{service.id} has no sensor {sensor}")
@@ -95,7 +95,7 @@ async def _set(service: ServiceClient, wanted: Configuration) -> None:
 
 async def _taken(service: ServiceClient, sensor: int, timeout: float) -> Photo:
     record = QueryStillImageDataExt.QueryStillImageDataRec(
-        sensor, QueryStillImageDataExt.ReportCoordinateSystem.NATIVE, ALL
+        sensor, QueryStillImageDataExt.ReportCoordinateSystem.NATIVE, ALL_FIELDS
     )
     query, clock = QueryStillImageDataExt([record]), asyncio.get_running_loop().time
     end = clock() + timeout
@@ -106,12 +106,12 @@ async def _taken(service: ServiceClient, sensor: int, timeout: float) -> Photo:
     while (began := clock()) < end:
         # Pieces get lost. Asked again while the picture is under way, the camera takes no second one.
         try:
-            report = await service.query(query, timeout=(end - began) / ATTEMPTS, retries=ATTEMPTS - 1)
+            report = await service.query(query, timeout=(end - began) / IMAGE_QUERIES, retries=IMAGE_QUERIES - 1)
         except ResponseTimeout as error:
             raise late from error
         if (photo := _photo(report)) is not None:
             return photo
-        if clock() - began < PATIENT:
+        if clock() - began < CAMERA_WAIT:
             raise RequestError(
                 f"{service.id} has no picture of sensor {sensor}: there is no such sensor, too much is asked of it, or "
                 "its robot has no extra 'video'; the robot's log tells"

@@ -14,21 +14,21 @@ from jauspy.codec.base import Message
 from jauspy.errors import ConfigError, DecodeError, EventRejected, JausError, ResponseTimeout, TransportError
 from jauspy.ids import JausID
 from jauspy.messages.core import ConfirmEventRequest, Event, RejectEventRequest
-from jauspy.ocu.event_requests import EventRequests, Request, reason
-from jauspy.ocu.link import Link
-from jauspy.ocu.only_async import use
-from jauspy.ocu.patience import Patience
-from jauspy.ocu.sequence import Sequence
+from jauspy.ocu.event_requests import EventClient, EventRequest, rejection_reason
+from jauspy.ocu.link import Connection
+from jauspy.ocu.only_async import async_only
+from jauspy.ocu.patience import RetryPolicy
+from jauspy.ocu.sequence import SequenceTracker
 
 R = TypeVar("R", bound=Message)
 
-CHECK_INTERVAL: Final = 5.0
+RENEWAL_INTERVAL: Final = 5.0
 """Seconds between two renewals of an every-change event: the component may have lost it, and a report gets lost."""
-FIRST_CHECK: Final = 1.0
+FIRST_RENEWAL: Final = 1.0
 """Seconds until that when not even the first report has come."""
-GRACE: Final = 2.0
+LATE_CONFIRMATION_TIME: Final = 2.0
 """Seconds in which an event that nobody wants any more may yet be confirmed, so that it can be cancelled."""
-EARLY: Final = 16
+MAX_UNCONFIRMED_REPORTS: Final = 16
 """Reports that are kept until the confirmation that they have overtaken says whose they are."""
 
 
@@ -41,7 +41,7 @@ class Subscription(Generic[R]):
     to be read; the oldest is dropped for a new one.
     """
 
-    def __init__(self, link: Link, request: Request, kind: type[R], patience: Patience) -> None:
+    def __init__(self, link: Connection, request: EventRequest, kind: type[R], patience: RetryPolicy) -> None:
         self.request = request
         self.confirmed_rate = 0.0
         """Hz, as the component confirmed it; 0 when it tells of every change."""
@@ -56,10 +56,10 @@ class Subscription(Generic[R]):
         self.event_id: int | None = None
         self._link = link
         self._kind = kind
-        self._wire = EventRequests(link, request, patience)
-        self._sequence = Sequence()
+        self._wire = EventClient(link, request, patience)
+        self._sequence = SequenceTracker()
         self._buffer: deque[R] = deque(maxlen=request.buffer)
-        self._early: deque[Event] = deque(maxlen=EARLY)
+        self._early: deque[Event] = deque(maxlen=MAX_UNCONFIRMED_REPORTS)
         self._asked_anew = False
         self._accepted: int | None = None
         """Which of all requests to the component was the last one that it confirmed."""
@@ -88,7 +88,7 @@ class Subscription(Generic[R]):
             lifetime = await self._wire.lifetime()
         except BaseException as error:
             if self.event_id is None and not isinstance(error, EventRejected):
-                self._farewell = asyncio.get_running_loop().call_later(GRACE, self._leave)
+                self._farewell = asyncio.get_running_loop().call_later(LATE_CONFIRMATION_TIME, self._leave)
             else:
                 self._leave()
             raise
@@ -136,8 +136,8 @@ class Subscription(Generic[R]):
         return self._buffer.popleft()
 
     if not TYPE_CHECKING:
-        __enter__ = __exit__ = use("`async with`")
-        __iter__ = use("`async for`")
+        __enter__ = __exit__ = async_only("`async with`")
+        __iter__ = async_only("`async for`")
 
     # --- what arrives ---------------------------------------------------------------------------------------------
 
@@ -160,7 +160,7 @@ class Subscription(Generic[R]):
         self._accepted = made - (made - message.request_id & 0xFF)
         if message.event_id != self.event_id:
             self._link.events.leave(self.request.id, self.event_id, self)
-            self.event_id, self._sequence = message.event_id, Sequence()
+            self.event_id, self._sequence = message.event_id, SequenceTracker()
         self.confirmed_rate = message.confirmed_periodic_rate
         for other in self._link.events.join(self.request.id, message.event_id, self):
             if isinstance(other, Subscription) and not self._shares_with(other):
@@ -182,7 +182,7 @@ class Subscription(Generic[R]):
         self._link.events.leave(self.request.id, self.event_id, self)
         self.event_id, self._accepted = None, None
         self._error = EventRejected(
-            f"{self.request.id} ended the event for {self.request.query.NAME}: {reason(message)}; its log may say more"
+            f"{self.request.id} ended the event for {self.request.query.NAME}: {rejection_reason(message)}; see its log"
         )
         if self._keeper is not None:
             self._keeper.cancel()
@@ -223,7 +223,7 @@ class Subscription(Generic[R]):
 
     async def _create(self) -> None:
         self._early.clear()  # what came until now was of events that are gone
-        self._sequence, self._asked_anew = Sequence(), False
+        self._sequence, self._asked_anew = SequenceTracker(), False
         await self._wire.create()
 
     async def _renew(self) -> None:
@@ -241,10 +241,10 @@ class Subscription(Generic[R]):
             return  # the component has ended it already
         clock = asyncio.get_running_loop().time
         most, on_change = self._longest_gap(), self.request.rate is None
-        interval = min(CHECK_INTERVAL, lifetime / 3 or CHECK_INTERVAL, most)
+        interval = min(RENEWAL_INTERVAL, lifetime / 3 or RENEWAL_INTERVAL, most)
         renewed, seen, seen_at = clock(), self.received, clock()
         while True:
-            await asyncio.sleep(min(interval, FIRST_CHECK) if on_change and not self.received else interval)
+            await asyncio.sleep(min(interval, FIRST_RENEWAL) if on_change and not self.received else interval)
             if self.received > seen:
                 seen_at = clock()
             try:
@@ -270,7 +270,7 @@ class Subscription(Generic[R]):
         if self.request.rate is None:
             return math.inf
         period = 1.0 / (self.confirmed_rate or self.request.rate)
-        return max(3.0 * period, (self.request.silence or 2.0 * CHECK_INTERVAL) / 2)
+        return max(3.0 * period, (self.request.silence or 2.0 * RENEWAL_INTERVAL) / 2)
 
     def _complain(self, error: Exception) -> NoReturn:
         """Once of silence, since the component may come back; of what does not mend itself again and again."""

@@ -20,19 +20,19 @@ from jauspy.messages.core import (
     ReportIdentification,
     ReportServices,
 )
-from jauspy.ocu.discovery import MAX_FOLLOW_UPS, all_services, ask_everybody
+from jauspy.ocu.discovery import MAX_FOLLOW_UPS, query_all_services, query_everybody
 from jauspy.ocu.findings import Level
-from jauspy.ocu.link import Link
-from jauspy.ocu.model import Component, Node, ServiceInfo, Subsystem
-from jauspy.ocu.sightings import SETTLE, Sightings
+from jauspy.ocu.link import Connection
+from jauspy.ocu.model import ComponentInfo, NodeInfo, ServiceInfo, SubsystemInfo
+from jauspy.ocu.sightings import INTRODUCTION_TIME, Sightings
 from jauspy.protocol.header import Broadcast
 
-PROBES: Final = 4
+PROBES_PER_INTERVAL: Final = 4
 """How often in each interval those are asked who have not answered the question to all: packets get lost."""
-QUIET: Final = 0.1
+COALESCE_TIME: Final = 0.1
 """Seconds that news may wait for more of them."""
 
-Thing: TypeAlias = Subsystem | Node | Component | ServiceInfo
+Discovered: TypeAlias = SubsystemInfo | NodeInfo | ComponentInfo | ServiceInfo
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +40,7 @@ class Appeared:
     """`now` is there; `id` is 101.0.0 for a subsystem, 101.1.0 for a node, and the component's for its services."""
 
     id: JausID
-    now: Thing
+    now: Discovered
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,8 +48,8 @@ class Changed:
     """A subsystem, node or component has another name or type."""
 
     id: JausID
-    before: Thing
-    now: Thing
+    before: Discovered
+    now: Discovered
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,15 +57,15 @@ class Vanished:
     """It was silent for too long, or, a service, is not offered any more."""
 
     id: JausID
-    before: Thing
+    before: Discovered
 
 
 News: TypeAlias = Appeared | Changed | Vanished
 _Key: TypeAlias = tuple[JausID, ServiceInfo | None]
-_Picture: TypeAlias = dict[_Key, Thing]
+_Picture: TypeAlias = dict[_Key, Discovered]
 
 
-async def watch(link: Link, subsystem: int | None, interval: float, silence: float) -> AsyncIterator[News]:
+async def watch(link: Connection, subsystem: int | None, interval: float, silence: float) -> AsyncIterator[News]:
     """What is there at first, and then every change; what was not read in time is summed up, never piled up."""
     check_number(subsystem, "a subsystem", whole=True, optional=True)
     check_number(interval, "interval")
@@ -95,43 +95,43 @@ async def watch(link: Link, subsystem: int | None, interval: float, silence: flo
             if clock() >= probe_at:
                 for id in sightings.silent(clock() - interval)[:MAX_FOLLOW_UPS]:
                     link.send(id, QueryHeartbeatPulse())
-                probe_at = clock() + interval / PROBES
+                probe_at = clock() + interval / PROBES_PER_INTERVAL
             if clock() >= judge_at:
                 sightings.expire(clock() - silence)
             now = _picture(sightings.subsystems(clock()))
             for each in _differences(told, now):
                 yield each
             told = now
-            if await _news(heard_something, min(ask_at, probe_at, sightings.next_settled(clock()) or ask_at)):
-                _follow_up(link, sightings, clock() - SETTLE)
+            if await _wait_for_news(heard_something, min(ask_at, probe_at, sightings.next_settled(clock()) or ask_at)):
+                _follow_up(link, sightings, clock() - INTRODUCTION_TIME)
 
 
-async def _news(heard_something: asyncio.Event, until: float) -> bool:
+async def _wait_for_news(heard_something: asyncio.Event, until: float) -> bool:
     """Wait for news, and a moment for what comes with them, no longer than `until`; true when there were some."""
     with suppress(TimeoutError):
         async with asyncio.timeout_at(until):
             await heard_something.wait()
-            await asyncio.sleep(QUIET)
+            await asyncio.sleep(COALESCE_TIME)
     found = heard_something.is_set()
     heard_something.clear()
     return found
 
 
-def _ask_everybody(link: Link, subsystem: int | None) -> None:
-    everybody = ask_everybody(link, subsystem)
+def _ask_everybody(link: Connection, subsystem: int | None) -> None:
+    everybody = query_everybody(link, subsystem)
     link.send(everybody, QueryHeartbeatPulse(), broadcast=Broadcast.GLOBAL)
 
 
-def _follow_up(link: Link, sightings: Sightings, since: float) -> None:
+def _follow_up(link: Connection, sightings: Sightings, since: float) -> None:
     """Ask those who have not introduced themselves, of all or of the newcomers since then."""
-    questions: list[tuple[JausID, Message]] = [(id, all_services()) for id in sightings.mute(since)]
+    questions: list[tuple[JausID, Message]] = [(id, query_all_services()) for id in sightings.mute(since)]
     for level in (Level.COMPONENT, Level.NODE, Level.SUBSYSTEM):
         questions += [(id, QueryIdentification(query_type=level)) for id in sightings.unknown(level, since)]
     for id, question in questions[:MAX_FOLLOW_UPS]:
         link.send(id, question)
 
 
-def _picture(subsystems: tuple[Subsystem, ...]) -> _Picture:
+def _picture(subsystems: tuple[SubsystemInfo, ...]) -> _Picture:
     """Everything there is, the whole before its parts."""
     found: _Picture = {}
     for subsystem in subsystems:
@@ -156,6 +156,6 @@ def _differences(before: _Picture, now: _Picture) -> Iterator[News]:
             yield Changed(key[0], before[key], thing)
 
 
-def _label(thing: Thing) -> tuple[str, int] | None:
+def _label(thing: Discovered) -> tuple[str, int] | None:
     """What may change: of parts it is told by themselves."""
     return None if isinstance(thing, ServiceInfo) else (thing.name, thing.type)

@@ -8,8 +8,8 @@ from jauspy.codec.registry import Registry
 from jauspy.ids import JausID
 from jauspy.messages.core import ReportStatus
 from jauspy.ocu.elements import Element
-from jauspy.ocu.event_requests import Request
-from jauspy.ocu.model import Component, Node, ServiceInfo, Subsystem
+from jauspy.ocu.event_requests import EventRequest
+from jauspy.ocu.model import ComponentInfo, NodeInfo, ServiceInfo, SubsystemInfo
 from jauspy.ocu.service import DEFAULT_AUTHORITY
 from jauspy.ocu.stats import Stats
 from jauspy.ocu.stills import Photo
@@ -40,7 +40,7 @@ class Subscription(Facade[_Subscription[R]], Generic[R]):
     """
 
     @property
-    def request(self) -> Request:
+    def request(self) -> EventRequest:
         return self._async.request
 
     @property
@@ -397,7 +397,7 @@ class ComponentClient(Facade[_ComponentClient]):
     """One discovered component."""
 
     @property
-    def info(self) -> Component:
+    def info(self) -> ComponentInfo:
         return self._async.info
 
     @property
@@ -414,7 +414,7 @@ class Robot(Facade[_Robot]):
     """A subsystem as it was when it was discovered; `info` has it as plain values."""
 
     @property
-    def info(self) -> Subsystem:
+    def info(self) -> SubsystemInfo:
         return self._async.info
 
     @property
@@ -428,12 +428,12 @@ class Robot(Facade[_Robot]):
         return self._async.name
 
     @property
-    def nodes(self) -> tuple[Node, ...]:
+    def nodes(self) -> tuple[NodeInfo, ...]:
         """Its nodes."""
         return self._async.nodes
 
     @property
-    def components(self) -> tuple[Component, ...]:
+    def components(self) -> tuple[ComponentInfo, ...]:
         """The components of all of its nodes."""
         return self._async.components
 
