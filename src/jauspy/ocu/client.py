@@ -16,11 +16,9 @@ from jauspy.component import Shell
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.ocu import discovery
-from jauspy.ocu.link import Connection
+from jauspy.ocu.connection import Connection, RetryPolicy, Stats
 from jauspy.ocu.only_async import async_only
-from jauspy.ocu.patience import RetryPolicy
 from jauspy.ocu.robot import Robot
-from jauspy.ocu.stats import Stats
 from jauspy.ocu.watch import News, watch
 from jauspy.protocol.delivery import Delivery
 from jauspy.services.core import Discovery, Identity, Liveness

@@ -27,9 +27,8 @@ from jauspy.messages.core import (
     Shutdown,
     Standby,
 )
-from jauspy.ocu.link import Connection
+from jauspy.ocu.connection import Connection, RetryPolicy
 from jauspy.ocu.only_async import async_only
-from jauspy.ocu.patience import RetryPolicy
 from jauspy.ocu.standing import NOBODY, STATUS_RETRY, ControlStatus, holder, status_name
 from jauspy.protocol.header import Ack
 

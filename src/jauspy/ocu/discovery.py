@@ -20,8 +20,8 @@ from jauspy.messages.core import (
     ReportIdentification,
     ReportServices,
 )
+from jauspy.ocu.connection import Connection
 from jauspy.ocu.findings import Level, SubsystemTree
-from jauspy.ocu.link import Connection
 from jauspy.ocu.model import SubsystemInfo
 from jauspy.protocol.header import Broadcast
 

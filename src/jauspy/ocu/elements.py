@@ -11,7 +11,7 @@ from jauspy.codec.base import Message
 from jauspy.errors import ConfigError, DecodeError, ElementRejected, JausError, RequestError
 from jauspy.messages.core import ElementRec, ReportElement, ReportStatus
 from jauspy.ocu.arguments import check_message
-from jauspy.ocu.link import Connection
+from jauspy.ocu.connection import Connection
 from jauspy.ocu.list_requests import MAX_ELEMENTS_PER_REQUEST, ListClient
 from jauspy.ocu.only_async import async_only
 from jauspy.ocu.progress import active_elements

@@ -20,8 +20,7 @@ from jauspy.messages.core import (
     ReportEventTimeout,
     UpdateEvent,
 )
-from jauspy.ocu.link import Connection
-from jauspy.ocu.patience import RetryPolicy
+from jauspy.ocu.connection import Connection, RetryPolicy
 from jauspy.protocol.header import Ack
 
 MAX_RATE: Final = 1092.0

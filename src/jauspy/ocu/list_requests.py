@@ -19,7 +19,7 @@ from jauspy.messages.core import (
     ReportElementList,
     SetElement,
 )
-from jauspy.ocu.link import Connection
+from jauspy.ocu.connection import Connection
 
 MAX_ELEMENTS_PER_REQUEST: Final = 255
 """Elements that fit one request."""

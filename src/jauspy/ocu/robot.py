@@ -5,7 +5,7 @@ from __future__ import annotations
 from jauspy.arguments import check_text
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
-from jauspy.ocu.link import Connection
+from jauspy.ocu.connection import Connection
 from jauspy.ocu.model import ComponentInfo, NodeInfo, SubsystemInfo
 from jauspy.ocu.service import ServiceClient
 

@@ -16,10 +16,10 @@ from jauspy.ids import JausID
 from jauspy.messages.core import QueryStatus, ReportStatus, Resume, Standby
 from jauspy.ocu.answers import reply_class
 from jauspy.ocu.commands import perform
+from jauspy.ocu.connection import Connection
 from jauspy.ocu.control import Control
 from jauspy.ocu.elements import Elements
 from jauspy.ocu.event_requests import EventRequest
-from jauspy.ocu.link import Connection
 from jauspy.ocu.model import ServiceInfo
 from jauspy.ocu.stills import Photo, configuration, photograph
 from jauspy.ocu.subscription import Subscription

@@ -18,8 +18,7 @@ from jauspy.messages.core import (
     ReportStatus,
     ReportTimeout,
 )
-from jauspy.ocu.link import Connection
-from jauspy.ocu.patience import RetryPolicy
+from jauspy.ocu.connection import Connection, RetryPolicy
 
 DEFAULT_CONTROL_TIMEOUT: Final = 3.0
 """Seconds, of a component that does not say after how long it takes control back."""

@@ -20,7 +20,7 @@ from jauspy.messages.environment_sensing.v2_0.still_image import (
     SetStillImageSensorConfiguration,
 )
 from jauspy.messages.environment_sensing.v2_0.visual_sensor import ConfirmSensorConfiguration
-from jauspy.ocu.link import Connection
+from jauspy.ocu.connection import Connection
 from jauspy.platform.stills import MAX_REPORT
 from jauspy.protocol.delivery import Delivery
 from jauspy.services.environment_sensing.frame_sizes import SIZES, number_of

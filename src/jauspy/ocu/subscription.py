@@ -14,10 +14,9 @@ from jauspy.codec.base import Message
 from jauspy.errors import ConfigError, DecodeError, EventRejected, JausError, ResponseTimeout, TransportError
 from jauspy.ids import JausID
 from jauspy.messages.core import ConfirmEventRequest, Event, RejectEventRequest
+from jauspy.ocu.connection import Connection, RetryPolicy
 from jauspy.ocu.event_requests import EventClient, EventRequest, rejection_reason
-from jauspy.ocu.link import Connection
 from jauspy.ocu.only_async import async_only
-from jauspy.ocu.patience import RetryPolicy
 from jauspy.ocu.sequence import SequenceTracker
 
 R = TypeVar("R", bound=Message)

@@ -20,9 +20,9 @@ from jauspy.messages.core import (
     ReportIdentification,
     ReportServices,
 )
+from jauspy.ocu.connection import Connection
 from jauspy.ocu.discovery import MAX_FOLLOW_UPS, query_all_services, query_everybody
 from jauspy.ocu.findings import Level
-from jauspy.ocu.link import Connection
 from jauspy.ocu.model import ComponentInfo, NodeInfo, ServiceInfo, SubsystemInfo
 from jauspy.ocu.sightings import INTRODUCTION_TIME, Sightings
 from jauspy.protocol.header import Broadcast

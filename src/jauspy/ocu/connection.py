@@ -4,26 +4,195 @@ from __future__ import annotations
 
 import asyncio
 import logging
-from collections import Counter
+from collections import Counter, deque
 from collections.abc import AsyncIterator, Awaitable, Callable, Iterator
 from contextlib import contextmanager, suppress
-from typing import Final
+from dataclasses import dataclass
+from statistics import median
+from typing import Final, Protocol
 
 from jauspy.arguments import check_number
 from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
 from jauspy.component import Shell
-from jauspy.errors import ConfigError, JausError, ResponseTimeout, TransportError
+from jauspy.errors import ConfigError, ControlRejected, JausError, ResponseTimeout, TransportError
 from jauspy.ids import JausID
+from jauspy.messages.core import (
+    CancelEvent,
+    ClearEmergency,
+    CreateEvent,
+    ReleaseControl,
+    RequestControl,
+    SetEmergency,
+    UpdateEvent,
+)
 from jauspy.ocu.answers import reply_class
 from jauspy.ocu.arguments import check_message
-from jauspy.ocu.controls import ActiveControls
 from jauspy.ocu.lanes import QuerySerializer
-from jauspy.ocu.patience import RetryPolicy
 from jauspy.ocu.replies import Reply, ReplyDispatcher, ReplyWaiter
-from jauspy.ocu.shared_events import EventUsers
-from jauspy.ocu.stats import StatsRecorder
 from jauspy.protocol.header import Ack, Broadcast, Packet, Priority
+
+
+@dataclass(frozen=True, slots=True)
+class RetryPolicy:
+    """How long to wait for one answer (seconds), and how often to ask again; an answer to any of the questions counts.
+
+    Of ten packets one may get lost: then a question and its answer fail once in 5 times, three in a row once in 150,
+    which a program of many questions would see, and six once in 20,000.
+    """
+
+    timeout: float = 0.5
+    retries: int = 5
+
+    def __post_init__(self) -> None:
+        check_number(self.timeout, "timeout")
+        check_number(self.retries, "retries", whole=True)
+        if not self.timeout > 0 or self.retries < 0:
+            raise ConfigError(f"timeout {self.timeout} s must be above 0, retries {self.retries} must be 0 or more")
+
+    @property
+    def total(self) -> float:
+        """Seconds until it is given up."""
+        return self.timeout * (self.retries + 1)
+
+    def changed(self, timeout: float | None, retries: int | None) -> RetryPolicy:
+        """With what is given."""
+        return RetryPolicy(self.timeout if timeout is None else timeout, self.retries if retries is None else retries)
+
+
+MAX_ROUND_TRIPS: Final = 10_000
+"""Round trips that the median is taken over: the latest."""
+
+
+@dataclass(frozen=True, slots=True)
+class Stats:
+    """A moment's figures. Round-trip times are in seconds, of the latest 10,000 queries; 0 when there were none."""
+
+    sent: int = 0
+    received: int = 0
+    answers: int = 0
+    timeouts: int = 0
+    malformed: int = 0
+    unexpected: int = 0
+    """Messages that nobody waited for, as answers that come too late."""
+    rtt_min: float = 0.0
+    rtt_median: float = 0.0
+    rtt_max: float = 0.0
+
+
+class StatsRecorder:
+    """Counts as it goes; `snapshot` makes a `Stats`."""
+
+    def __init__(self) -> None:
+        self.sent = 0
+        self.received = 0
+        self.answers = 0
+        self.timeouts = 0
+        self.malformed = 0
+        self.unexpected = 0
+        self._round_trips: deque[float] = deque(maxlen=MAX_ROUND_TRIPS)
+
+    def answered(self, seconds: float | None) -> None:
+        """One query was answered after `seconds`; None when that is not known."""
+        self.answers += 1
+        if seconds is not None:
+            self._round_trips.append(seconds)
+
+    def snapshot(self) -> Stats:
+        """The figures so far."""
+        times = self._round_trips or (0.0,)
+        return Stats(
+            sent=self.sent,
+            received=self.received,
+            answers=self.answers,
+            timeouts=self.timeouts,
+            malformed=self.malformed,
+            unexpected=self.unexpected,
+            rtt_min=min(times),
+            rtt_median=median(times),
+            rtt_max=max(times),
+        )
+
+
+COMMANDS_WITHOUT_CONTROL: Final = frozenset(
+    each.CODE
+    for each in (RequestControl, ReleaseControl, SetEmergency, ClearEmergency, CreateEvent, UpdateEvent, CancelEvent)
+)
+"""Commands that need no control."""
+
+
+class ControlHandle(Protocol):
+    """Control of a component, as others see it."""
+
+    def check(self) -> None:
+        """Raise `ControlRejected` when it was lost."""
+
+    def sent(self, message: Message) -> None:
+        """Hear of a message that was sent to the component."""
+
+
+class ActiveControls:
+    """One for each component, from when it is asked for until it is given back."""
+
+    def __init__(self) -> None:
+        self._held: dict[JausID, ControlHandle] = {}
+
+    def __contains__(self, id: JausID) -> bool:
+        return id in self._held
+
+    def take(self, id: JausID, control: ControlHandle) -> None:
+        """Remember who controls a component; `ControlRejected` when something else here does."""
+        if id in self._held:
+            raise ControlRejected(f"this OCU already controls {id}; one `async with` block serves all of its services")
+        self._held[id] = control
+
+    def drop(self, id: JausID, control: ControlHandle) -> None:
+        """Forget it; fine when another one is there."""
+        if self._held.get(id) is control:
+            del self._held[id]
+
+    def check(self, id: JausID, message: Message) -> None:
+        """Raise `ControlRejected` for a command to a component whose control was taken and is lost."""
+        if id in self._held and message.IS_COMMAND and message.CODE not in COMMANDS_WITHOUT_CONTROL:
+            self._held[id].check()
+
+    def sent(self, destination: JausID, message: Message) -> None:
+        """Tell of a message to all whose components it reaches."""
+        for id, control in self._held.items():
+            if destination.matches(id):
+                control.sent(message)
+
+
+class EventUsers:
+    """By component and number of the event; for a command by its bytes, known before there is a number."""
+
+    def __init__(self) -> None:
+        self._users: dict[tuple[JausID, int | bytes], set[object]] = {}
+
+    def join(self, id: JausID, event: int | bytes, user: object) -> set[object]:
+        """`user` listens to this event; who else does."""
+        users = self._users.setdefault((id, event), set())
+        users.add(user)
+        return users - {user}
+
+    def is_known(self, id: JausID, event: int) -> bool:
+        """True when somebody listens to this event."""
+        return (id, event) in self._users
+
+    def users(self, id: JausID, event: int | bytes) -> frozenset[object]:
+        """Who listens to this event."""
+        return frozenset(self._users.get((id, event), ()))
+
+    def leave(self, id: JausID, event: int | bytes | None, user: object) -> bool:
+        """`user` does not any more; true when it was the last, so that the event can be cancelled."""
+        users = self._users.get((id, event)) if event is not None else None
+        if event is None or users is None:
+            return False
+        users.discard(user)
+        if not users:
+            del self._users[id, event]
+        return not users
+
 
 _LOG: Final = logging.getLogger("jauspy.ocu")
 
