@@ -20,7 +20,7 @@ from jauspy.messages.core import (
     QueryIdentification,
     QueryStatus,
 )
-from jauspy.ocu.answers import REPORT_OFFSET
+from jauspy.ocu.replies import REPORT_OFFSET
 from jauspy.protocol import header
 from jauspy.protocol.header import Ack, DataFlag, Packet
 

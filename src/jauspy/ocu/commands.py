@@ -16,10 +16,9 @@ from jauspy.codec.base import Message
 from jauspy.errors import ConfigError, JausError, RequestError, ResponseTimeout
 from jauspy.ids import JausID
 from jauspy.messages.core import CommandEvent, ConfirmEventRequest, CreateCommandEvent
-from jauspy.ocu.arguments import check_message
 from jauspy.ocu.connection import Connection
 from jauspy.ocu.event_requests import cancel_event, request_event
-from jauspy.ocu.replies import ReplyWaiter
+from jauspy.ocu.replies import ReplyWaiter, check_message
 
 MAX_WITHIN: Final = 0xFFFF_FFFF
 """Seconds; what fits the message."""

@@ -26,10 +26,7 @@ from jauspy.messages.core import (
     SetEmergency,
     UpdateEvent,
 )
-from jauspy.ocu.answers import reply_class
-from jauspy.ocu.arguments import check_message
-from jauspy.ocu.lanes import QuerySerializer
-from jauspy.ocu.replies import Reply, ReplyDispatcher, ReplyWaiter
+from jauspy.ocu.replies import QuerySerializer, Reply, ReplyDispatcher, ReplyWaiter, check_message, reply_class
 from jauspy.protocol.header import Ack, Broadcast, Packet, Priority
 
 

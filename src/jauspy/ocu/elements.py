@@ -10,11 +10,11 @@ from jauspy.arguments import check_number, described
 from jauspy.codec.base import Message
 from jauspy.errors import ConfigError, DecodeError, ElementRejected, JausError, RequestError
 from jauspy.messages.core import ElementRec, ReportElement, ReportStatus
-from jauspy.ocu.arguments import check_message
 from jauspy.ocu.connection import Connection
 from jauspy.ocu.list_requests import MAX_ELEMENTS_PER_REQUEST, ListClient
 from jauspy.ocu.only_async import async_only
 from jauspy.ocu.progress import active_elements
+from jauspy.ocu.replies import check_message
 
 if TYPE_CHECKING:
     from jauspy.ocu.service import ServiceClient

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import AsyncIterator, Callable, Hashable, Iterator
+from contextlib import asynccontextmanager, contextmanager
 from dataclasses import dataclass, field
-from typing import TypeAlias
+from typing import Final, TypeAlias
 
+from jauspy.arguments import described
 from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
-from jauspy.errors import CodecError, DecodeError
+from jauspy.errors import CodecError, ConfigError, DecodeError
 from jauspy.ids import JausID
 
 Reply: TypeAlias = tuple[Message, JausID]
@@ -125,3 +126,112 @@ class ReplyDispatcher:
             return True
         entry.tap(message, source)
         return True
+
+
+@dataclass(slots=True)
+class _Turns:
+    content: bytes = b""
+    active: int = 0
+    waiting: int = 0
+    turn: asyncio.Event = field(default_factory=asyncio.Event)
+
+
+class QuerySerializer:
+    """By key; a lane exists only while somebody is in it."""
+
+    def __init__(self) -> None:
+        self._lanes: dict[Hashable, _Turns] = {}
+
+    def __len__(self) -> int:
+        return len(self._lanes)
+
+    @asynccontextmanager
+    async def enter(self, key: Hashable, content: bytes) -> AsyncIterator[None]:
+        """Share the lane with equal content, wait until other content has left it."""
+        lane = self._lanes.setdefault(key, _Turns())
+        try:
+            await self._wait(lane, content)
+            lane.content = content
+            lane.active += 1
+            try:
+                yield
+            finally:
+                lane.active -= 1
+        finally:
+            if not lane.active:
+                lane.turn.set()
+                if not lane.waiting:
+                    self._lanes.pop(key, None)
+
+    async def _wait(self, lane: _Turns, content: bytes) -> None:
+        """Who comes new goes behind all who wait, or these might wait for ever."""
+        has_turn = not lane.waiting
+        lane.waiting += 1
+        try:
+            while not has_turn or (lane.active and lane.content != content):
+                lane.turn.clear()
+                await lane.turn.wait()
+                has_turn = True
+        finally:
+            lane.waiting -= 1
+
+
+def check_message(value: object, use: str, example: str = "QueryStatus()") -> None:
+    """Raise `TypeError` unless it is a message; `use` is what takes it, as in `query()`."""
+    if isinstance(value, Message):
+        return
+    if isinstance(value, type) and issubclass(value, Message):
+        raise TypeError(f"{use} takes a message, and {value.NAME} is only its class; write {value.NAME}(...)")
+    raise TypeError(f"{use} takes a message, as in {example}, not {described(value)}")
+
+
+def check_message_class(value: object, use: str) -> None:
+    """Raise `TypeError` unless it is the class of a message, or None."""
+    if value is None or (isinstance(value, type) and issubclass(value, Message)):
+        return
+    what = f"a message; write {value.NAME} without brackets" if isinstance(value, Message) else described(value)
+    raise TypeError(f"{use} takes the class of a message, as in ReportStatus, not {what}")
+
+
+REPORT_OFFSET: Final = 0x2000
+"""From the code of a query (2000h to 3FFFh) to that of its report (AS5710)."""
+REPORT_CODES: Final = range(0x4000, 0x6000)
+
+
+def reply_class(
+    registry: Registry, message: Message, expects: type[Message] | None, use: str = "query()"
+) -> type[Message]:
+    """What answers this message: `expects`, else the report of the query that it is; `use` is what it was given to."""
+    check_message(message, use)
+    check_message_class(expects, "expects")
+    return expects or report_of(registry, message)
+
+
+def report_of(registry: Registry, query: Message) -> type[Message]:
+    """The class of the report that answers a query, of the same service and version."""
+    if not query.IS_QUERY:
+        raise ConfigError(f"{query.NAME} is no query; say with `expects` which message answers it, or send it")
+    if (report := getattr(query, "REPORT", None)) is not None:
+        return report  # type: ignore[no-any-return]  # queries whose report is of the same service have it
+    code = query.CODE + REPORT_OFFSET
+    found = registry.by_code(code) if code in REPORT_CODES else _named_report(registry, query)
+    for each in found:
+        if (each.SERVICE, each.VERSION) == (query.SERVICE, query.VERSION):
+            return each
+    if not found:
+        what = f"with id {code:04X}" if code in REPORT_CODES else f"called {report_name(query)} of {query.SERVICE}"
+        raise ConfigError(f"no message {what} is known to answer {query.NAME}; say with `expects` which one does")
+    return found[0]
+
+
+def _named_report(registry: Registry, query: Message) -> tuple[type[Message], ...]:
+    """What answers a query whose id says nothing, as those of users do."""
+    try:
+        return (registry.by_name(report_name(query), service=query.SERVICE, version=query.VERSION),)
+    except ConfigError:
+        return ()
+
+
+def report_name(query: Message) -> str:
+    """`ReportLamp` of `QueryLamp`."""
+    return f"Report{query.NAME.removeprefix('Query')}"

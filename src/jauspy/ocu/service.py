@@ -14,13 +14,13 @@ from jauspy.codec.base import Message, Query
 from jauspy.errors import ConfigError, RequestError, ResponseTimeout
 from jauspy.ids import JausID
 from jauspy.messages.core import QueryStatus, ReportStatus, Resume, Standby
-from jauspy.ocu.answers import reply_class
 from jauspy.ocu.commands import perform
 from jauspy.ocu.connection import Connection
 from jauspy.ocu.control import Control
 from jauspy.ocu.elements import Elements
 from jauspy.ocu.event_requests import EventRequest
 from jauspy.ocu.model import ServiceInfo
+from jauspy.ocu.replies import reply_class
 from jauspy.ocu.stills import Photo, configuration, photograph
 from jauspy.ocu.subscription import Subscription
 
