@@ -10,8 +10,8 @@ from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages.core import ReportIdentification, ReportServices
 from jauspy.ocu import Appeared, Changed, ComponentInfo, NodeInfo, ServiceInfo, SubsystemInfo, Vanished
-from jauspy.ocu.findings import MAX_COMPONENTS
 from jauspy.ocu.sightings import INTRODUCTION_TIME, Sightings
+from jauspy.ocu.subsystems import MAX_COMPONENTS
 from jauspy.protocol.header import Packet
 from jauspy.protocol.judp import pack
 from jauspy.services.core import Discovery, Identity, Liveness

@@ -7,7 +7,7 @@ from typing import Any
 from rich.text import Text
 from rich.tree import Tree
 
-from jauspy.ocu.model import ComponentInfo, NodeInfo, SubsystemInfo, kind_of
+from jauspy.ocu.subsystems import ComponentInfo, NodeInfo, SubsystemInfo, kind_of
 
 
 def tree_of(subsystem: SubsystemInfo) -> Tree:

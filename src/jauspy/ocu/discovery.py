@@ -21,8 +21,7 @@ from jauspy.messages.core import (
     ReportServices,
 )
 from jauspy.ocu.connection import Connection
-from jauspy.ocu.findings import Level, SubsystemTree
-from jauspy.ocu.model import SubsystemInfo
+from jauspy.ocu.subsystems import Level, SubsystemInfo, SubsystemTree
 from jauspy.protocol.header import Broadcast
 
 ROUND_INTERVAL: Final = 0.5

@@ -6,8 +6,8 @@ from jauspy.arguments import check_text
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.ocu.connection import Connection
-from jauspy.ocu.model import ComponentInfo, NodeInfo, SubsystemInfo
 from jauspy.ocu.service import ServiceClient
+from jauspy.ocu.subsystems import ComponentInfo, NodeInfo, SubsystemInfo
 
 
 class ComponentClient:

@@ -19,10 +19,10 @@ from jauspy.ocu.connection import Connection
 from jauspy.ocu.control import Control
 from jauspy.ocu.elements import Elements
 from jauspy.ocu.event_requests import EventRequest
-from jauspy.ocu.model import ServiceInfo
 from jauspy.ocu.replies import reply_class
 from jauspy.ocu.stills import Photo, configuration, photograph
 from jauspy.ocu.subscription import Subscription
+from jauspy.ocu.subsystems import ServiceInfo
 
 R = TypeVar("R", bound=Message)
 

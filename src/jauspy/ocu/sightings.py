@@ -10,8 +10,16 @@ from typing import Final
 from jauspy.codec.base import Message
 from jauspy.ids import JausID
 from jauspy.messages.core import ReportIdentification, ReportServices
-from jauspy.ocu.findings import MAX_COMPONENTS, Level, name_owner, offered_services
-from jauspy.ocu.model import ComponentInfo, NodeInfo, ServiceInfo, SubsystemInfo
+from jauspy.ocu.subsystems import (
+    MAX_COMPONENTS,
+    ComponentInfo,
+    Level,
+    NodeInfo,
+    ServiceInfo,
+    SubsystemInfo,
+    name_owner,
+    offered_services,
+)
 
 INTRODUCTION_TIME: Final = 1.0
 """Seconds that a newcomer has to introduce itself before it is reported as it is."""

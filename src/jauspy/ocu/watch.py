@@ -22,9 +22,8 @@ from jauspy.messages.core import (
 )
 from jauspy.ocu.connection import Connection
 from jauspy.ocu.discovery import MAX_FOLLOW_UPS, query_all_services, query_everybody
-from jauspy.ocu.findings import Level
-from jauspy.ocu.model import ComponentInfo, NodeInfo, ServiceInfo, SubsystemInfo
 from jauspy.ocu.sightings import INTRODUCTION_TIME, Sightings
+from jauspy.ocu.subsystems import ComponentInfo, Level, NodeInfo, ServiceInfo, SubsystemInfo
 from jauspy.protocol.header import Broadcast
 
 PROBES_PER_INTERVAL: Final = 4
@@ -90,7 +89,7 @@ async def watch(link: Connection, subsystem: int | None, interval: float, silenc
                 if clock() > ask_at + interval:  # the reader was slow, so nobody was asked, and silence says nothing
                     judge_at = clock() + silence
                 _ask_everybody(link, subsystem)
-                _follow_up(link, sightings, -math.inf)
+                _query_missing(link, sightings, -math.inf)
                 ask_at = clock() + interval
             if clock() >= probe_at:
                 for id in sightings.silent(clock() - interval)[:MAX_FOLLOW_UPS]:
@@ -103,7 +102,7 @@ async def watch(link: Connection, subsystem: int | None, interval: float, silenc
                 yield each
             told = now
             if await _wait_for_news(heard_something, min(ask_at, probe_at, sightings.next_settled(clock()) or ask_at)):
-                _follow_up(link, sightings, clock() - INTRODUCTION_TIME)
+                _query_missing(link, sightings, clock() - INTRODUCTION_TIME)
 
 
 async def _wait_for_news(heard_something: asyncio.Event, until: float) -> bool:
@@ -122,7 +121,7 @@ def _ask_everybody(link: Connection, subsystem: int | None) -> None:
     link.send(everybody, QueryHeartbeatPulse(), broadcast=Broadcast.GLOBAL)
 
 
-def _follow_up(link: Connection, sightings: Sightings, since: float) -> None:
+def _query_missing(link: Connection, sightings: Sightings, since: float) -> None:
     """Ask those who have not introduced themselves, of all or of the newcomers since then."""
     questions: list[tuple[JausID, Message]] = [(id, query_all_services()) for id in sightings.mute(since)]
     for level in (Level.COMPONENT, Level.NODE, Level.SUBSYSTEM):

@@ -15,11 +15,11 @@ from jauspy.ocu.connection import Stats
 from jauspy.ocu.control import Control as _Control
 from jauspy.ocu.elements import Element, Elements as _Elements
 from jauspy.ocu.event_requests import EventRequest
-from jauspy.ocu.model import ComponentInfo, NodeInfo, ServiceInfo, SubsystemInfo
 from jauspy.ocu.robot import ComponentClient as _ComponentClient, Robot as _Robot
 from jauspy.ocu.service import DEFAULT_AUTHORITY, ServiceClient as _ServiceClient
 from jauspy.ocu.stills import Photo
 from jauspy.ocu.subscription import R, Subscription as _Subscription
+from jauspy.ocu.subsystems import ComponentInfo, NodeInfo, ServiceInfo, SubsystemInfo
 from jauspy.ocu.watch import News
 from jauspy.protocol.delivery import Delivery
 from jauspy.sync.base import Facade, OpensPortal
