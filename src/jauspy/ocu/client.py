@@ -17,9 +17,9 @@ from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.ocu import discovery
 from jauspy.ocu.connection import Connection, RetryPolicy, Stats
+from jauspy.ocu.discovery import News, watch
 from jauspy.ocu.only_async import async_only
 from jauspy.ocu.robot import Robot
-from jauspy.ocu.watch import News, watch
 from jauspy.protocol.delivery import Delivery
 from jauspy.services.core import Discovery, Identity, Liveness
 from jauspy.services.core.identity import COMPONENT, NODE, SUBSYSTEM, SYSTEM

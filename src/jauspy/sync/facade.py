@@ -13,6 +13,7 @@ from jauspy.messages.core import ReportStatus
 from jauspy.ocu.client import OCU as _OCU
 from jauspy.ocu.connection import Stats
 from jauspy.ocu.control import Control as _Control
+from jauspy.ocu.discovery import News
 from jauspy.ocu.elements import Element, Elements as _Elements
 from jauspy.ocu.event_requests import EventRequest
 from jauspy.ocu.robot import ComponentClient as _ComponentClient, Robot as _Robot
@@ -20,7 +21,6 @@ from jauspy.ocu.service import DEFAULT_AUTHORITY, ServiceClient as _ServiceClien
 from jauspy.ocu.stills import Photo
 from jauspy.ocu.subscription import R, Subscription as _Subscription
 from jauspy.ocu.subsystems import ComponentInfo, NodeInfo, ServiceInfo, SubsystemInfo
-from jauspy.ocu.watch import News
 from jauspy.protocol.delivery import Delivery
 from jauspy.sync.base import Facade, OpensPortal
 from jauspy.sync.portal import Portal
