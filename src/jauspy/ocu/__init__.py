@@ -4,7 +4,7 @@ from jauspy.ocu.client import OCU
 from jauspy.ocu.connection import Stats
 from jauspy.ocu.control import Control
 from jauspy.ocu.discovery import Appeared, Changed, Vanished
-from jauspy.ocu.elements import Elements
+from jauspy.ocu.lists import Elements
 from jauspy.ocu.robot import ComponentClient, Robot
 from jauspy.ocu.service import ServiceClient
 from jauspy.ocu.subscription import Subscription

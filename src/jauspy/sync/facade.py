@@ -14,8 +14,8 @@ from jauspy.ocu.client import OCU as _OCU
 from jauspy.ocu.connection import Stats
 from jauspy.ocu.control import Control as _Control
 from jauspy.ocu.discovery import News
-from jauspy.ocu.elements import Element, Elements as _Elements
 from jauspy.ocu.event_requests import EventRequest
+from jauspy.ocu.lists import Element, Elements as _Elements
 from jauspy.ocu.robot import ComponentClient as _ComponentClient, Robot as _Robot
 from jauspy.ocu.service import DEFAULT_AUTHORITY, ServiceClient as _ServiceClient
 from jauspy.ocu.stills import Photo

@@ -2,22 +2,177 @@
 
 from __future__ import annotations
 
-from collections.abc import AsyncGenerator, Iterable, Sequence
+import asyncio
+from collections.abc import AsyncGenerator, AsyncIterator, Callable, Iterable, Sequence
+from contextlib import aclosing
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, Final, TypeAlias, overload
 
 from jauspy.arguments import check_number, described
 from jauspy.codec.base import Message
-from jauspy.errors import ConfigError, DecodeError, ElementRejected, JausError, RequestError
-from jauspy.messages.core import ElementRec, ReportElement, ReportStatus
+from jauspy.errors import (
+    ConfigError,
+    DecodeError,
+    ElementRejected,
+    EventRejected,
+    JausError,
+    RequestError,
+    ResponseTimeout,
+)
+from jauspy.ids import JausID
+from jauspy.messages.core import (
+    ConfirmElementRequest,
+    DeleteElement,
+    ElementRec,
+    QueryElement,
+    QueryElementList,
+    RejectElementRequest,
+    ReportElement,
+    ReportElementList,
+    ReportStatus,
+    SetElement,
+)
 from jauspy.ocu.connection import Connection
-from jauspy.ocu.list_requests import MAX_ELEMENTS_PER_REQUEST, ListClient
 from jauspy.ocu.only_async import async_only
-from jauspy.ocu.progress import active_elements
 from jauspy.ocu.replies import check_message
 
 if TYPE_CHECKING:
     from jauspy.ocu.service import ServiceClient
+    from jauspy.ocu.subscription import Subscription
+if TYPE_CHECKING:
+    from jauspy.ocu.service import ServiceClient
+
+MAX_ELEMENTS_PER_REQUEST: Final = 255
+"""Elements that fit one request."""
+_Code: TypeAlias = RejectElementRequest.ResponseCode
+_REFUSAL_REASONS: Final[dict[int, str]] = {
+    _Code.INVALID_ELEMENT_ID: "it takes no element of this number",
+    _Code.INVALID_PREVIOUS_ELEMENT: "the list has changed meanwhile; call `read()` and try again",
+    _Code.INVALID_NEXT_ELEMENT: "the list has changed meanwhile; call `read()` and try again",
+    _Code.UNSUPPORTED_ELEMENT_TYPE: "none of its drivers carries out such an element",
+    _Code.ELEMENT_NOT_FOUND: "the list has changed meanwhile; call `read()` and try again",
+    _Code.OUT_OF_MEMORY: "it has no room for more elements, and a new list needs room beside the old one: "
+    "`clear()` the list first, or upload less",
+    _Code.UNSPECIFIED_ERROR: "it does not say why",
+}
+
+
+class ListClient:
+    """Asks one component. Changes raise `ElementRejected` with the reason, or `ResponseTimeout`."""
+
+    def __init__(self, link: Connection, id: JausID) -> None:
+        self._link = link
+        self._id = id
+
+    async def order(self) -> list[int]:
+        """The numbers of the elements, first to last."""
+        report = await self._link.query(self._id, QueryElementList())
+        assert isinstance(report, ReportElementList)
+        return [each.element_uid for each in report.element_list]
+
+    async def comes_to(self, fits: Callable[[list[int]], bool]) -> bool:
+        """True when `order` fits; asked again when not, for a report may answer an earlier question late."""
+        for _ in range(self._link.patience.retries + 1):
+            if fits(await self.order()):
+                return True
+        return False
+
+    async def element(self, uid: int) -> ReportElement:
+        """One of them, with its links."""
+
+        def is_meant(report: Message) -> bool:
+            return isinstance(report, ReportElement) and report.element_uid == uid
+
+        report = await self._link.query(self._id, QueryElement(element_uid=uid), accept=is_meant)
+        assert isinstance(report, ReportElement)
+        return report
+
+    async def put(self, records: Sequence[ElementRec]) -> None:
+        """Insert or replace up to `MAX_ELEMENTS_PER_REQUEST` elements; all are taken, or none."""
+        await self._request(lambda number: SetElement(SetElement.RequestIDRec(number), list(records)))
+
+    async def remove(self, uids: Iterable[int]) -> None:
+        """Delete up to `MAX_ELEMENTS_PER_REQUEST` elements."""
+        gone = list(uids)
+        records = [DeleteElement.DeleteElementRec(uid) for uid in gone]
+        try:
+            await self._request(lambda number: DeleteElement(DeleteElement.RequestIDRec(number), records))
+        except ElementRejected:
+            # A request that was sent again, because its confirmation was lost, finds nothing to delete any more.
+            if not await self.comes_to(lambda order: not set(gone) & set(order)):
+                raise
+
+    async def _request(self, make: Callable[[int], Message]) -> None:
+        number = self._link.next_request_id(self._id)
+        try:
+            answer = await self._link.request(
+                self._id,
+                make(number),
+                ConfirmElementRequest,
+                RejectElementRequest,
+                accept=lambda each: getattr(each, "request_id", None) == number,
+            )
+        except ResponseTimeout as error:
+            raise ResponseTimeout(f"{error}; a list obeys only the client in control: see `control()`") from None
+        if isinstance(answer, RejectElementRequest):
+            code = answer.response_code
+            name, why = (
+                getattr(code, "name", f"code {code}"),
+                _REFUSAL_REASONS.get(code, "a reason not in the standard"),
+            )
+            raise ElementRejected(f"{self._id} refused to change its list ({name}): {why}")
+
+
+ACTIVE_ELEMENT_INTERVAL: Final = 0.2
+"""Seconds between two questions to a component that does not tell by itself."""
+RECHECK_INTERVAL: Final = 1.0
+"""Seconds without an event after which one may have been lost, perhaps the last one: then it is asked."""
+
+
+async def active_elements(
+    service: ServiceClient, query: Message, rate: float | None, grace: float
+) -> AsyncIterator[int]:
+    """The number of each element that becomes active, until none is; none at first may last `grace` seconds.
+
+    Silence says nothing: while no report comes, the list may well be carried out.
+    """
+    clock = asyncio.get_running_loop().time
+    last, give_up_at = 0, clock() + grace
+    async with aclosing(_reports(service, query, rate)) as reports:
+        async for report in reports:
+            uid = report.element_uid
+            if not uid and (last or clock() >= give_up_at):
+                return
+            if uid != last:
+                last = uid
+                yield uid
+
+
+async def _reports(service: ServiceClient, query: Message, rate: float | None) -> AsyncGenerator[Any, None]:
+    yield await service.query(query)  # an event takes three messages and their answers to begin
+    subscription = service.subscribe(query, rate=rate)
+    try:
+        await subscription.__aenter__()
+    except EventRejected:
+        while True:
+            yield await service.query(query)
+            await asyncio.sleep(ACTIVE_ELEMENT_INTERVAL)
+    try:
+        while True:
+            yield await _next(service, query, subscription)
+    finally:
+        await subscription.__aexit__(None, None, None)
+
+
+async def _next(service: ServiceClient, query: Message, subscription: Subscription[Any]) -> Any:
+    try:
+        async with asyncio.timeout(RECHECK_INTERVAL) as limit:
+            return await subscription.get()
+    except TimeoutError:
+        if not limit.expired():
+            raise
+        return await service.query(query)
+
 
 Element: TypeAlias = Message | bytes
 """A message, or bytes of a format of the user's own."""
