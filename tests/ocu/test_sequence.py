@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from jauspy.ocu.sequence import MAX_DELAY, SequenceTracker
+from jauspy.ocu.subscription import MAX_DELAY, SequenceTracker
 
 
 def told(*numbers: int, rate: float = 10.0) -> list[int | None]:

@@ -22,7 +22,7 @@ from jauspy.messages.core import (
 )
 from jauspy.messages.mobility import QueryLocalPose, QueryVelocityState, ReportLocalPose, ReportVelocityState
 from jauspy.ocu import subscription as module
-from jauspy.ocu.event_requests import EventClient
+from jauspy.ocu.subscription import EventClient
 from jauspy.protocol.header import Packet
 from jauspy.protocol.judp import pack
 from jauspy.services.core import Discovery, Events, Liveness

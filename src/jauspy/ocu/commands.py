@@ -17,8 +17,8 @@ from jauspy.errors import ConfigError, JausError, RequestError, ResponseTimeout
 from jauspy.ids import JausID
 from jauspy.messages.core import CommandEvent, ConfirmEventRequest, CreateCommandEvent
 from jauspy.ocu.connection import Connection
-from jauspy.ocu.event_requests import cancel_event, request_event
 from jauspy.ocu.replies import ReplyWaiter, check_message
+from jauspy.ocu.subscription import cancel_event, request_event
 
 MAX_WITHIN: Final = 0xFFFF_FFFF
 """Seconds; what fits the message."""

@@ -17,11 +17,10 @@ from jauspy.messages.core import QueryStatus, ReportStatus, Resume, Standby
 from jauspy.ocu.commands import perform
 from jauspy.ocu.connection import Connection
 from jauspy.ocu.control import Control
-from jauspy.ocu.event_requests import EventRequest
 from jauspy.ocu.lists import Elements
 from jauspy.ocu.replies import reply_class
 from jauspy.ocu.stills import Photo, configuration, photograph
-from jauspy.ocu.subscription import Subscription
+from jauspy.ocu.subscription import EventRequest, Subscription
 from jauspy.ocu.subsystems import ServiceInfo
 
 R = TypeVar("R", bound=Message)

@@ -14,12 +14,11 @@ from jauspy.ocu.client import OCU as _OCU
 from jauspy.ocu.connection import Stats
 from jauspy.ocu.control import Control as _Control
 from jauspy.ocu.discovery import News
-from jauspy.ocu.event_requests import EventRequest
 from jauspy.ocu.lists import Element, Elements as _Elements
 from jauspy.ocu.robot import ComponentClient as _ComponentClient, Robot as _Robot
 from jauspy.ocu.service import DEFAULT_AUTHORITY, ServiceClient as _ServiceClient
 from jauspy.ocu.stills import Photo
-from jauspy.ocu.subscription import R, Subscription as _Subscription
+from jauspy.ocu.subscription import EventRequest, R, Subscription as _Subscription
 from jauspy.ocu.subsystems import ComponentInfo, NodeInfo, ServiceInfo, SubsystemInfo
 from jauspy.protocol.delivery import Delivery
 from jauspy.sync.base import Facade, OpensPortal
