@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from numbers import Integral, Real
+from typing import NoReturn
 
 
 def check_number(value: object, use: str, *, whole: bool = False, optional: bool = False) -> None:
@@ -20,3 +22,15 @@ def check_text(value: object, use: str) -> None:
 def described(value: object) -> str:
     """A value in a sentence."""
     return "None" if value is None else f"the {type(value).__name__} {value!r}"
+
+
+def async_only(instead: str) -> Callable[..., NoReturn]:
+    """A method that only says what to write instead; hide it from type checkers, who know without it."""
+
+    def refuse(self: object, *_: object) -> NoReturn:
+        raise TypeError(
+            f"use {instead} with this {type(self).__name__}, inside `async def`; code without `async` and `await` has "
+            "jauspy.sync.OCU"
+        )
+
+    return refuse

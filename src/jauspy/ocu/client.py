@@ -9,7 +9,7 @@ from datetime import UTC, datetime
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, Self, TypeVar, overload
 
-from jauspy.arguments import check_text, described
+from jauspy.arguments import async_only, check_text, described
 from jauspy.codec.base import Message, Query
 from jauspy.codec.registry import Registry
 from jauspy.component import Shell
@@ -18,7 +18,6 @@ from jauspy.ids import JausID
 from jauspy.ocu import discovery
 from jauspy.ocu.connection import Connection, RetryPolicy, Stats
 from jauspy.ocu.discovery import News, watch
-from jauspy.ocu.only_async import async_only
 from jauspy.ocu.robot import Robot
 from jauspy.protocol.delivery import Delivery
 from jauspy.services.core import Discovery, Identity, Liveness

@@ -8,7 +8,7 @@ from contextlib import ExitStack
 from types import TracebackType
 from typing import TYPE_CHECKING, Final, Self
 
-from jauspy.arguments import check_number
+from jauspy.arguments import async_only, check_number
 from jauspy.codec.base import Message
 from jauspy.errors import ConfigError, ControlRejected, ProtocolError, ResponseTimeout, TransportError
 from jauspy.ids import JausID
@@ -32,7 +32,6 @@ from jauspy.messages.core import (
     Standby,
 )
 from jauspy.ocu.connection import Connection, RetryPolicy
-from jauspy.ocu.only_async import async_only
 from jauspy.protocol.header import Ack
 
 DEFAULT_CONTROL_TIMEOUT: Final = 3.0

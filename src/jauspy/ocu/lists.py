@@ -8,7 +8,7 @@ from contextlib import aclosing
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, Final, TypeAlias, overload
 
-from jauspy.arguments import check_number, described
+from jauspy.arguments import async_only, check_number, described
 from jauspy.codec.base import Message
 from jauspy.errors import (
     ConfigError,
@@ -33,7 +33,6 @@ from jauspy.messages.core import (
     SetElement,
 )
 from jauspy.ocu.connection import Connection
-from jauspy.ocu.only_async import async_only
 from jauspy.ocu.replies import check_message
 
 if TYPE_CHECKING:

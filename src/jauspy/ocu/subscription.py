@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, Final, Generic, NoReturn, Self, TypeVar
 
-from jauspy.arguments import check_number
+from jauspy.arguments import async_only, check_number
 from jauspy.codec.base import Message
 from jauspy.errors import ConfigError, DecodeError, EventRejected, JausError, ResponseTimeout, TransportError
 from jauspy.ids import JausID
@@ -27,7 +27,6 @@ from jauspy.messages.core import (
     UpdateEvent,
 )
 from jauspy.ocu.connection import Connection, RetryPolicy
-from jauspy.ocu.only_async import async_only
 from jauspy.protocol.header import Ack
 
 MAX_RATE: Final = 1092.0
