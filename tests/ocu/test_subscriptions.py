@@ -251,7 +251,7 @@ async def test_a_stream_that_dries_up_ends_with_an_error(world):
 
 
 async def test_a_vanished_component_ends_a_subscription_to_changes(world, monkeypatch):
-    monkeypatch.setattr(module, "CHECK_INTERVAL", 0.05)
+    monkeypatch.setattr(module, "RENEWAL_INTERVAL", 0.05)
     robot = await world.robot()
     sensor = await sensor_of(await world.ocu(timeout=0.03, retries=1))
     async with sensor.subscribe(QueryStatus()) as statuses:
@@ -304,7 +304,7 @@ async def test_a_component_that_comes_back_late_is_heard_again(world):
 
 
 async def test_a_subscription_to_changes_is_made_anew_after_a_restart(world, monkeypatch):
-    monkeypatch.setattr(module, "CHECK_INTERVAL", 0.1)
+    monkeypatch.setattr(module, "RENEWAL_INTERVAL", 0.1)
     robot = await world.robot()
     sensor = await sensor_of(await world.ocu())
     async with sensor.subscribe(QueryStatus()) as statuses:
@@ -377,7 +377,7 @@ async def test_events_that_change_their_numbers_in_a_restart_are_not_mixed_up(wo
 
 
 async def test_silence_about_changes_is_said_and_may_end(world, monkeypatch):
-    monkeypatch.setattr(module, "CHECK_INTERVAL", 0.05)
+    monkeypatch.setattr(module, "RENEWAL_INTERVAL", 0.05)
     robot = await world.robot()
     sensor = await sensor_of(await world.ocu(timeout=0.03, retries=1))
     async with sensor.subscribe(QueryStatus()) as statuses:

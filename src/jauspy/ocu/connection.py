@@ -1,4 +1,4 @@
-"""One client on the network: sends messages, and finds the answer to each query."""
+"""The connection of one OCU, which all its clients share: sending, queries, statistics, held controls and events."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from collections.abc import AsyncIterator, Awaitable, Callable, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from statistics import median
-from typing import Final, Protocol
+from typing import Any, Final, Protocol
 
-from jauspy.arguments import check_number
+from jauspy.arguments import check_number, check_text
 from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
 from jauspy.component import Shell
@@ -29,13 +29,32 @@ from jauspy.messages.core import (
 from jauspy.ocu.replies import QuerySerializer, Reply, ReplyDispatcher, ReplyWaiter, check_message, reply_class
 from jauspy.protocol.header import Ack, Broadcast, Packet, Priority
 
+_LOG: Final = logging.getLogger("jauspy.ocu")
+
+QUERY_EACH_INTERVAL: Final = 0.5
+"""Seconds after which `query_each` sends its query again."""
+MAX_ANSWERS: Final = 4096
+"""Components whose answers `query_each` yields."""
+MAX_PENDING_CANCELS: Final = 128
+"""Events that are cancelled at the same time, so that the limit of messages under way leaves room for others."""
+MAX_ROUND_TRIPS: Final = 10_000
+"""Latest round trips that statistics are computed from."""
+
+_LIST_DRIVER: Final = "urn:jaus:jss:manipulator:ManipulatorListDriver"
+"""Since manipulator 2.0 this service has the messages that execute a list; drivers of elements inherit them."""
+COMMANDS_WITHOUT_CONTROL: Final = frozenset(
+    each.CODE
+    for each in (RequestControl, ReleaseControl, SetEmergency, ClearEmergency, CreateEvent, UpdateEvent, CancelEvent)
+)
+"""Message ids of commands that need no control."""
+
 
 @dataclass(frozen=True, slots=True)
 class RetryPolicy:
-    """How long to wait for one answer (seconds), and how often to ask again; an answer to any of the questions counts.
+    """How long to wait for one answer (seconds), and how often to send the query again; any answer counts.
 
-    Of ten packets one may get lost: then a question and its answer fail once in 5 times, three in a row once in 150,
-    which a program of many questions would see, and six once in 20,000.
+    With 10 % packet loss, query and answer fail once in 5 times, three attempts in a row once in 150, six attempts
+    once in 20,000.
     """
 
     timeout: float = 0.5
@@ -49,21 +68,17 @@ class RetryPolicy:
 
     @property
     def total(self) -> float:
-        """Seconds until it is given up."""
+        """Seconds for all attempts."""
         return self.timeout * (self.retries + 1)
 
-    def changed(self, timeout: float | None, retries: int | None) -> RetryPolicy:
-        """With what is given."""
+    def replaced(self, timeout: float | None, retries: int | None) -> RetryPolicy:
+        """A copy with the arguments that are not None."""
         return RetryPolicy(self.timeout if timeout is None else timeout, self.retries if retries is None else retries)
-
-
-MAX_ROUND_TRIPS: Final = 10_000
-"""Round trips that the median is taken over: the latest."""
 
 
 @dataclass(frozen=True, slots=True)
 class Stats:
-    """A moment's figures. Round-trip times are in seconds, of the latest 10,000 queries; 0 when there were none."""
+    """A snapshot of counters. Round-trip times are in seconds, of the latest 10,000 queries; 0 without queries."""
 
     sent: int = 0
     received: int = 0
@@ -71,14 +86,14 @@ class Stats:
     timeouts: int = 0
     malformed: int = 0
     unexpected: int = 0
-    """Messages that nobody waited for, as answers that come too late."""
+    """Messages that nobody waited for, such as answers that arrive too late."""
     rtt_min: float = 0.0
     rtt_median: float = 0.0
     rtt_max: float = 0.0
 
 
 class StatsRecorder:
-    """Counts as it goes; `snapshot` makes a `Stats`."""
+    """Counters of a connection; `snapshot` returns them as `Stats`."""
 
     def __init__(self) -> None:
         self.sent = 0
@@ -90,13 +105,13 @@ class StatsRecorder:
         self._round_trips: deque[float] = deque(maxlen=MAX_ROUND_TRIPS)
 
     def answered(self, seconds: float | None) -> None:
-        """One query was answered after `seconds`; None when that is not known."""
+        """Count an answer after `seconds`; None when the round-trip time is not known."""
         self.answers += 1
         if seconds is not None:
             self._round_trips.append(seconds)
 
     def snapshot(self) -> Stats:
-        """The figures so far."""
+        """The counters so far."""
         times = self._round_trips or (0.0,)
         return Stats(
             sent=self.sent,
@@ -111,77 +126,73 @@ class StatsRecorder:
         )
 
 
-COMMANDS_WITHOUT_CONTROL: Final = frozenset(
-    each.CODE
-    for each in (RequestControl, ReleaseControl, SetEmergency, ClearEmergency, CreateEvent, UpdateEvent, CancelEvent)
-)
-"""Commands that need no control."""
-
-
 class ControlHandle(Protocol):
-    """Control of a component, as others see it."""
+    """Control of one component, as the connection uses it."""
 
     def check(self) -> None:
-        """Raise `ControlRejected` when it was lost."""
+        """Raise `ControlRejected` when control was lost."""
 
-    def sent(self, message: Message) -> None:
-        """Hear of a message that was sent to the component."""
+    def on_sent(self, message: Message) -> None:
+        """Called for each message that is sent to the component."""
 
 
 class ActiveControls:
-    """One for each component, from when it is asked for until it is given back."""
+    """The components that the OCU controls, each from the request for control until it is released."""
 
     def __init__(self) -> None:
-        self._held: dict[JausID, ControlHandle] = {}
+        self._controls: dict[JausID, ControlHandle] = {}
 
     def __contains__(self, id: JausID) -> bool:
-        return id in self._held
+        return id in self._controls
 
-    def take(self, id: JausID, control: ControlHandle) -> None:
-        """Remember who controls a component; `ControlRejected` when something else here does."""
-        if id in self._held:
+    def add(self, id: JausID, control: ControlHandle) -> None:
+        """Register control of a component; raises `ControlRejected` when this OCU already controls it."""
+        if id in self._controls:
             raise ControlRejected(f"this OCU already controls {id}; one `async with` block serves all of its services")
-        self._held[id] = control
+        self._controls[id] = control
 
-    def drop(self, id: JausID, control: ControlHandle) -> None:
-        """Forget it; fine when another one is there."""
-        if self._held.get(id) is control:
-            del self._held[id]
+    def remove(self, id: JausID, control: ControlHandle) -> None:
+        """Remove it; without effect when another control of the component is registered."""
+        if self._controls.get(id) is control:
+            del self._controls[id]
 
     def check(self, id: JausID, message: Message) -> None:
         """Raise `ControlRejected` for a command to a component whose control was taken and is lost."""
-        if id in self._held and message.IS_COMMAND and message.CODE not in COMMANDS_WITHOUT_CONTROL:
-            self._held[id].check()
+        if id in self._controls and message.IS_COMMAND and message.CODE not in COMMANDS_WITHOUT_CONTROL:
+            self._controls[id].check()
 
-    def sent(self, destination: JausID, message: Message) -> None:
-        """Tell of a message to all whose components it reaches."""
-        for id, control in self._held.items():
+    def on_sent(self, destination: JausID, message: Message) -> None:
+        """Tell the controls of all components that a sent message reaches."""
+        for id, control in self._controls.items():
             if destination.matches(id):
-                control.sent(message)
+                control.on_sent(message)
 
 
 class EventUsers:
-    """By component and number of the event; for a command by its bytes, known before there is a number."""
+    """Who uses which event: a component has one event for equal subscriptions, or equal commands, of one client.
+
+    Events have a number; command events are known by the bytes of the command, before they have a number.
+    """
 
     def __init__(self) -> None:
         self._users: dict[tuple[JausID, int | bytes], set[object]] = {}
 
-    def join(self, id: JausID, event: int | bytes, user: object) -> set[object]:
-        """`user` listens to this event; who else does."""
+    def add(self, id: JausID, event: int | bytes, user: object) -> set[object]:
+        """Add a user of this event; returns the others."""
         users = self._users.setdefault((id, event), set())
         users.add(user)
         return users - {user}
 
-    def is_known(self, id: JausID, event: int) -> bool:
-        """True when somebody listens to this event."""
+    def is_used(self, id: JausID, event: int) -> bool:
+        """True when somebody uses this event."""
         return (id, event) in self._users
 
     def users(self, id: JausID, event: int | bytes) -> frozenset[object]:
-        """Who listens to this event."""
+        """The users of this event."""
         return frozenset(self._users.get((id, event), ()))
 
-    def leave(self, id: JausID, event: int | bytes | None, user: object) -> bool:
-        """`user` does not any more; true when it was the last, so that the event can be cancelled."""
+    def remove(self, id: JausID, event: int | bytes | None, user: object) -> bool:
+        """Remove a user; true when it was the last one, so that the event can be cancelled."""
         users = self._users.get((id, event)) if event is not None else None
         if event is None or users is None:
             return False
@@ -191,81 +202,96 @@ class EventUsers:
         return not users
 
 
-_LOG: Final = logging.getLogger("jauspy.ocu")
-
-QUERY_EACH_INTERVAL: Final = 0.5
-"""Seconds between two questions to all that a wildcard reaches."""
-MAX_PENDING_CANCELS: Final = 128
-"""Events that are ended at once: of what may be under way, the rest is for others, as for Standby."""
-MAX_ANSWERS: Final = 4096
-"""Different components that one question may be answered by."""
-
-
 class Connection:
-    """What all parts of the OCU share. `registry` has the known messages."""
+    """Sends messages and finds the answer to each query; `registry` holds the known messages."""
 
-    def __init__(self, registry: Registry, patience: RetryPolicy) -> None:
+    def __init__(self, registry: Registry, retry: RetryPolicy) -> None:
         self.registry = registry
-        self.patience = patience
-        self.recorder = StatsRecorder()
-        self.replies = ReplyDispatcher(registry, self.malformed)
-        self.requests: Counter[JausID] = Counter()
+        self.retry = retry
+        self.stats = StatsRecorder()
+        self.replies = ReplyDispatcher(registry, self.on_malformed)
+        self.request_counts: Counter[JausID] = Counter()
         self.controls = ActiveControls()
         self.events = EventUsers()
         self._component: Shell | None = None
         self._loop: asyncio.AbstractEventLoop | None = None
-        self._farewells: list[Callable[[], Awaitable[object]]] = []
-        self._lanes = QuerySerializer()
+        self._on_close: list[Callable[[], Awaitable[object]]] = []
+        self._serializer = QuerySerializer()
+
+    # --- opening and closing --------------------------------------------------------------------------------------
 
     def attach(self, component: Shell) -> None:
         """Use this component for sending."""
         self._component, self._loop = component, asyncio.get_running_loop()
-        self.ends = asyncio.Semaphore(MAX_PENDING_CANCELS)
+        self.pending_cancels = asyncio.Semaphore(MAX_PENDING_CANCELS)
 
-    async def say_goodbye(self) -> None:
-        """The OCU is about to be closed: whoever is to say goodbye does so, until that was heard."""
-        said = await asyncio.gather(*(farewell() for farewell in self._farewells), return_exceptions=True)
-        for each in said:
+    @contextmanager
+    def on_close(self, callback: Callable[[], Awaitable[object]]) -> Iterator[None]:
+        """Inside, `callback` is awaited when the OCU is closed, while it can still send."""
+        self._on_close.append(callback)
+        try:
+            yield
+        finally:
+            self._on_close.remove(callback)
+
+    async def run_on_close(self) -> None:
+        """Await all `on_close` callbacks; raises the first of their errors."""
+        results = await asyncio.gather(*(callback() for callback in self._on_close), return_exceptions=True)
+        for each in results:
             if isinstance(each, BaseException):
                 raise each
 
     def detach(self) -> None:
-        """The OCU is closed: nobody waits any more."""
+        """End every wait with `TransportError`: the OCU is closed."""
         self._component = None
         self.replies.fail(TransportError("the OCU was closed while this waited for an answer"))
-
-    @contextmanager
-    def before_closing(self, farewell: Callable[[], Awaitable[object]]) -> Iterator[None]:
-        """Inside, `farewell` is awaited when the OCU is closed, while it can still send."""
-        self._farewells.append(farewell)
-        try:
-            yield
-        finally:
-            self._farewells.remove(farewell)
 
     @property
     def id(self) -> JausID:
         """The client's id."""
-        return self._open().id
+        return self._opened().id
 
-    def receive(self, packet: Packet) -> bool:
-        """Take a received packet; false for commands and queries nobody here waits for: the OCU's services answer.
+    def message_class(self, urn: str, version: str | None, name: str) -> type[Any]:
+        """The message class of this JAUS name in a service, in this version of it when that is known.
 
-        What nobody waits for, as an answer that comes too late, is counted, and told to those who wait in vain.
+        Raises `ConfigError` when the service, or the message in it, is not known.
         """
-        self.recorder.received += 1
+        check_text(name, "a message's name")
+        for service, of in ((urn, version), *_list_driver(urn, version), (urn, None)):
+            with suppress(ConfigError):
+                return self.registry.by_name(name, service=service, version=of)
+        if any(entry.service == urn for entry in self.registry.entries):
+            raise ConfigError(f"{urn.removeprefix('urn:jaus:jss:')} has no message {name}")
+        raise ConfigError(f"no definition of {urn} is known here; give it: OCU(registry=jauspy.load(FILE))")
+
+    # --- receiving ------------------------------------------------------------------------------------------------
+
+    def on_packet(self, packet: Packet) -> bool:
+        """Take a received packet; false for commands and queries that nobody waits for: the OCU's services answer.
+
+        Other messages that nobody waits for, such as late answers, are counted and named in the errors of timeouts.
+        """
+        self.stats.received += 1
         if len(packet.payload) < 2:
-            self.malformed(f"{packet.payload.hex()!r} from {packet.source} is too short for a message")
+            self.on_malformed(f"{packet.payload.hex()!r} from {packet.source} is too short for a message")
             return True
-        if self.replies.deliver(packet.payload, packet.source):
+        if self.replies.dispatch(packet.payload, packet.source):
             return True
         code = int.from_bytes(packet.payload[:2], "little")
         known = self.registry.by_code(code)
         if any(each.IS_COMMAND or each.IS_QUERY for each in known):
             return False
-        self.recorder.unexpected += 1
-        self.replies.unexpected(known[0].NAME if known else f"{code:04X}h, which is not known here,", packet.source)
+        self.stats.unexpected += 1
+        name = known[0].NAME if known else f"{code:04X}h, which is not known here,"
+        self.replies.note_unexpected(name, packet.source)
         return True
+
+    def on_malformed(self, problem: str) -> None:
+        """Count a message that could not be decoded."""
+        self.stats.malformed += 1
+        _LOG.debug("malformed: %s", problem)
+
+    # --- sending --------------------------------------------------------------------------------------------------
 
     def send(
         self,
@@ -277,96 +303,104 @@ class Connection:
         ack: Ack = Ack.NONE,
     ) -> None:
         """Send a message; raises `EncodeError` when a value does not fit."""
-        self._open().send(destination, message, priority=priority, broadcast=broadcast, ack=ack)
-        self._sent(destination, message)
+        self._opened().send(destination, message, priority=priority, broadcast=broadcast, ack=ack)
+        self._on_sent(destination, message)
 
-    async def tell(self, destination: JausID, message: Message, *, ack: bool) -> None:
-        """Send for a user: `ControlRejected` for a command to a component whose control is lost.
+    async def send_checked(self, destination: JausID, message: Message, *, ack: bool) -> None:
+        """Send for a user: `ControlRejected` is raised for a command to a component whose control is lost.
 
-        With `ack` it is resent until acknowledged; raises `ResponseTimeout` when it is not, after all resends.
+        With `ack` it is resent until acknowledged; `ResponseTimeout` is raised when no resend is.
         """
         check_message(message, "send()", "Resume()")
         self.controls.check(destination, message)
         if ack:
-            component = self._open()
-            self._sent(destination, message)
+            component = self._opened()
+            self._on_sent(destination, message)
             await component.deliver(destination, message)
         else:
             self.send(destination, message)
-            await asyncio.sleep(0)  # so that a loop that only sends lets others run
+            await asyncio.sleep(0)  # so that a loop that only sends lets other tasks run
 
-    async def assure(self, destination: JausID, message: Message) -> bool:
-        """Send, and wait until it was acknowledged, or given up; which of them.
+    async def deliver(self, destination: JausID, message: Message) -> bool:
+        """Send and wait; true when the message was acknowledged, false when it could not be delivered.
 
-        What is sent after this does not overtake it, as what is resent in the background can be.
+        What is sent after this cannot overtake it, as it could overtake a message that is resent in the background.
         """
-        with suppress(JausError):  # not open, too much under way, or nobody there
-            component = self._open()
-            self._sent(destination, message)
+        with suppress(JausError):  # not open, too many messages under way, or no such component
+            component = self._opened()
+            self._on_sent(destination, message)
             await component.deliver(destination, message)
             return True
         return False
+
+    def next_request_id(self, destination: JausID) -> int:
+        """The id of the next event or list request to this component; wraps after 255."""
+        self.request_counts[destination] += 1
+        return self.request_counts[destination] & 0xFF
+
+    # --- asking ---------------------------------------------------------------------------------------------------
 
     async def query(
         self,
         destination: JausID,
         message: Message,
         *,
-        patience: RetryPolicy | None = None,
+        retry: RetryPolicy | None = None,
         expects: type[Message] | None = None,
         accept: Callable[[Message], bool] = lambda _: True,
     ) -> Message:
-        """The answer to a query; raises `ResponseTimeout` when none comes.
+        """The answer to a query. If no answer arrives, `ResponseTimeout` is raised.
 
-        Equal queries may be outstanding at once. Different ones whose reports have the same class take turns, since
-        most reports do not say which query they answer; those that do are chosen by `accept`.
+        Equal queries may be outstanding at the same time. Different queries whose reports have the same class are
+        sent one after the other, since most reports do not say which query they answer; where they do, `accept`
+        chooses the report.
         """
-        patience = patience or self.patience
+        retry = retry or self.retry
         kind = reply_class(self.registry, message, expects)
         try:
-            async with asyncio.timeout(patience.total) as deadline:
-                async with self._lanes.enter((destination, kind.CODE), message.encode()):
-                    deadline.reschedule(None)  # it was for the turn; what follows keeps time itself
-                    return await self._exchange(destination, message, patience, (kind,), accept)
+            async with asyncio.timeout(retry.total) as deadline:
+                async with self._serializer.enter((destination, kind.CODE), message.encode()):
+                    deadline.reschedule(None)  # the deadline was for waiting; the exchange has its own timeouts
+                    return await self._exchange(destination, message, retry, (kind,), accept)
         except TimeoutError:
             if not deadline.expired():
                 raise
-            self.recorder.timeouts += 1
+            self.stats.timeouts += 1
             raise ResponseTimeout(
-                f"{message.NAME} was not sent to {destination}: for {patience.total:g} s another query waited for a "
+                f"{message.NAME} was not sent to {destination}: for {retry.total:g} s another query waited for a "
                 f"{kind.NAME} from there, which could not be told from this one's"
             ) from None
 
     async def query_each(
         self, destination: JausID, message: Message, seconds: float, expects: type[Message] | None = None
     ) -> AsyncIterator[Reply]:
-        """Every answer within `seconds`, with who gave it, as they come; one of each component."""
+        """Yield each answer and its sender as it arrives within `seconds`, one of each component."""
         check_number(seconds, "within")
         if not seconds > 0:
             raise ConfigError(f"within {seconds} s must be above 0")
-        kind, myself = reply_class(self.registry, message, expects, "query_each()"), self.id
+        kind, own_id = reply_class(self.registry, message, expects, "query_each()"), self.id
         answers: asyncio.Queue[Reply] = asyncio.Queue()
-        seen: set[JausID] = set()
+        answered: set[JausID] = set()
 
-        def heard(answer: Message, source: JausID) -> None:
-            if source not in seen and source != myself and len(seen) < MAX_ANSWERS:
-                seen.add(source)
+        def on_answer(answer: Message, source: JausID) -> None:
+            if source not in answered and source != own_id and len(answered) < MAX_ANSWERS:
+                answered.add(source)
                 answers.put_nowait((answer, source))
 
         clock = asyncio.get_running_loop().time
         now = clock()
-        end, ask_at = now + seconds, now
+        end, send_at = now + seconds, now
         broadcast = Broadcast.GLOBAL if destination.is_wildcard else Broadcast.NONE
-        with self.replies.tapped(destination, heard, kind):
+        with self.replies.listening(destination, on_answer, kind):
             while (now := clock()) < end:
-                if now >= ask_at:
+                if now >= send_at:
                     self.send(destination, message, broadcast=broadcast)
-                    ask_at = now + QUERY_EACH_INTERVAL
+                    send_at = now + QUERY_EACH_INTERVAL
                 try:
-                    yield await asyncio.wait_for(answers.get(), min(ask_at, end) - now)
+                    yield await asyncio.wait_for(answers.get(), min(send_at, end) - now)
                 except TimeoutError:
                     continue
-        while not answers.empty():  # they came in time, and whoever reads them was slow
+        while not answers.empty():  # these arrived in time, but the reader was slow
             yield answers.get_nowait()
 
     async def request(
@@ -375,67 +409,63 @@ class Connection:
         message: Message,
         *answers: type[Message],
         accept: Callable[[Message], bool] = lambda _: True,
-        patience: RetryPolicy | None = None,
+        retry: RetryPolicy | None = None,
     ) -> Message:
-        """Send a command that is answered by one of `answers`, again and again until it is."""
-        return await self._exchange(destination, message, patience or self.patience, answers, accept)
+        """Send a command that is answered by one of `answers`, and return the answer."""
+        return await self._exchange(destination, message, retry or self.retry, answers, accept)
 
     async def _exchange(
         self,
         destination: JausID,
         message: Message,
-        patience: RetryPolicy,
+        retry: RetryPolicy,
         answers: tuple[type[Message], ...],
-        accept: Callable[[Message], bool] = lambda _: True,
+        accept: Callable[[Message], bool],
     ) -> Message:
         self.controls.check(destination, message)
         clock = asyncio.get_running_loop().time
         with self.replies.waiting(destination, *answers, accept=accept) as waiter:
-            for attempt in range(patience.retries + 1):
+            for attempt in range(retry.retries + 1):
                 sent_at = clock()
                 self.send(destination, message)
-                await asyncio.wait({waiter.arrival}, timeout=patience.timeout)
-                if waiter.arrival.done():
-                    answer, _ = waiter.arrival.result()
-                    # After a repetition nobody knows which one was answered, so it says nothing about time.
-                    self.recorder.answered(clock() - sent_at if attempt == 0 else None)
+                await asyncio.wait({waiter.reply}, timeout=retry.timeout)
+                if waiter.reply.done():
+                    answer, _ = waiter.reply.result()
+                    # After a retry it is not known which attempt was answered, hence no round-trip time.
+                    self.stats.answered(clock() - sent_at if attempt == 0 else None)
                     return answer
-            self.recorder.timeouts += 1
-            raise ResponseTimeout(_no_answer(destination, message, patience, waiter))
+            self.stats.timeouts += 1
+            raise ResponseTimeout(_no_answer(destination, message, retry, waiter))
 
-    def next_request_id(self, destination: JausID) -> int:
-        """A number for the next event request, 0..255 and round again."""
-        self.requests[destination] += 1
-        return self.requests[destination] & 0xFF
+    def _on_sent(self, destination: JausID, message: Message) -> None:
+        self.stats.sent += 1
+        self.controls.on_sent(destination, message)
 
-    def malformed(self, problem: str) -> None:
-        """Count a message that could not be read."""
-        self.recorder.malformed += 1
-        _LOG.debug("malformed: %s", problem)
-
-    def _sent(self, destination: JausID, message: Message) -> None:
-        self.recorder.sent += 1
-        self.controls.sent(destination, message)
-
-    def _open(self) -> Shell:
+    def _opened(self) -> Shell:
         if self._component is None:
             raise TransportError("the OCU is not open; use it inside `async with jauspy.OCU(...) as ocu:`")
         if self._loop is not asyncio.get_running_loop():
             raise TransportError(
                 "the OCU was opened in another event loop and cannot be used from here; open and use it inside one "
-                "`asyncio.run`, or take jauspy.sync.OCU, which any code may call"
+                "`asyncio.run`, or use jauspy.sync.OCU, which any thread may call"
             )
         return self._component
 
 
-def _no_answer(destination: JausID, message: Message, patience: RetryPolicy, waiter: ReplyWaiter) -> str:
-    times = f"{patience.retries + 1} times" if patience.retries else "once"
+def _list_driver(urn: str, version: str | None) -> tuple[tuple[str, str | None], ...]:
+    """The service that defines the messages for executing lists, for list drivers, which inherit from it."""
+    inherits = urn.startswith(_LIST_DRIVER.removesuffix("ListDriver")) and urn.endswith("ListDriver")
+    return ((_LIST_DRIVER, version),) if inherits else ()
+
+
+def _no_answer(destination: JausID, message: Message, retry: RetryPolicy, waiter: ReplyWaiter) -> str:
+    times = f"{retry.retries + 1} times" if retry.retries else "once"
     what = "no answer came"
     if waiter.problem:
         what = f"an answer came but could not be read ({waiter.problem})"
-    elif waiter.instead:
-        what = f"no {waiter.kinds[0].NAME} came, but {waiter.instead} did (`expects` says what to wait for)"
+    elif waiter.other:
+        what = f"no {waiter.kinds[0].NAME} came, but {waiter.other} did (`expects` says what to wait for)"
     return (
-        f"{destination} was sent {message.NAME} {times} in {patience.total:g} s and {what}; check that the component "
+        f"{destination} was sent {message.NAME} {times} in {retry.total:g} s and {what}; check that the component "
         "runs and offers this, and that the node manager is reachable (`jauspy ls` shows who answers)"
     )

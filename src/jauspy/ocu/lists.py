@@ -1,4 +1,4 @@
-"""The list of a component, of waypoints or whatever its drivers carry out, as a Python sequence."""
+"""The element list of a component, such as waypoints, as a Python sequence (List Manager service, AS5710)."""
 
 from __future__ import annotations
 
@@ -26,6 +26,7 @@ from jauspy.messages.core import (
     ElementRec,
     QueryElement,
     QueryElementList,
+    QueryStatus,
     RejectElementRequest,
     ReportElement,
     ReportElementList,
@@ -33,18 +34,25 @@ from jauspy.messages.core import (
     SetElement,
 )
 from jauspy.ocu.connection import Connection
-from jauspy.ocu.replies import check_message
+from jauspy.ocu.replies import check_message, report_of
+from jauspy.ocu.subscription import Subscription, subscribe
+from jauspy.ocu.subsystems import ServiceInfo
 
-if TYPE_CHECKING:
-    from jauspy.ocu.service import ServiceClient
-    from jauspy.ocu.subscription import Subscription
-if TYPE_CHECKING:
-    from jauspy.ocu.service import ServiceClient
+Element: TypeAlias = Message | bytes
+"""A message, or bytes of a user-defined format."""
 
+RESERVED_UIDS: Final = (0, 65535)
+"""Element UIDs that no element has: 0 stands for none, 65535 for all."""
 MAX_ELEMENTS_PER_REQUEST: Final = 255
 """Elements that fit one request."""
+ACTIVE_ELEMENT_INTERVAL: Final = 0.2
+"""Seconds between two queries to a component that rejects events on its active element."""
+RECHECK_INTERVAL: Final = 1.0
+"""Seconds without an event after which the active element is queried: the last event may have been lost."""
+EXAMPLE_ELEMENT: Final = "SetLocalWaypoint(x=1.0, y=2.0)"
+
 _Code: TypeAlias = RejectElementRequest.ResponseCode
-_REFUSAL_REASONS: Final[dict[int, str]] = {
+_REJECTION_REASONS: Final[dict[int, str]] = {
     _Code.INVALID_ELEMENT_ID: "it takes no element of this number",
     _Code.INVALID_PREVIOUS_ELEMENT: "the list has changed meanwhile; call `read()` and try again",
     _Code.INVALID_NEXT_ELEMENT: "the list has changed meanwhile; call `read()` and try again",
@@ -56,148 +64,23 @@ _REFUSAL_REASONS: Final[dict[int, str]] = {
 }
 
 
-class ListClient:
-    """Asks one component. Changes raise `ElementRejected` with the reason, or `ResponseTimeout`."""
-
-    def __init__(self, link: Connection, id: JausID) -> None:
-        self._link = link
-        self._id = id
-
-    async def order(self) -> list[int]:
-        """The numbers of the elements, first to last."""
-        report = await self._link.query(self._id, QueryElementList())
-        assert isinstance(report, ReportElementList)
-        return [each.element_uid for each in report.element_list]
-
-    async def comes_to(self, fits: Callable[[list[int]], bool]) -> bool:
-        """True when `order` fits; asked again when not, for a report may answer an earlier question late."""
-        for _ in range(self._link.patience.retries + 1):
-            if fits(await self.order()):
-                return True
-        return False
-
-    async def element(self, uid: int) -> ReportElement:
-        """One of them, with its links."""
-
-        def is_meant(report: Message) -> bool:
-            return isinstance(report, ReportElement) and report.element_uid == uid
-
-        report = await self._link.query(self._id, QueryElement(element_uid=uid), accept=is_meant)
-        assert isinstance(report, ReportElement)
-        return report
-
-    async def put(self, records: Sequence[ElementRec]) -> None:
-        """Insert or replace up to `MAX_ELEMENTS_PER_REQUEST` elements; all are taken, or none."""
-        await self._request(lambda number: SetElement(SetElement.RequestIDRec(number), list(records)))
-
-    async def remove(self, uids: Iterable[int]) -> None:
-        """Delete up to `MAX_ELEMENTS_PER_REQUEST` elements."""
-        gone = list(uids)
-        records = [DeleteElement.DeleteElementRec(uid) for uid in gone]
-        try:
-            await self._request(lambda number: DeleteElement(DeleteElement.RequestIDRec(number), records))
-        except ElementRejected:
-            # A request that was sent again, because its confirmation was lost, finds nothing to delete any more.
-            if not await self.comes_to(lambda order: not set(gone) & set(order)):
-                raise
-
-    async def _request(self, make: Callable[[int], Message]) -> None:
-        number = self._link.next_request_id(self._id)
-        try:
-            answer = await self._link.request(
-                self._id,
-                make(number),
-                ConfirmElementRequest,
-                RejectElementRequest,
-                accept=lambda each: getattr(each, "request_id", None) == number,
-            )
-        except ResponseTimeout as error:
-            raise ResponseTimeout(f"{error}; a list obeys only the client in control: see `control()`") from None
-        if isinstance(answer, RejectElementRequest):
-            code = answer.response_code
-            name, why = (
-                getattr(code, "name", f"code {code}"),
-                _REFUSAL_REASONS.get(code, "a reason not in the standard"),
-            )
-            raise ElementRejected(f"{self._id} refused to change its list ({name}): {why}")
-
-
-ACTIVE_ELEMENT_INTERVAL: Final = 0.2
-"""Seconds between two questions to a component that does not tell by itself."""
-RECHECK_INTERVAL: Final = 1.0
-"""Seconds without an event after which one may have been lost, perhaps the last one: then it is asked."""
-
-
-async def active_elements(
-    service: ServiceClient, query: Message, rate: float | None, grace: float
-) -> AsyncIterator[int]:
-    """The number of each element that becomes active, until none is; none at first may last `grace` seconds.
-
-    Silence says nothing: while no report comes, the list may well be carried out.
-    """
-    clock = asyncio.get_running_loop().time
-    last, give_up_at = 0, clock() + grace
-    async with aclosing(_reports(service, query, rate)) as reports:
-        async for report in reports:
-            uid = report.element_uid
-            if not uid and (last or clock() >= give_up_at):
-                return
-            if uid != last:
-                last = uid
-                yield uid
-
-
-async def _reports(service: ServiceClient, query: Message, rate: float | None) -> AsyncGenerator[Any, None]:
-    yield await service.query(query)  # an event takes three messages and their answers to begin
-    subscription = service.subscribe(query, rate=rate)
-    try:
-        await subscription.__aenter__()
-    except EventRejected:
-        while True:
-            yield await service.query(query)
-            await asyncio.sleep(ACTIVE_ELEMENT_INTERVAL)
-    try:
-        while True:
-            yield await _next(service, query, subscription)
-    finally:
-        await subscription.__aexit__(None, None, None)
-
-
-async def _next(service: ServiceClient, query: Message, subscription: Subscription[Any]) -> Any:
-    try:
-        async with asyncio.timeout(RECHECK_INTERVAL) as limit:
-            return await subscription.get()
-    except TimeoutError:
-        if not limit.expired():
-            raise
-        return await service.query(query)
-
-
-Element: TypeAlias = Message | bytes
-"""A message, or bytes of a format of the user's own."""
-
-RESERVED_UIDS: Final = (0, 65535)
-"""Numbers that no element has: 0 stands for none, 65535 for all."""
-
-EXAMPLE_ELEMENT: Final = "SetLocalWaypoint(x=1.0, y=2.0)"
-
-
 class Elements(Sequence[Element]):
-    """The elements as they were when they were last read or changed from here: `len`, `[]`, `in` and loops use those.
+    """The elements as they were last read or changed here: `len`, `[]`, `in` and loops use these.
 
-    What changes them is sent first and shows here when the component has confirmed it. Changing needs control; raises
-    `ElementRejected` with the reason, or `ResponseTimeout`. Lists longer than 255 are changed in several requests.
+    A change is sent first and shows here when the component has confirmed it. Changes need control; they raise
+    `ElementRejected` with the reason, or `ResponseTimeout`. More than 255 elements are changed in several requests.
     """
 
-    def __init__(self, link: Connection, service: ServiceClient) -> None:
-        self._link = link
-        self._service = service
-        self._wire = ListClient(link, service.id)
+    def __init__(self, connection: Connection, id: JausID, info: ServiceInfo) -> None:
+        self._connection = connection
+        self._id = id
+        self._info = info
+        self._client = ListClient(connection, id)
         self._items: dict[int, Element] | None = None
-        """By number, in the list's order; None before the first look at the component's own."""
+        """By UID, in the list's order; None before the component's list was read."""
 
     def __repr__(self) -> str:
-        return f"<{'?' if self._items is None else len(self)} elements of {self._service!r}>"
+        return f"<{'?' if self._items is None else len(self)} elements of {self._info} at {self._id}>"
 
     def __len__(self) -> int:
         return len(self._read_before())
@@ -214,27 +97,27 @@ class Elements(Sequence[Element]):
     # --- reading and changing -------------------------------------------------------------------------------------
 
     async def read(self) -> list[Element]:
-        """Fetch the list from the component."""
+        """Read the list from the component."""
         items: dict[int, Element] = {}
-        for uid in await self._wire.order():
-            items[uid] = self._content((await self._wire.element(uid)).element_data)
+        for uid in await self._client.uids():
+            items[uid] = self._content((await self._client.element(uid)).element_data)
         self._items = items
         return self[:]
 
     async def upload(self, elements: Iterable[Element]) -> None:
-        """Replace the whole list, whatever it held, and end its execution.
+        """Replace the whole list and end its execution.
 
-        The old list is deleted when all of the new one is there, in front of it, where the robot does not come. When
-        anything goes wrong the old one stays.
+        The new elements are inserted in front of the old ones, which are deleted when all new ones are there. If an
+        error occurs before that, the old list remains.
         """
-        records, old = _checked(elements), await self._wire.order()
-        self._items = dict.fromkeys(old, b"")  # whatever they hold
+        records, old = _checked(elements), await self._client.uids()
+        self._items = dict.fromkeys(old, b"")  # their contents are not needed
         try:
-            await self._open(old)
+            await self._break_loop(old)
             await self._insert(0, records)
             await self._compare()
         except BaseException as error:
-            await self._take_back(old, error)
+            await self._remove_new(old, error)
             raise
         try:
             await self._delete(old)
@@ -244,24 +127,24 @@ class Elements(Sequence[Element]):
             raise
 
     async def append(self, element: Element) -> None:
-        """Put it at the end."""
+        """Add an element at the end."""
         await self.extend([element])
 
     async def extend(self, elements: Iterable[Element]) -> None:
-        """Put them at the end."""
+        """Add elements at the end."""
         new = _checked(elements)
         await self._known()
         await self._insert(len(self), new)
 
     async def insert(self, index: int, element: Element) -> None:
-        """Put it before the element at `index`, as `list.insert` does."""
+        """Insert an element before the one at `index`, as `list.insert` does."""
         check_number(index, "index", whole=True)
         new = _checked([element])
         await self._known()
         await self._insert(slice(index, None).indices(len(self))[0], new)
 
     async def replace(self, index: int | slice, elements: Element | Iterable[Element]) -> None:
-        """What `list[index] = elements` does. One that is being carried out is begun anew."""
+        """What `list[index] = elements` does. The component restarts an active element that is replaced."""
         new = _checked(elements if isinstance(index, slice) else [elements])
         uids = await self._at(index)
         if len(new) == len(uids):
@@ -274,11 +157,11 @@ class Elements(Sequence[Element]):
         await self._delete(uids)
 
     async def delete(self, index: int | slice) -> None:
-        """What `del list[index]` does. Deleting the element that is being carried out ends the execution."""
+        """What `del list[index]` does. Deleting the active element ends the execution."""
         await self._delete(await self._at(index))
 
     async def clear(self) -> None:
-        """Delete all, also what was not read yet."""
+        """Delete all elements of the component's list, read or not."""
         await self.upload(())
 
     if not TYPE_CHECKING:
@@ -286,48 +169,52 @@ class Elements(Sequence[Element]):
         __delitem__ = async_only("`await elements.delete(index)`")
         __iadd__ = async_only("`await elements.extend(...)`")
 
-    # --- carrying out ---------------------------------------------------------------------------------------------
+    # --- executing ------------------------------------------------------------------------------------------------
 
     async def execute(self, speed: float | None = None, *, start: int = 0) -> None:
-        """Carry out the list from the element at `start`; `speed` in m/s, for drivers that have one.
+        """Execute the list from the element at `start`; `speed` in m/s, for drivers that take one.
 
-        Raises `RequestError` when the component is not Ready, for then it ignores this. It is sent again while no
-        element is active, as often as queries are; a list may be over at once, so none at all is no error.
+        Raises `RequestError` when the component is not Ready, since it then ignores the command. The command is sent
+        again, as often as queries are, while no element is active; a short list may be over at once, so that having
+        no active element is no error.
         """
         (uid,) = await self._at(start)
-        command = self._service.message("ExecuteList")
-        for _ in range(self._link.patience.retries + 1):
-            await self._service.send(command(element_uid=uid, **_speed(command, speed)))
+        command = self._message("ExecuteList")
+        for _ in range(self._connection.retry.retries + 1):
+            message = command(element_uid=uid, **_speed(command, speed))
+            await self._connection.send_checked(self._id, message, ack=False)
             await self._check_ready(command.NAME)
             if (await self._report_active()).element_uid:
                 return
 
     async def set_speed(self, speed: float) -> None:
         """Go on at another speed, in m/s; raises `ResponseTimeout` when the component does not acknowledge it."""
-        command = self._service.message("ExecuteList")
-        await self._service.send(command(**_speed(command, speed)), ack=True)
+        command = self._message("ExecuteList")
+        await self._connection.send_checked(self._id, command(**_speed(command, speed)), ack=True)
 
     async def active(self) -> int | None:
-        """The index of the element that is being carried out, None when there is none."""
+        """The index of the active element, None when there is none."""
         return await self._index((await self._report_active()).element_uid)
 
     async def progress(self, *, rate: float | None = None, grace: float = 2.0) -> AsyncGenerator[int, None]:
-        """The index of each element as it becomes the active one, until there is none any more.
+        """The index of each element as it becomes active, until no element is active any more.
 
-        The component tells of changes, or, with `rate`, how it is so many times a second. `grace` is how long
-        (seconds) it may take until the first is active.
+        The component reports changes, or, with `rate` (Hz), its state periodically. `grace` is the time in seconds
+        until the first element must be active.
         """
-        query = self._service.message("QueryActiveElement")()
-        async for uid in active_elements(self._service, query, rate, grace):
+        async for uid in self._active_uids(rate, grace):
             index = await self._index(uid)
             if index is not None:
                 yield index
 
     # --- inside ---------------------------------------------------------------------------------------------------
 
+    def _message(self, name: str) -> type[Any]:
+        return self._connection.message_class(self._info.urn, self._info.version, name)
+
     def _read_before(self) -> dict[int, Element]:
         if self._items is None:
-            raise ConfigError(f"the list of {self._service.id} was not read yet; call `read()` or `upload()` first")
+            raise ConfigError(f"the list of {self._id} was not read yet; call `read()` or `upload()` first")
         return self._items
 
     async def _known(self) -> dict[int, Element]:
@@ -336,6 +223,7 @@ class Elements(Sequence[Element]):
         return self._read_before()
 
     async def _at(self, index: int | slice) -> list[int]:
+        """The UIDs of the elements at this index."""
         if not isinstance(index, slice):
             check_number(index, "index", whole=True)
         uids = list(await self._known())
@@ -344,9 +232,6 @@ class Elements(Sequence[Element]):
         if not -len(uids) <= index < len(uids):
             raise IndexError(f"there is no element {index}; the list has {len(uids)}")
         return [uids[index]]
-
-    async def _report_active(self) -> Any:
-        return await self._service.query(self._service.message("QueryActiveElement")())
 
     async def _index(self, uid: int) -> int | None:
         if not uid:
@@ -361,69 +246,180 @@ class Elements(Sequence[Element]):
         free = (uid for uid in range(1, RESERVED_UIDS[1]) if uid not in taken)
         new = dict(zip(free, elements, strict=False))
         if len(new) < len(elements):
-            raise ConfigError(
-                f"{len(order) + len(elements)} elements are more than the {RESERVED_UIDS[1] - 1} of a list"
-            )
+            most = RESERVED_UIDS[1] - 1
+            raise ConfigError(f"{len(order) + len(elements)} elements are more than the {most} of a list")
         await self._set(new, [*order[:at], *new, *order[at:]])
 
     async def _set(self, new: dict[int, Element], order: list[int]) -> None:
-        """Make these elements; `order` is the list's afterwards. Each request alone leaves the list well linked."""
+        """Set these elements; `order` is the list's afterwards. After each request the list is well linked."""
         uids = [uid for uid in order if uid in new]
         for start in range(0, len(uids), MAX_ELEMENTS_PER_REQUEST):
-            batch, later = uids[start : start + MAX_ELEMENTS_PER_REQUEST], set(uids[start + MAX_ELEMENTS_PER_REQUEST :])
+            end = start + MAX_ELEMENTS_PER_REQUEST
+            batch, later = uids[start:end], set(uids[end:])
             items = await self._known()
             then = [uid for uid in order if uid in items or uid not in later]
             links = {uid: (before, after) for (before, uid), (_, after) in pairwise(pairwise([0, *then, 0]))}
             records = [ElementRec(uid, *links[uid], _data(new[uid])) for uid in batch]
-            await self._wire.put(records)
+            await self._client.set(records)
             changed = items | {uid: new[uid] for uid in batch}
             self._items = {uid: changed[uid] for uid in then}
 
     async def _delete(self, uids: list[int]) -> None:
         for start in range(0, len(uids), MAX_ELEMENTS_PER_REQUEST):
-            gone = uids[start : start + MAX_ELEMENTS_PER_REQUEST]
-            await self._wire.remove(gone)
-            self._items = {uid: item for uid, item in (self._items or {}).items() if uid not in gone}
+            batch = uids[start : start + MAX_ELEMENTS_PER_REQUEST]
+            await self._client.delete(batch)
+            self._items = {uid: item for uid, item in (self._items or {}).items() if uid not in batch}
 
-    async def _open(self, order: list[int]) -> None:
-        """A list that goes round leads from its last element to the first one; nothing fits in front of that."""
+    async def _break_loop(self, order: list[int]) -> None:
+        """Unlink the last element of a looping list from the first one; nothing fits in front of a loop."""
         if not order:
             return
-        last = await self._wire.element(order[-1])
+        last = await self._client.element(order[-1])
         if last.next_uid:
             data = ElementRec.ElementData(last.element_data.format, last.element_data.data)
-            await self._wire.put([ElementRec(order[-1], order[-2] if len(order) > 1 else 0, 0, data)])
+            await self._client.set([ElementRec(order[-1], order[-2] if len(order) > 1 else 0, 0, data)])
 
     async def _compare(self) -> None:
-        wanted = list(await self._known())
-        if not await self._wire.comes_to(lambda there: there == wanted):
+        expected = list(await self._known())
+        if not await self._client.becomes(lambda uids: uids == expected):
             raise ElementRejected(
-                f"{self._service.id} confirmed a new list in front of its old one, and now reports another one: "
+                f"{self._id} confirmed a new list in front of its old one, and now reports another one: "
                 "somebody else changes it, too, or it does not link as the standard says; the old list was left there"
             )
 
-    async def _take_back(self, old: list[int], error: BaseException) -> None:
-        """Delete what the component took of a new list before something went wrong."""
+    async def _remove_new(self, old: list[int], error: BaseException) -> None:
+        """Delete the elements of a new list that the component took before an error occurred."""
         try:
-            await self._delete([uid for uid in await self._wire.order() if uid not in old])
+            await self._delete([uid for uid in await self._client.uids() if uid not in old])
         except JausError:
             error.add_note("what was taken of the new list is still in front of the old one; `upload()` cleans up")
         finally:
             self._items = None
 
     async def _check_ready(self, command: str) -> None:
-        status = await self._service.status()
-        if status != ReportStatus.Status.READY:
-            name = getattr(status, "name", status)
-            raise RequestError(f"{self._service.id} ignores {command} while it is {name}; call `resume()` first")
+        report = await self._connection.query(self._id, QueryStatus(), expects=ReportStatus)
+        assert isinstance(report, ReportStatus)
+        if report.status != ReportStatus.Status.READY:
+            name = getattr(report.status, "name", report.status)
+            raise RequestError(f"{self._id} ignores {command} while it is {name}; call `resume()` first")
 
     def _content(self, data: ReportElement.ElementData) -> Element:
         if data.format != ReportElement.ElementDataFormat.JAUS_MESSAGE or isinstance(data.data, Message):
             return data.data
         try:
-            return self._link.registry.decode(data.data)
+            return self._connection.registry.decode(data.data)
         except DecodeError:
             return data.data
+
+    # --- the active element ---------------------------------------------------------------------------------------
+
+    async def _report_active(self) -> Any:
+        return await self._connection.query(self._id, self._message("QueryActiveElement")())
+
+    async def _active_uids(self, rate: float | None, grace: float) -> AsyncIterator[int]:
+        """The UID of each element that becomes active, until none is; none at first is allowed for `grace` seconds.
+
+        While no report arrives, the list may well be executed: silence does not end this.
+        """
+        clock = asyncio.get_running_loop().time
+        last, give_up_at = 0, clock() + grace
+        async with aclosing(self._active_reports(rate)) as reports:
+            async for report in reports:
+                uid = report.element_uid
+                if not uid and (last or clock() >= give_up_at):
+                    return
+                if uid != last:
+                    last = uid
+                    yield uid
+
+    async def _active_reports(self, rate: float | None) -> AsyncGenerator[Any, None]:
+        yield await self._report_active()  # an event needs three messages and their answers before its first report
+        query = self._message("QueryActiveElement")()
+        kind = report_of(self._connection.registry, query)
+        subscription = subscribe(self._connection, self._id, query, kind, rate=rate)
+        try:
+            await subscription.__aenter__()
+        except EventRejected:
+            while True:
+                yield await self._report_active()
+                await asyncio.sleep(ACTIVE_ELEMENT_INTERVAL)
+        try:
+            while True:
+                yield await self._next_active(subscription)
+        finally:
+            await subscription.__aexit__(None, None, None)
+
+    async def _next_active(self, subscription: Subscription[Any]) -> Any:
+        try:
+            async with asyncio.timeout(RECHECK_INTERVAL) as limit:
+                return await subscription.get()
+        except TimeoutError:
+            if not limit.expired():
+                raise
+            return await self._report_active()
+
+
+class ListClient:
+    """Reads and changes the list of one component; changes raise `ElementRejected` with the reason."""
+
+    def __init__(self, connection: Connection, id: JausID) -> None:
+        self._connection = connection
+        self._id = id
+
+    async def uids(self) -> list[int]:
+        """The UIDs of the elements, first to last."""
+        report = await self._connection.query(self._id, QueryElementList())
+        assert isinstance(report, ReportElementList)
+        return [each.element_uid for each in report.element_list]
+
+    async def becomes(self, condition: Callable[[list[int]], bool]) -> bool:
+        """True when the UIDs fulfil `condition`; queried again if not, as a report may answer an earlier query late."""
+        for _ in range(self._connection.retry.retries + 1):
+            if condition(await self.uids()):
+                return True
+        return False
+
+    async def element(self, uid: int) -> ReportElement:
+        """One element with its links."""
+
+        def has_uid(report: Message) -> bool:
+            return isinstance(report, ReportElement) and report.element_uid == uid
+
+        report = await self._connection.query(self._id, QueryElement(element_uid=uid), accept=has_uid)
+        assert isinstance(report, ReportElement)
+        return report
+
+    async def set(self, records: Sequence[ElementRec]) -> None:
+        """Insert or replace up to 255 elements; the component takes all of them, or none."""
+        await self._request(lambda number: SetElement(SetElement.RequestIDRec(number), [*records]))
+
+    async def delete(self, uids: Sequence[int]) -> None:
+        """Delete up to 255 elements."""
+        records = [DeleteElement.DeleteElementRec(uid) for uid in uids]
+        try:
+            await self._request(lambda number: DeleteElement(DeleteElement.RequestIDRec(number), records))
+        except ElementRejected:
+            # When the confirmation was lost, the request that was sent again finds nothing to delete.
+            if not await self.becomes(lambda present: not {*uids} & {*present}):
+                raise
+
+    async def _request(self, make: Callable[[int], Message]) -> None:
+        number = self._connection.next_request_id(self._id)
+        try:
+            answer = await self._connection.request(
+                self._id,
+                make(number),
+                ConfirmElementRequest,
+                RejectElementRequest,
+                accept=lambda each: getattr(each, "request_id", None) == number,
+            )
+        except ResponseTimeout as error:
+            raise ResponseTimeout(f"{error}; a list obeys only the client in control: see `control()`") from None
+        if isinstance(answer, RejectElementRequest):
+            code = answer.response_code
+            name = getattr(code, "name", f"code {code}")
+            why = _REJECTION_REASONS.get(code, "a reason not in the standard")
+            raise ElementRejected(f"{self._id} refused to change its list ({name}): {why}")
 
 
 def _checked(elements: Any) -> list[Element]:
