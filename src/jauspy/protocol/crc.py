@@ -8,11 +8,11 @@ from __future__ import annotations
 import binascii
 from typing import Final
 
-START: Final = 0xFFFF
+CRC_START: Final = 0xFFFF
 _MIRRORED: Final = bytes(int(f"{byte:08b}"[::-1], 2) for byte in range(256))
 
 
-def crc16(data: bytes | bytearray, start: int = START) -> int:
+def crc16(data: bytes | bytearray, start: int = CRC_START) -> int:
     """The checksum of `data`, continued from `start`."""
     return _mirror(binascii.crc_hqx(data.translate(_MIRRORED), _mirror(start)))
 
