@@ -7,11 +7,24 @@ goes on from it over the header checksum and the message. The message is what fo
 
 from __future__ import annotations
 
+import binascii
 import struct
 from typing import Final
 
 from jauspy.errors import ProtocolError
-from jauspy.protocol.crc import crc16
+
+CRC_START: Final = 0xFFFF
+_MIRRORED: Final = bytes(int(f"{byte:08b}"[::-1], 2) for byte in range(256))
+
+
+def crc16(data: bytes | bytearray, start: int = CRC_START) -> int:
+    """The checksum of `data`, continued from `start`."""
+    return _mirror(binascii.crc_hqx(data.translate(_MIRRORED), _mirror(start)))
+
+
+def _mirror(value: int) -> int:
+    return _MIRRORED[value & 0xFF] << 8 | _MIRRORED[value >> 8]
+
 
 _DLE: Final = b"\x10"
 _SOH, _STX, _ETX = b"\x01", b"\x02", b"\x03"
