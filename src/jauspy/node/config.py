@@ -31,7 +31,7 @@ from jauspy.node.settings import (
 )
 from jauspy.protocol import judp
 from jauspy.protocol.address_book import LIFETIME
-from jauspy.protocol.ports import LAN
+from jauspy.protocol.ports import DEFAULT_NETWORK
 from jauspy.transport.multicast import ANY, RECEIVE_BUFFER
 from jauspy.transport.serial_link import SerialLine
 
@@ -39,7 +39,7 @@ from jauspy.transport.serial_link import SerialLine
 class NetworkConfig(Settings):
     """A network that the node manager is on."""
 
-    name: Name = LAN
+    name: Name = DEFAULT_NETWORK
     """What rules, counters and the status call this network."""
     address: IPv4 = ANY
     """Local address to receive on; 0.0.0.0 is all. With several networks each needs an address of its own."""

@@ -20,7 +20,7 @@ from jauspy.protocol.directory import ComponentPort, Directory
 from jauspy.protocol.gateway import Gateway
 from jauspy.protocol.header import Broadcast, RawPacket
 from jauspy.protocol.outward import KINDS, Outward
-from jauspy.protocol.ports import LAN, GroupPort, LocalPort, NetworkPort, Port, UdpPort
+from jauspy.protocol.ports import DEFAULT_NETWORK, GroupPort, LocalPort, NetworkPort, Port, UdpPort
 from jauspy.protocol.registrar import Registrar
 from jauspy.protocol.reports import Reports
 from jauspy.protocol.sources import Sources
@@ -49,7 +49,7 @@ class NodeCore:
         local_root: str,
         *,
         addresses: Mapping[JausID, Sequence[NetworkPort]] | None = None,
-        networks: Sequence[str] = (LAN,),
+        networks: Sequence[str] = (DEFAULT_NETWORK,),
         gateway: Gateway | None = None,
         sources: Sources | None = None,
         address_lifetime: float = LIFETIME,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final, NamedTuple, TypeAlias
 
-LAN: Final = "lan"
+DEFAULT_NETWORK: Final = "lan"
 """The name of the first network, unless the configuration gives it another."""
 
 
@@ -19,13 +19,13 @@ class UdpPort(NamedTuple):
 
     host: str
     port: int
-    network: str = LAN
+    network: str = DEFAULT_NETWORK
 
 
 class GroupPort(NamedTuple):
     """The multicast group of a network."""
 
-    network: str = LAN
+    network: str = DEFAULT_NETWORK
 
 
 class TcpPort(NamedTuple):
@@ -33,7 +33,7 @@ class TcpPort(NamedTuple):
 
     host: str
     port: int
-    network: str = LAN
+    network: str = DEFAULT_NETWORK
     kind: str = "tcp"
 
 
@@ -42,7 +42,7 @@ class SerialPort(NamedTuple):
 
     host: str
     port: int = 0
-    network: str = LAN
+    network: str = DEFAULT_NETWORK
     kind: str = "serial"
 
 
