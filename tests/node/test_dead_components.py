@@ -11,9 +11,9 @@ import pytest
 from jauspy.ids import JausID
 from jauspy.node import NodeConfig, NodeManager, sweep
 from jauspy.protocol import judp, junior
+from jauspy.protocol.addressing import LocalPort
 from jauspy.protocol.directory import ComponentPort, Directory
 from jauspy.protocol.header import Packet
-from jauspy.protocol.ports import LocalPort
 
 LIVING, DEAD = JausID.parse("126.1.11"), JausID.parse("126.1.20")
 

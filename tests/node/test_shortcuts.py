@@ -10,9 +10,9 @@ from jauspy.ids import EVERYONE, JausID
 from jauspy.node import NodeConfig, NodeManager, shortcuts
 from jauspy.node.shortcuts import Shortcuts
 from jauspy.protocol import judp, junior
+from jauspy.protocol.addressing import LocalPort, Port, UdpPort
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet, Priority
 from jauspy.protocol.node import NodeCore
-from jauspy.protocol.ports import LocalPort, Port, UdpPort
 
 HERE, THERE, FAR, AWAY = (JausID.parse(text) for text in ("101.1.1", "101.1.2", "42.1.1", "43.1.1"))
 IDS = (HERE, THERE, FAR, AWAY)

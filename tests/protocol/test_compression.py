@@ -11,11 +11,11 @@ from hypothesis import given, strategies as st
 from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
 from jauspy.protocol import compression, judp, junior, templates
+from jauspy.protocol.addressing import LocalPort, Port, UdpPort
 from jauspy.protocol.compression import Compression
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.header import Ack, Packet, Priority, peek_priority
 from jauspy.protocol.node import CompressionUse, NodeCore
-from jauspy.protocol.ports import LocalPort, Port, UdpPort
 
 HERE, FAR = JausID.parse("100.1.2"), JausID.parse("101.1.1")
 OURS, PEER = LocalPort("/root/here"), UdpPort("10.77.0.2", 3794)

@@ -4,10 +4,10 @@ import pytest
 
 from jauspy.ids import EVERYONE, JausID
 from jauspy.protocol import judp, junior, rules
+from jauspy.protocol.addressing import GroupPort, LocalPort, Port, UdpPort
 from jauspy.protocol.gateway import Gateway
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet
 from jauspy.protocol.node import NodeCore
-from jauspy.protocol.ports import GroupPort, LocalPort, Port, UdpPort
 from jauspy.protocol.rules import Rule, Rules
 from jauspy.protocol.sources import SourceLimits
 

@@ -5,11 +5,11 @@ import pytest
 from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
 from jauspy.protocol import buckets, directory, heard, judp, junior, reports, seal, sources
+from jauspy.protocol.addressing import LocalPort, UdpPort
 from jauspy.protocol.buckets import TokenBuckets
 from jauspy.protocol.header import Packet, Priority, peek_priority
 from jauspy.protocol.heard import Heard
 from jauspy.protocol.node import NodeCore
-from jauspy.protocol.ports import LocalPort, UdpPort
 from jauspy.protocol.seal import Seal
 from jauspy.protocol.sources import SourceLimits, Sources
 

@@ -5,10 +5,10 @@ from hypothesis import given, strategies as st
 
 from jauspy.ids import EVERYONE, JausID
 from jauspy.protocol import directory, judp, junior, waiting
+from jauspy.protocol.addressing import GROUP, LocalPort, Port, UdpPort
 from jauspy.protocol.echoes import LIFETIME, Echoes
 from jauspy.protocol.header import Ack, Broadcast, Packet
 from jauspy.protocol.node import NodeCore
-from jauspy.protocol.ports import GROUP, LocalPort, Port, UdpPort
 
 A, B, C = (JausID.parse(text) for text in ("100.1.1", "100.1.2", "100.2.1"))
 FAR = JausID.parse("101.1.1")

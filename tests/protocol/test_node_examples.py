@@ -4,8 +4,8 @@ import pytest
 
 from jauspy.ids import JausID
 from jauspy.protocol import junior
+from jauspy.protocol.addressing import GROUP, LocalPort, Port, UdpPort
 from jauspy.protocol.node import NodeCore
-from jauspy.protocol.ports import GROUP, LocalPort, Port, UdpPort
 
 SENDER, FAR = JausID.parse("100.1.2"), JausID.parse("101.1.1")
 SENDER_PORT, OTHER_PORT = LocalPort("/root/sender"), LocalPort("/root/other")

@@ -7,9 +7,9 @@ import pytest
 from jauspy.ids import EVERYONE, JausID
 from jauspy.protocol import judp, junior, reports
 from jauspy.protocol.address_book import LIFETIME
+from jauspy.protocol.addressing import GROUP, LocalPort, Port, SerialPort, TcpPort, UdpPort
 from jauspy.protocol.header import Ack, Broadcast, Packet
 from jauspy.protocol.node import NodeCore
-from jauspy.protocol.ports import GROUP, LocalPort, Port, SerialPort, TcpPort, UdpPort
 
 OURS, THEIRS = JausID.parse("100.1.1"), JausID.parse("200.1.1")
 OUR_PORT, PEER = LocalPort("/root/ours"), UdpPort("10.0.0.9", 3794)

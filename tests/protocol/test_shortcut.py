@@ -4,10 +4,10 @@ import pytest
 
 from jauspy.ids import EVERYONE, JausID
 from jauspy.protocol import judp, junior
+from jauspy.protocol.addressing import GROUP, LocalPort, Port, UdpPort
 from jauspy.protocol.gateway import Gateway
 from jauspy.protocol.header import Packet
 from jauspy.protocol.node import NodeCore
-from jauspy.protocol.ports import GROUP, LocalPort, Port, UdpPort
 from jauspy.protocol.rules import Rules
 from jauspy.protocol.sources import SourceLimits, Sources
 

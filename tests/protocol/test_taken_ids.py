@@ -2,9 +2,9 @@
 
 from jauspy.ids import JausID
 from jauspy.protocol import judp, junior
+from jauspy.protocol.addressing import LocalPort, UdpPort
 from jauspy.protocol.header import Packet
 from jauspy.protocol.node import NodeCore
-from jauspy.protocol.ports import LocalPort, UdpPort
 
 A, B = JausID.parse("100.1.1"), JausID.parse("100.1.2")
 PATH_A, PATH_B, ELSEWHERE = (LocalPort(f"/root/{name}") for name in (int(A), int(B), "elsewhere"))

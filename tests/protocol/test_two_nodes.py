@@ -9,11 +9,11 @@ import pytest
 
 from jauspy.ids import EVERYONE, JausID
 from jauspy.protocol import junior
+from jauspy.protocol.addressing import GroupPort, LocalPort, UdpPort
 from jauspy.protocol.delivery import Delivery
 from jauspy.protocol.endpoint import Endpoint
 from jauspy.protocol.header import Ack, Broadcast, Packet
 from jauspy.protocol.node import CompressionUse, NodeCore
-from jauspy.protocol.ports import GroupPort, LocalPort, UdpPort
 
 A, B, C = (JausID.parse(text) for text in ("101.1.1", "102.1.1", "103.1.1"))
 

@@ -31,7 +31,7 @@ from jauspy.node.settings import (
 )
 from jauspy.protocol import judp
 from jauspy.protocol.address_book import LIFETIME
-from jauspy.protocol.ports import DEFAULT_NETWORK
+from jauspy.protocol.addressing import DEFAULT_NETWORK
 from jauspy.transport.multicast import ANY, RECEIVE_BUFFER
 from jauspy.transport.serial_link import SerialLine
 

@@ -10,9 +10,9 @@ from typing import Any, Final
 
 from jauspy.node import sieve
 from jauspy.protocol import wire
+from jauspy.protocol.addressing import UdpPort
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.header import Priority
-from jauspy.protocol.ports import UdpPort
 
 READ_BURST: Final = 384
 """Datagrams read from one socket per wake-up: three times what is routed, so that a flood piles up here, where the

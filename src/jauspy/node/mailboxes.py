@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from jauspy.node.mailbox import Mailbox
 from jauspy.protocol import junior
-from jauspy.protocol.ports import LocalPort
+from jauspy.protocol.addressing import LocalPort
 from jauspy.transport import local_socket
 
 if TYPE_CHECKING:

@@ -22,8 +22,8 @@ from jauspy.node.shortcuts import Send, Shortcuts
 from jauspy.node.state import NodeState
 from jauspy.node.sweep import Sweep
 from jauspy.protocol import junior
+from jauspy.protocol.addressing import GroupPort, LocalPort, Port, SerialPort, TcpPort, UdpPort
 from jauspy.protocol.node import NodeCore
-from jauspy.protocol.ports import GroupPort, LocalPort, Port, SerialPort, TcpPort, UdpPort
 from jauspy.protocol.sources import Sources
 from jauspy.transport import draining, local_socket, memberships
 

@@ -15,8 +15,8 @@ from jauspy.node.binding import bind
 from jauspy.node.config import NetworkConfig
 from jauspy.node.network6 import Network6
 from jauspy.protocol import seal as seal_format
+from jauspy.protocol.addressing import UdpPort
 from jauspy.protocol.counters import Counters
-from jauspy.protocol.ports import UdpPort
 from jauspy.protocol.seal import Seal
 from jauspy.transport import multicast
 from jauspy.transport.memberships import Memberships

@@ -10,8 +10,8 @@ from typing import Any
 from jauspy.ids import JausID
 from jauspy.node.config import NodeConfig
 from jauspy.node.network import Network
+from jauspy.protocol.addressing import NetworkPort
 from jauspy.protocol.node import NodeCore
-from jauspy.protocol.ports import NetworkPort
 from jauspy.protocol.reports import place
 
 

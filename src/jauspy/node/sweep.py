@@ -7,8 +7,8 @@ import socket
 from collections.abc import Callable
 from typing import Final
 
+from jauspy.protocol.addressing import LocalPort, UdpPort
 from jauspy.protocol.directory import ComponentPort, Directory
-from jauspy.protocol.ports import LocalPort, UdpPort
 
 INTERVAL: Final = 1.0
 PER_TURN: Final = 32

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Final, TypeAlias
 
 from jauspy.protocol import addressing
+from jauspy.protocol.addressing import NetworkPort
 from jauspy.protocol.heard import MAX_IDS, Heard
-from jauspy.protocol.ports import NetworkPort
 
 Address: TypeAlias = tuple[str, int]
 """Host and port, as sockets give them."""

@@ -18,9 +18,9 @@ from typing import Final, NamedTuple
 
 from jauspy.errors import ProtocolError
 from jauspy.protocol import addressing, header
+from jauspy.protocol.addressing import UdpPort
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.header import Priority
-from jauspy.protocol.ports import UdpPort
 from jauspy.protocol.templates import COVERED, Offers, Templates
 
 MAX_PARTNERS: Final = 64

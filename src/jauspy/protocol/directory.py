@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from typing import Final, TypeAlias
 
 from jauspy.protocol import addressing
-from jauspy.protocol.ports import LocalPort, UdpPort
+from jauspy.protocol.addressing import LocalPort, UdpPort
 
 MAX_COMPONENTS: Final = 1024
 MAX_BY_UDP: Final = 256

@@ -6,7 +6,7 @@ from collections import OrderedDict
 from collections.abc import Iterator
 from typing import Final
 
-from jauspy.protocol.ports import NetworkPort
+from jauspy.protocol.addressing import NetworkPort
 
 MAX_IDS: Final = 4096
 MAX_OF_HOST: Final = 1024

@@ -14,13 +14,13 @@ from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
 from jauspy.protocol import addressing, junior, wire
 from jauspy.protocol.address_book import LIFETIME, AddressBook
+from jauspy.protocol.addressing import DEFAULT_NETWORK, GroupPort, LocalPort, NetworkPort, Port, UdpPort
 from jauspy.protocol.compression import Compression, applies_to
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.directory import ComponentPort, Directory
 from jauspy.protocol.gateway import Gateway
 from jauspy.protocol.header import Broadcast, RawPacket
 from jauspy.protocol.outward import KINDS, Outward
-from jauspy.protocol.ports import DEFAULT_NETWORK, GroupPort, LocalPort, NetworkPort, Port, UdpPort
 from jauspy.protocol.registrar import Registrar
 from jauspy.protocol.reports import Reports
 from jauspy.protocol.sources import Sources

@@ -7,11 +7,11 @@ from typing import Final
 
 from jauspy.protocol import wire
 from jauspy.protocol.address_book import AddressBook
+from jauspy.protocol.addressing import GroupPort, LocalPort, NetworkPort, Port, SerialPort, TcpPort, UdpPort
 from jauspy.protocol.compression import Compression
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.directory import ComponentPort, Directory
 from jauspy.protocol.echoes import Echoes
-from jauspy.protocol.ports import GroupPort, LocalPort, NetworkPort, Port, SerialPort, TcpPort, UdpPort
 
 KINDS: Final = {LocalPort: "local", UdpPort: "udp", GroupPort: "udp", TcpPort: "tcp", SerialPort: "serial"}
 ROUTED: Final[dict[type, str]] = {port: f"routed.{kind}" for port, kind in KINDS.items()}

@@ -7,10 +7,10 @@ from collections.abc import Callable
 
 from jauspy.ids import JausID
 from jauspy.protocol import junior
+from jauspy.protocol.addressing import LocalPort, UdpPort
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.directory import ComponentPort, Directory
 from jauspy.protocol.outward import Outward
-from jauspy.protocol.ports import LocalPort, UdpPort
 from jauspy.protocol.reports import Reports
 from jauspy.protocol.waiting import WaitingRoom
 

@@ -6,7 +6,7 @@ from collections import OrderedDict
 from dataclasses import dataclass
 from typing import Final
 
-from jauspy.protocol.ports import UdpPort
+from jauspy.protocol.addressing import UdpPort
 
 COVERED: Final = 9
 """Bytes of our own templates: control, destination and source."""
