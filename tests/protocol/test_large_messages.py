@@ -18,8 +18,8 @@ A, B = JausID.parse("100.1.4"), JausID.parse("101.1.1")
 
 def pieces(payload: bytes, first: int = 1, source: JausID = A, ack: Ack = Ack.NONE) -> list[bytes]:
     made = []
-    for index in range(fragments.count(len(payload))):
-        part, flag = fragments.piece(payload, index)
+    for index in range(fragments.fragment_count(len(payload))):
+        part, flag = fragments.fragment_at(payload, index)
         made.append(judp.pack(Packet(source, B, part, (first + index) & 0xFFFF, ack=ack, data_flag=flag)))
     return made
 

@@ -10,18 +10,18 @@ from typing import Final
 from jauspy.protocol import header
 from jauspy.protocol.header import DataFlag, Packet
 
-PIECE_COST: Final = 256
+FRAGMENT_OVERHEAD: Final = 256
 """Bytes of memory that a piece is charged with beyond its payload."""
 
 
-def count(size: int) -> int:
+def fragment_count(size: int) -> int:
     """How many packets a payload of this size takes."""
     return max(1, -(-size // header.MAX_PAYLOAD))
 
 
-def piece(payload: bytes, index: int) -> tuple[bytes, DataFlag]:
+def fragment_at(payload: bytes, index: int) -> tuple[bytes, DataFlag]:
     """One piece of a payload, and what it is among the others."""
-    last = count(len(payload)) - 1
+    last = fragment_count(len(payload)) - 1
     part = payload[index * header.MAX_PAYLOAD : (index + 1) * header.MAX_PAYLOAD]
     if last == 0:
         return part, DataFlag.SINGLE
@@ -31,7 +31,7 @@ def piece(payload: bytes, index: int) -> tuple[bytes, DataFlag]:
 
 
 @dataclass(slots=True)
-class Run:
+class FragmentRun:
     """Pieces with consecutive numbers from `first` to `last`; a whole message when it `begins` and `ends`."""
 
     first: int
@@ -44,7 +44,7 @@ class Run:
     head: Packet
 
     @classmethod
-    def of(cls, packet: Packet, now: float) -> Run:
+    def of(cls, packet: Packet, now: float) -> FragmentRun:
         """The run of one piece."""
         flag, payload = packet.data_flag, packet.payload
         begins, ends = flag is DataFlag.FIRST, flag is DataFlag.LAST
@@ -61,13 +61,13 @@ class Run:
     @property
     def cost(self) -> int:
         """Bytes of memory."""
-        return self.size + PIECE_COST * len(self.pieces)
+        return self.size + FRAGMENT_OVERHEAD * len(self.pieces)
 
     def numbers(self) -> Iterator[int]:
         """The sequence numbers of the pieces."""
         return ((self.first + step) & 0xFFFF for step in range(len(self.pieces)))
 
-    def join(self, after: Run) -> Run:
+    def join(self, after: FragmentRun) -> FragmentRun:
         """One run of this and the one that follows it; the longer one takes up the shorter one's pieces."""
         if len(after) > len(self):
             after.pieces.extendleft(reversed(self.pieces))
@@ -76,4 +76,4 @@ class Run:
             self.pieces.extend(after.pieces)
             pieces = self.pieces
         size, touched = self.size + after.size, max(self.touched, after.touched)
-        return Run(self.first, after.last, self.begins, after.ends, pieces, size, touched, self.head)
+        return FragmentRun(self.first, after.last, self.begins, after.ends, pieces, size, touched, self.head)

@@ -12,11 +12,11 @@ from typing import Final
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.delivery import Delivery
 from jauspy.protocol.duplicates import ECHO
-from jauspy.protocol.fragments import PIECE_COST, Run
+from jauspy.protocol.fragments import FRAGMENT_OVERHEAD, FragmentRun
 from jauspy.protocol.header import Ack, DataFlag, Packet
 
 MAX_SOURCES: Final = 256
-CHECKS: Final = 4
+CHECKS_PER_TIMEOUT: Final = 4
 """Looks for what has waited too long, in the time a piece may wait."""
 
 
@@ -24,12 +24,12 @@ CHECKS: Final = 4
 class _Source:
     """The pieces of one sender. `starts` is in the order of the last change; `present` has a hash of each piece."""
 
-    starts: dict[int, Run] = field(default_factory=dict)
-    ends: dict[int, Run] = field(default_factory=dict)
+    starts: dict[int, FragmentRun] = field(default_factory=dict)
+    ends: dict[int, FragmentRun] = field(default_factory=dict)
     present: dict[int, int] = field(default_factory=dict)
     cost: int = 0
 
-    def neighbours(self, run: Run) -> tuple[Run | None, Run | None]:
+    def neighbours(self, run: FragmentRun) -> tuple[FragmentRun | None, FragmentRun | None]:
         """The runs of the same message that `run` continues, and that continue it."""
         before = self.ends.get((run.first - 1) & 0xFFFF)
         after = self.starts.get((run.last + 1) & 0xFFFF)
@@ -38,11 +38,11 @@ class _Source:
             None if run.ends or after is None or after.begins else after,
         )
 
-    def add(self, run: Run) -> None:
+    def add(self, run: FragmentRun) -> None:
         self.starts[run.first] = self.ends[run.last] = run
         self.cost += run.cost
 
-    def remove(self, run: Run) -> None:
+    def remove(self, run: FragmentRun) -> None:
         del self.starts[run.first], self.ends[run.last]
         self.cost -= run.cost
 
@@ -70,11 +70,11 @@ class Reassembly:
             if not _starts_again(known, packet, content, now):
                 return True, None
             self._drop_all(key)
-        if not self._make_room(key, PIECE_COST + len(packet.payload)):
+        if not self._make_room(key, FRAGMENT_OVERHEAD + len(packet.payload)):
             self._counters.drop("large_message.no_memory", packet.source)
             return False, None
         source = self._sources.setdefault(key, _Source())
-        run = self._grown(source, Run.of(packet, now))
+        run = self._grown(source, FragmentRun.of(packet, now))
         if run is None:
             if not source.starts:
                 del self._sources[key]
@@ -97,9 +97,9 @@ class Reassembly:
         for key, source in list(self._sources.items()):
             for run in [run for run in source.starts.values() if now - run.touched >= patience]:
                 self._drop(key, run, "incomplete")
-        self._check_at = now + patience / CHECKS if self._sources else None
+        self._check_at = now + patience / CHECKS_PER_TIMEOUT if self._sources else None
 
-    def _grown(self, source: _Source, run: Run) -> Run | None:
+    def _grown(self, source: _Source, run: FragmentRun) -> FragmentRun | None:
         """The run that a piece now belongs to; None when the message becomes too large with it."""
         before, after = source.neighbours(run)
         if sum(each.size for each in (before, run, after) if each) > self._settings.max_message:
@@ -115,7 +115,7 @@ class Reassembly:
         self._cost += source.cost
         return run
 
-    def _finished(self, key: tuple[int, int], run: Run) -> Packet:
+    def _finished(self, key: tuple[int, int], run: FragmentRun) -> Packet:
         self._remove(key, run)
         return replace(run.head, payload=b"".join(run.pieces), data_flag=DataFlag.SINGLE)
 
@@ -143,11 +143,11 @@ class Reassembly:
         for run in list(self._sources[key].starts.values()):
             self._drop(key, run, "restarted")
 
-    def _drop(self, key: tuple[int, int], run: Run, reason: str) -> None:
+    def _drop(self, key: tuple[int, int], run: FragmentRun, reason: str) -> None:
         self._counters.drop(f"large_message.{reason}", f"{len(run)} pieces, {run.size} bytes from {run.head.source}")
         self._remove(key, run)
 
-    def _remove(self, key: tuple[int, int], run: Run) -> None:
+    def _remove(self, key: tuple[int, int], run: FragmentRun) -> None:
         source = self._sources[key]
         source.remove(run)
         self._cost -= run.cost
