@@ -7,7 +7,7 @@ from hypothesis import given, settings, strategies as st
 
 from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
-from jauspy.protocol import fragments, judp, reassembly
+from jauspy.protocol import judp, reassembly, reassembly as fragments
 from jauspy.protocol.delivery import Delivery
 from jauspy.protocol.endpoint import Endpoint
 from jauspy.protocol.header import MAX_PAYLOAD, Ack, DataFlag, Packet

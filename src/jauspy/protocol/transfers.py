@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 from typing import Final, NamedTuple
 
 from jauspy.errors import ProtocolError
-from jauspy.protocol import fragments
+from jauspy.protocol import reassembly
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.delivery import Delivery, Outcome
 from jauspy.protocol.header import Ack, Packet
@@ -41,7 +41,7 @@ class _Transfer:
 
     def piece(self, index: int) -> Packet:
         """One of its packets."""
-        payload, flag = fragments.fragment_at(self.packet.payload, index)
+        payload, flag = reassembly.fragment_at(self.packet.payload, index)
         number = (self.packet.sequence + index) & 0xFFFF
         return replace(self.packet, payload=payload, data_flag=flag, sequence=number)
 
@@ -100,7 +100,7 @@ class Transfers:
         self._ticket += 1
         self._count += 1
         self._bytes += size
-        transfer = _Transfer(self._ticket, packet, fragments.fragment_count(size))
+        transfer = _Transfer(self._ticket, packet, reassembly.fragment_count(size))
         if transfer.pieces == 1:
             self._send_pieces(transfer, 1, now)
         else:
