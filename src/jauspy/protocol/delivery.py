@@ -8,7 +8,7 @@ from typing import Final, NamedTuple
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 
-LARGEST: Final = 64 << 20
+MAX_MESSAGE_SIZE: Final = 64 << 20
 """Bytes of a message at most: a quarter of all sequence numbers."""
 
 
@@ -33,7 +33,7 @@ class Delivery:
     def __post_init__(self) -> None:
         if not (self.ack_timeout > 0 and self.patience > 0 and self.resends >= 0 and 1 <= self.window <= 256):
             raise ConfigError("delivery needs ack_timeout and patience above 0, resends from 0, window 1..256")
-        if not 1 <= self.max_message <= LARGEST:
+        if not 1 <= self.max_message <= MAX_MESSAGE_SIZE:
             raise ConfigError(f"delivery max_message = {self.max_message} is outside 1..{LARGEST}")
         object.__setattr__(self, "source_memory", self.source_memory or 2 * self.max_message)
         object.__setattr__(self, "total_memory", self.total_memory or 8 * self.max_message)
@@ -44,7 +44,7 @@ class Delivery:
         return 2 * self.ack_timeout * (self.resends + 1)
 
 
-class Outcome(NamedTuple):
+class DeliveryOutcome(NamedTuple):
     """How a message that wanted to be acknowledged ended; `ticket` is what `send` returned."""
 
     ticket: int

@@ -10,7 +10,7 @@ from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
 from jauspy.protocol import addressing, header, judp, junior
 from jauspy.protocol.counters import Counters
-from jauspy.protocol.delivery import Delivery, Outcome
+from jauspy.protocol.delivery import Delivery, DeliveryOutcome
 from jauspy.protocol.duplicates import Duplicates
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet, Priority
 from jauspy.protocol.reassembly import Reassembly
@@ -99,7 +99,7 @@ class Endpoint:
         """The next message that was received, whole however many pieces it came in, or None."""
         return self._input.popleft() if self._input else None
 
-    def next_outcome(self) -> Outcome | None:
+    def next_outcome(self) -> DeliveryOutcome | None:
         """How the next message that wanted to be acknowledged ended, or None."""
         return self._transfers.next_outcome()
 

@@ -14,13 +14,13 @@ from typing import Final, NamedTuple
 from jauspy.errors import ProtocolError
 from jauspy.protocol import reassembly
 from jauspy.protocol.counters import Counters
-from jauspy.protocol.delivery import Delivery, Outcome
+from jauspy.protocol.delivery import Delivery, DeliveryOutcome
 from jauspy.protocol.header import Ack, Packet
 
 MAX_TRANSFERS: Final = 256
-PIECES_PER_TURN: Final = 16
+FRAGMENTS_PER_BURST: Final = 16
 """Pieces of a large message that nobody acknowledges, sent at once."""
-TURN: Final = 0.005
+BURST_INTERVAL: Final = 0.005
 """Seconds from one such burst to the next: about 13 MB/s, which a local socket with a queue of ten datagrams takes."""
 
 
@@ -47,7 +47,7 @@ class _Transfer:
 
 
 @dataclass(slots=True)
-class _Lane:
+class _LargeMessageQueue:
     """The large messages for one destination; only the first one is being sent. `budget` is what is left of a turn."""
 
     waiting: deque[_Transfer] = field(default_factory=deque)
@@ -60,7 +60,7 @@ class _Lane:
         return not self.waiting or not self.waiting[0].reliable
 
 
-class _Flight(NamedTuple):
+class _PendingAck(NamedTuple):
     """A packet that waits for its ACK; `piece` is its number within the message."""
 
     transfer: _Transfer
@@ -83,9 +83,9 @@ class Transfers:
         self._count = 0
         self._bytes = 0
         self._stuck = False
-        self._lanes: dict[int, _Lane] = {}
-        self._flights: OrderedDict[tuple[int, int], _Flight] = OrderedDict()
-        self._outcomes: deque[Outcome] = deque(maxlen=4 * MAX_TRANSFERS)
+        self._lanes: dict[int, _LargeMessageQueue] = {}
+        self._flights: OrderedDict[tuple[int, int], _PendingAck] = OrderedDict()
+        self._outcomes: deque[DeliveryOutcome] = deque(maxlen=4 * MAX_TRANSFERS)
 
     def __len__(self) -> int:
         return self._count
@@ -104,7 +104,7 @@ class Transfers:
         if transfer.pieces == 1:
             self._send_pieces(transfer, 1, now)
         else:
-            lane = self._lanes.setdefault(int(packet.destination), _Lane())
+            lane = self._lanes.setdefault(int(packet.destination), _LargeMessageQueue())
             lane.waiting.append(transfer)
             if len(lane.waiting) == 1:
                 self._pump(lane, now)
@@ -148,11 +148,11 @@ class Transfers:
             self._forget(transfer)
             if transfer.reliable:
                 self._counters["undelivered"] += 1
-                self._outcomes.append(Outcome(transfer.ticket, delivered=False))
+                self._outcomes.append(DeliveryOutcome(transfer.ticket, delivered=False))
         self._flights.clear()
         self._lanes.clear()
 
-    def next_outcome(self) -> Outcome | None:
+    def next_outcome(self) -> DeliveryOutcome | None:
         """How the next message ended, or None."""
         return self._outcomes.popleft() if self._outcomes else None
 
@@ -178,12 +178,12 @@ class Transfers:
                 elif lane.timed and room:
                     self._pump(lane, now)
                 elif lane.timed:
-                    lane.next_turn = now + TURN
+                    lane.next_turn = now + BURST_INTERVAL
 
-    def _pump(self, lane: _Lane, now: float) -> None:
+    def _pump(self, lane: _LargeMessageQueue, now: float) -> None:
         """Send what may be sent now of the large messages for one destination."""
         if now >= lane.next_turn:
-            lane.budget, lane.next_turn = PIECES_PER_TURN, now + TURN
+            lane.budget, lane.next_turn = FRAGMENTS_PER_BURST, now + BURST_INTERVAL
         while lane.waiting and lane.budget:
             transfer = lane.waiting[0]
             if transfer.reliable:
@@ -211,10 +211,10 @@ class Transfers:
     def _expect(self, transfer: _Transfer, piece: int, packet: Packet, now: float, resends: int = 0) -> None:
         """All wait equally long, so the flights are in the order of their deadlines."""
         key = (int(packet.destination), packet.sequence)
-        self._flights[key] = _Flight(transfer, piece, now + self._settings.ack_timeout, resends)
+        self._flights[key] = _PendingAck(transfer, piece, now + self._settings.ack_timeout, resends)
         self._flights.move_to_end(key)
 
-    def _again(self, flight: _Flight, now: float) -> None:
+    def _again(self, flight: _PendingAck, now: float) -> None:
         if flight.resends >= self._settings.resends:
             for each in [each for each, other in self._flights.items() if other.transfer is flight.transfer]:
                 del self._flights[each]
@@ -228,7 +228,7 @@ class Transfers:
     def _end(self, transfer: _Transfer, now: float, *, delivered: bool) -> None:
         self._counters["delivered" if delivered else "undelivered"] += 1
         silent = None if delivered else transfer.packet.destination
-        self._outcomes.append(Outcome(transfer.ticket, delivered, silent))
+        self._outcomes.append(DeliveryOutcome(transfer.ticket, delivered, silent))
         self._forget(transfer)
         lane = self._lanes.get(int(transfer.packet.destination))
         if lane is not None and lane.waiting and lane.waiting[0] is transfer:
