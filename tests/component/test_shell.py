@@ -24,10 +24,9 @@ from jauspy.messages.core import (
     RequestControl,
     ServiceRec,
 )
-from jauspy.protocol.delivery import Delivery
+from jauspy.protocol.delivery import FRAGMENTS_PER_BURST, Delivery
 from jauspy.protocol.header import Ack, DataFlag, Packet
 from jauspy.protocol.judp import pack, unpack
-from jauspy.protocol.transfers import FRAGMENTS_PER_BURST
 from jauspy.services.core import AccessControl, Events, Liveness
 from jauspy.services.host import Host
 from jauspy.testing import until

@@ -8,7 +8,7 @@ from hypothesis import given, settings, strategies as st
 
 from jauspy.errors import ConfigError, ProtocolError
 from jauspy.ids import EVERYONE, JausID
-from jauspy.protocol import judp, transfers
+from jauspy.protocol import delivery as transfers, judp
 from jauspy.protocol.delivery import MAX_MESSAGE_SIZE, Delivery
 from jauspy.protocol.endpoint import MAX_QUEUED, Endpoint
 from jauspy.protocol.header import MAX_PAYLOAD, Ack, DataFlag, Packet

@@ -8,10 +8,9 @@ from hypothesis import given, settings, strategies as st
 from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
 from jauspy.protocol import judp, reassembly, reassembly as fragments
-from jauspy.protocol.delivery import Delivery
+from jauspy.protocol.delivery import BURST_INTERVAL, FRAGMENTS_PER_BURST, Delivery
 from jauspy.protocol.endpoint import Endpoint
 from jauspy.protocol.header import MAX_PAYLOAD, Ack, DataFlag, Packet
-from jauspy.protocol.transfers import BURST_INTERVAL, FRAGMENTS_PER_BURST
 
 A, B = JausID.parse("100.1.4"), JausID.parse("101.1.1")
 

@@ -10,11 +10,10 @@ from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
 from jauspy.protocol import addressing, header, judp, junior
 from jauspy.protocol.counters import Counters
-from jauspy.protocol.delivery import Delivery, DeliveryOutcome
+from jauspy.protocol.delivery import Delivery, DeliveryOutcome, Transfers
 from jauspy.protocol.duplicates import Duplicates
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet, Priority
 from jauspy.protocol.reassembly import Reassembly
-from jauspy.protocol.transfers import Transfers
 
 _LOGGER = logging.getLogger(__name__)
 _Item = TypeVar("_Item", bytes, Packet)
