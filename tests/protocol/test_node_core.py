@@ -6,7 +6,7 @@ from hypothesis import given, strategies as st
 from jauspy.ids import EVERYONE, JausID
 from jauspy.protocol import directory, judp, junior, waiting
 from jauspy.protocol.addressing import GROUP, LocalPort, Port, UdpPort
-from jauspy.protocol.echoes import LIFETIME, Echoes
+from jauspy.protocol.echoes import ECHO_LIFETIME, MulticastEchoes
 from jauspy.protocol.header import Ack, Broadcast, Packet
 from jauspy.protocol.node import NodeCore
 
@@ -250,15 +250,15 @@ def test_the_bytes_that_wait_are_bounded(node: NodeCore) -> None:
 
 
 def test_only_the_newest_own_multicasts_are_remembered() -> None:
-    echoes = Echoes(limit=2)
+    echoes = MulticastEchoes(limit=2)
     for data in (b"a", b"b", b"a", b"c"):
         echoes.add(data, "lan", 0.0)
     assert [echoes.heard(data, "lan", 0.1) for data in (b"a", b"b", b"c", b"d")] == [True, False, True, False]
 
 
 def test_a_multicast_is_remembered_for_its_network_and_for_a_short_time() -> None:
-    echoes = Echoes()
+    echoes = MulticastEchoes()
     echoes.add(b"a", "lan", 5.0)
-    assert echoes.heard(b"a", "lan", 5.0 + LIFETIME / 2)
-    assert not echoes.heard(b"a", "vehicle", 5.0 + LIFETIME / 2)
-    assert not echoes.heard(b"a", "lan", 5.0 + LIFETIME)
+    assert echoes.heard(b"a", "lan", 5.0 + ECHO_LIFETIME / 2)
+    assert not echoes.heard(b"a", "vehicle", 5.0 + ECHO_LIFETIME / 2)
+    assert not echoes.heard(b"a", "lan", 5.0 + ECHO_LIFETIME)

@@ -11,9 +11,9 @@ from collections import OrderedDict
 from typing import Final
 
 MAX_SOURCES: Final = 256
-MAX_NUMBERS: Final = 1024
+MAX_NUMBERS_PER_SOURCE: Final = 1024
 """Packets to remember of one source."""
-ECHO: Final = 0.05
+ECHO_WINDOW: Final = 0.05
 """Seconds in which the network may double a packet that nobody resends: two interfaces, or a faulty node manager."""
 
 
@@ -32,7 +32,7 @@ class Duplicates:
             return False
         old, at = known
         if old == content:
-            return now - at <= (self._memory if resent else ECHO)
+            return now - at <= (self._memory if resent else ECHO_WINDOW)
         del self._sources[source]
         return False
 
@@ -46,5 +46,5 @@ class Duplicates:
         self._sources.move_to_end(source)
         numbers[sequence] = (content, now)
         numbers.move_to_end(sequence)
-        if len(numbers) > MAX_NUMBERS:
+        if len(numbers) > MAX_NUMBERS_PER_SOURCE:
             numbers.popitem(last=False)

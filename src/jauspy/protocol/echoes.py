@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections import OrderedDict
 from typing import Final
 
-MEMORY: Final = 1024
+MAX_ECHOES: Final = 1024
 """Datagrams to remember."""
-LIFETIME: Final = 2.0
+ECHO_LIFETIME: Final = 2.0
 """Seconds; a copy comes back within a few turns of the event loop, and a peer may say the same again later."""
 
 
-class Echoes:
+class MulticastEchoes:
     """Remembers datagrams by their hash and the network they are not to be taken from, the newest `limit` of them."""
 
-    def __init__(self, limit: int = MEMORY) -> None:
+    def __init__(self, limit: int = MAX_ECHOES) -> None:
         self._until: OrderedDict[tuple[int, str], float] = OrderedDict()
         self._limit = limit
 
@@ -25,7 +25,7 @@ class Echoes:
     def add(self, datagram: bytes, network: str, now: float) -> None:
         """Remember one; several copies may come back, one per interface."""
         key = (hash(datagram), network)
-        self._until[key] = now + LIFETIME
+        self._until[key] = now + ECHO_LIFETIME
         self._until.move_to_end(key)
         if len(self._until) > self._limit:
             self._until.popitem(last=False)

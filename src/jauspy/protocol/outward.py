@@ -11,7 +11,7 @@ from jauspy.protocol.addressing import GroupPort, LocalPort, NetworkPort, Port, 
 from jauspy.protocol.compression import Compression
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.directory import ComponentPort, Directory
-from jauspy.protocol.echoes import Echoes
+from jauspy.protocol.echoes import MulticastEchoes
 
 KINDS: Final = {LocalPort: "local", UdpPort: "udp", GroupPort: "udp", TcpPort: "tcp", SerialPort: "serial"}
 ROUTED: Final[dict[type, str]] = {port: f"routed.{kind}" for port, kind in KINDS.items()}
@@ -25,7 +25,7 @@ class Outward:
         self._components = components
         self._address_book = address_book
         self._queue: list[tuple[Port, bytes]] = []
-        self.echoes = Echoes()
+        self.echoes = MulticastEchoes()
         self.dialects = wire.Dialects()
         self.compression: Compression | None = None
 

@@ -14,7 +14,7 @@ from typing import Final
 from jauspy.protocol import header
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.delivery import Delivery
-from jauspy.protocol.duplicates import ECHO
+from jauspy.protocol.duplicates import ECHO_WINDOW
 from jauspy.protocol.header import Ack, DataFlag, Packet
 
 FRAGMENT_OVERHEAD: Final = 256
@@ -234,4 +234,4 @@ def _starts_again(source: _Source, packet: Packet, content: int, now: float) -> 
         return True
     if packet.ack is Ack.REQUIRED or packet.data_flag is not DataFlag.FIRST:
         return False
-    return now - source.starts[packet.sequence].touched > ECHO
+    return now - source.starts[packet.sequence].touched > ECHO_WINDOW
