@@ -6,7 +6,7 @@ from hypothesis import given, strategies as st
 from jauspy.ids import EVERYONE, JausID
 from jauspy.protocol import directory, judp, junior, waiting
 from jauspy.protocol.addressing import GROUP, LocalPort, Port, UdpPort
-from jauspy.protocol.echoes import ECHO_LIFETIME, MulticastEchoes
+from jauspy.protocol.duplicates import ECHO_LIFETIME, MulticastEchoes
 from jauspy.protocol.header import Ack, Broadcast, Packet
 from jauspy.protocol.node import NodeCore
 

@@ -11,7 +11,7 @@ from jauspy.protocol.addressing import GroupPort, LocalPort, NetworkPort, Port, 
 from jauspy.protocol.compression import Compression
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.directory import ComponentPort, Directory
-from jauspy.protocol.echoes import MulticastEchoes
+from jauspy.protocol.duplicates import MulticastEchoes
 
 KINDS: Final = {LocalPort: "local", UdpPort: "udp", GroupPort: "udp", TcpPort: "tcp", SerialPort: "serial"}
 ROUTED: Final[dict[type, str]] = {port: f"routed.{kind}" for port, kind in KINDS.items()}
