@@ -8,7 +8,7 @@ from jauspy.protocol import buckets, directory, heard, judp, junior, reports, se
 from jauspy.protocol.addressing import LocalPort, UdpPort
 from jauspy.protocol.buckets import TokenBuckets
 from jauspy.protocol.header import Packet, Priority, peek_priority
-from jauspy.protocol.heard import Heard
+from jauspy.protocol.heard import LearnedAddresses
 from jauspy.protocol.node import NodeCore
 from jauspy.protocol.seal import Seal
 from jauspy.protocol.sources import SourceLimits, Sources
@@ -81,7 +81,7 @@ def test_a_host_that_makes_up_ids_makes_nobody_elses_be_forgotten() -> None:
         other = judp.pack(Packet(made_up, FAR, b"", number & 0xFFFF))
         node.receive(other, UdpPort("10.0.0.66", 3794), number * 1e-4)
     node.poll_output()
-    assert len(node.address_book) <= heard.MAX_OF_HOST + 1
+    assert len(node.address_book) <= heard.MAX_IDS_PER_HOST + 1
     assert received(node, query(2), "10.0.0.66", 2.0) == 0
     answer = judp.pack(Packet(HERE, FAR, b"\x02\x40", 3))
     node.receive(answer, PORT, 2.0)
@@ -89,7 +89,7 @@ def test_a_host_that_makes_up_ids_makes_nobody_elses_be_forgotten() -> None:
 
 
 def test_ids_of_one_host_are_bounded_the_one_heard_longest_ago_goes_first() -> None:
-    places, port, other = Heard(limit=4, of_host=2), UdpPort("10.0.0.1", 3794), UdpPort("10.0.0.2", 3794)
+    places, port, other = LearnedAddresses(limit=4, of_host=2), UdpPort("10.0.0.1", 3794), UdpPort("10.0.0.2", 3794)
     for now, id in enumerate((1, 2, 1, 3)):
         places.note(id, port, float(now))
     places.note(4, other, 9.0)

@@ -6,7 +6,7 @@ import pytest
 
 from jauspy.ids import EVERYONE, JausID
 from jauspy.protocol import judp, junior, reports
-from jauspy.protocol.address_book import LIFETIME
+from jauspy.protocol.address_book import ADDRESS_LIFETIME
 from jauspy.protocol.addressing import GROUP, LocalPort, Port, SerialPort, TcpPort, UdpPort
 from jauspy.protocol.header import Ack, Broadcast, Packet
 from jauspy.protocol.node import NodeCore
@@ -139,9 +139,9 @@ def test_a_learned_address_expires_and_is_asked_for_again() -> None:
     core = node()
     receive(core, judp.pack(Packet(THEIRS, OURS, b"\x02\x20")), PEER)
     data = judp.pack(Packet(OURS, THEIRS, b"\x02\x20"))
-    assert receive(core, data, OUR_PORT, LIFETIME - 1) == [(PEER, data.hex())]
+    assert receive(core, data, OUR_PORT, ADDRESS_LIFETIME - 1) == [(PEER, data.hex())]
     asking = judp.pack(Packet(OURS, THEIRS, b"\x02\x20", ack=Ack.REQUIRED))
-    assert receive(core, data, OUR_PORT, LIFETIME) == [(GROUP, asking.hex())]
+    assert receive(core, data, OUR_PORT, ADDRESS_LIFETIME) == [(GROUP, asking.hex())]
 
 
 def test_a_connect_by_udp_does_not_take_the_id_of_a_socket() -> None:

@@ -7,14 +7,14 @@ from typing import Final, TypeAlias
 
 from jauspy.protocol import addressing
 from jauspy.protocol.addressing import NetworkPort
-from jauspy.protocol.heard import MAX_IDS, Heard
+from jauspy.protocol.heard import MAX_IDS, LearnedAddresses
 
 Address: TypeAlias = tuple[str, int]
 """Host and port, as sockets give them."""
-Entries: TypeAlias = Mapping[int, Sequence[NetworkPort]]
+StaticAddresses: TypeAlias = Mapping[int, Sequence[NetworkPort]]
 """Addresses by id, a 32-bit number which may have wildcards."""
 
-LIFETIME: Final = 600.0
+ADDRESS_LIFETIME: Final = 600.0
 """Seconds without a word after which a learned address is forgotten, and asked for again."""
 
 
@@ -24,12 +24,14 @@ class AddressBook:
     An exact static entry goes before a learned one, and that before a static one with wildcards.
     """
 
-    def __init__(self, static: Entries | None = None, *, limit: int = MAX_IDS, lifetime: float = LIFETIME) -> None:
-        self._learned = Heard(limit)
+    def __init__(
+        self, static: StaticAddresses | None = None, *, limit: int = MAX_IDS, lifetime: float = ADDRESS_LIFETIME
+    ) -> None:
+        self._learned = LearnedAddresses(limit)
         self._lifetime = lifetime
         self.tell(static or {})
 
-    def tell(self, static: Entries) -> None:
+    def tell(self, static: StaticAddresses) -> None:
         """Use these static entries from now on; what was learned stays."""
         self._static = tuple((id, tuple(ports)) for id, ports in static.items())
         self._exact = {id: ports[0] for id, ports in self._static if ports and not addressing.is_wildcard(id)}

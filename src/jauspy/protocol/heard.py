@@ -9,14 +9,14 @@ from typing import Final
 from jauspy.protocol.addressing import NetworkPort
 
 MAX_IDS: Final = 4096
-MAX_OF_HOST: Final = 1024
+MAX_IDS_PER_HOST: Final = 1024
 """Ids of one host, as many as a node manager has components. With more, its own are forgotten, not those of others."""
 
 
-class Heard:
+class LearnedAddresses:
     """Ids as 32-bit numbers; the one that was noted longest ago is forgotten first."""
 
-    def __init__(self, limit: int = MAX_IDS, of_host: int = MAX_OF_HOST) -> None:
+    def __init__(self, limit: int = MAX_IDS, of_host: int = MAX_IDS_PER_HOST) -> None:
         self._limit = limit
         self._of_host = of_host
         self._places: OrderedDict[int, tuple[NetworkPort, float]] = OrderedDict()

@@ -13,7 +13,7 @@ from typing import Final, Literal, TypeAlias
 from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
 from jauspy.protocol import addressing, junior, wire
-from jauspy.protocol.address_book import LIFETIME, AddressBook
+from jauspy.protocol.address_book import ADDRESS_LIFETIME, AddressBook
 from jauspy.protocol.addressing import DEFAULT_NETWORK, GroupPort, LocalPort, NetworkPort, Port, UdpPort
 from jauspy.protocol.compression import Compression, applies_to
 from jauspy.protocol.counters import Counters
@@ -52,7 +52,7 @@ class NodeCore:
         networks: Sequence[str] = (DEFAULT_NETWORK,),
         gateway: Gateway | None = None,
         sources: Sources | None = None,
-        address_lifetime: float = LIFETIME,
+        address_lifetime: float = ADDRESS_LIFETIME,
         local_udp: bool = True,
         compression: CompressionUse = "accept",
         is_dead: Callable[[str], bool] = lambda _: False,

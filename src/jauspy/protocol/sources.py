@@ -8,7 +8,7 @@ from typing import Final
 from jauspy.protocol.addressing import NetworkPort
 from jauspy.protocol.buckets import TokenBuckets
 from jauspy.protocol.header import Priority
-from jauspy.protocol.heard import Heard
+from jauspy.protocol.heard import LearnedAddresses
 
 SILENCE: Final = 30.0
 """Seconds after which an id that was not heard may come from elsewhere."""
@@ -30,7 +30,7 @@ class Sources:
     """Keys are ids as 32-bit numbers."""
 
     def __init__(self, limits: SourceLimits | None = None) -> None:
-        self._places = Heard()
+        self._places = LearnedAddresses()
         self.limit(limits or SourceLimits())
 
     def limit(self, limits: SourceLimits) -> None:
