@@ -4,11 +4,11 @@ import pytest
 
 from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
-from jauspy.protocol import buckets, directory, heard, judp, junior, reports, seal, sources
+from jauspy.protocol import address_book, buckets, directory, judp, junior, reports, seal, sources
+from jauspy.protocol.address_book import LearnedAddresses
 from jauspy.protocol.addressing import LocalPort, UdpPort
 from jauspy.protocol.buckets import TokenBuckets
 from jauspy.protocol.header import Packet, Priority, peek_priority
-from jauspy.protocol.heard import LearnedAddresses
 from jauspy.protocol.node import NodeCore
 from jauspy.protocol.seal import Seal
 from jauspy.protocol.sources import SourceLimits, Sources
@@ -76,12 +76,12 @@ def test_a_host_that_makes_up_ids_makes_nobody_elses_be_forgotten() -> None:
     """Neither where they are to be heard, nor where they are reached."""
     node = core()
     node.receive(query(1), UdpPort("10.0.0.1", 3794), 0.0)
-    for number in range(2 * heard.MAX_IDS):
+    for number in range(2 * address_book.MAX_IDS):
         made_up = JausID.from_int(0x02000101 + (number << 8 & 0xFF0000) + (number & 0x7F))
         other = judp.pack(Packet(made_up, FAR, b"", number & 0xFFFF))
         node.receive(other, UdpPort("10.0.0.66", 3794), number * 1e-4)
     node.poll_output()
-    assert len(node.address_book) <= heard.MAX_IDS_PER_HOST + 1
+    assert len(node.address_book) <= address_book.MAX_IDS_PER_HOST + 1
     assert received(node, query(2), "10.0.0.66", 2.0) == 0
     answer = judp.pack(Packet(HERE, FAR, b"\x02\x40", 3))
     node.receive(answer, PORT, 2.0)

@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Final
 
+from jauspy.protocol.address_book import LearnedAddresses
 from jauspy.protocol.addressing import NetworkPort
 from jauspy.protocol.buckets import TokenBuckets
 from jauspy.protocol.header import Priority
-from jauspy.protocol.heard import LearnedAddresses
 
 SILENCE: Final = 30.0
 """Seconds after which an id that was not heard may come from elsewhere."""
