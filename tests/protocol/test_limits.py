@@ -11,7 +11,7 @@ from jauspy.protocol.buckets import TokenBuckets
 from jauspy.protocol.header import Packet, Priority, peek_priority
 from jauspy.protocol.node import NodeCore
 from jauspy.protocol.seal import Seal
-from jauspy.protocol.sources import SourceLimits, Sources
+from jauspy.protocol.sources import SourceChecks, SourceLimits
 
 HERE, FAR = JausID.parse("101.1.1"), JausID.parse("42.1.1")
 PORT = LocalPort(f"/root/{int(HERE)}")
@@ -19,7 +19,7 @@ KEY = b"sixteen bytes or more"
 
 
 def core(**limits: object) -> NodeCore:
-    node = NodeCore("/root", sources=Sources(SourceLimits(**limits)))  # type: ignore[arg-type]
+    node = NodeCore("/root", sources=SourceChecks(SourceLimits(**limits)))  # type: ignore[arg-type]
     node.receive(junior.connect(HERE), PORT, 0.0)
     node.poll_output()
     return node
@@ -43,9 +43,9 @@ def test_a_bucket_gives_a_burst_and_then_its_rate() -> None:
 
 def test_the_number_of_buckets_is_bounded() -> None:
     bucket = TokenBuckets(1.0, 1.0)
-    for key in range(buckets.MAX_BUCKETS + 10):
+    for key in range(buckets.MAX_TOKEN_BUCKETS + 10):
         bucket.take(key, 0.0)
-    assert len(bucket) == buckets.MAX_BUCKETS
+    assert len(bucket) == buckets.MAX_TOKEN_BUCKETS
 
 
 def test_a_flood_of_one_source_leaves_its_safety_critical_messages_and_others_alone() -> None:
@@ -69,7 +69,7 @@ def test_an_id_keeps_its_host_until_it_was_silent() -> None:
     assert received(node, query(2), "10.0.0.66", 5.0) == 0
     assert node.counters["dropped.address_mismatch"] == 1
     assert received(node, query(3), now=10.0) == 1
-    assert received(node, query(4), "10.0.0.66", 10.0 + sources.SILENCE) == 1
+    assert received(node, query(4), "10.0.0.66", 10.0 + sources.MOVE_TIMEOUT) == 1
 
 
 def test_a_host_that_makes_up_ids_makes_nobody_elses_be_forgotten() -> None:

@@ -9,7 +9,7 @@ from jauspy.protocol.gateway import Gateway
 from jauspy.protocol.header import Packet
 from jauspy.protocol.node import NodeCore
 from jauspy.protocol.rules import Rules
-from jauspy.protocol.sources import SourceLimits, Sources
+from jauspy.protocol.sources import SourceChecks, SourceLimits
 
 A, B, FAR, NOBODY = (JausID.parse(text) for text in ("101.1.1", "101.1.2", "42.1.1", "77.1.1"))
 PEER, OTHER = UdpPort("10.0.0.2", 3794), UdpPort("10.0.0.3", 3794)
@@ -72,7 +72,7 @@ def test_what_was_heard_is_checked_again_after_a_second() -> None:
 
 
 def test_rules_and_rates_want_to_see_every_packet() -> None:
-    limited = Node(sources=Sources(SourceLimits(rate=10.0)))
+    limited = Node(sources=SourceChecks(SourceLimits(rate=10.0)))
     assert limited.shortcut(A, B, home(A)) is None
     node = Node()
     node.core.gateway = Gateway(101, ["lan"], ["lan"], Rules([]))

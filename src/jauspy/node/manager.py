@@ -24,7 +24,7 @@ from jauspy.node.sweep import Sweep
 from jauspy.protocol import junior
 from jauspy.protocol.addressing import GroupPort, LocalPort, Port, SerialPort, TcpPort, UdpPort
 from jauspy.protocol.node import NodeCore
-from jauspy.protocol.sources import Sources
+from jauspy.protocol.sources import SourceChecks
 from jauspy.transport import draining, local_socket, memberships
 
 if TYPE_CHECKING:
@@ -57,7 +57,7 @@ class NodeManager:
             is_dead=dead,
             networks=[network.name for network in self.config.all_networks],
             gateway=policy.gateway(self.config),
-            sources=Sources(policy.limits(self.config)),
+            sources=SourceChecks(policy.limits(self.config)),
             changed=self._changed,
         )
         self._shortcuts = Shortcuts(self._core, self._way_to)

@@ -6,7 +6,7 @@ from collections import OrderedDict
 from collections.abc import Hashable
 from typing import Final
 
-MAX_BUCKETS: Final = 4096
+MAX_TOKEN_BUCKETS: Final = 4096
 
 
 class TokenBuckets:
@@ -15,7 +15,7 @@ class TokenBuckets:
     A forgotten key begins again with a full bucket, so a flood of made-up keys is not limited by this alone.
     """
 
-    def __init__(self, rate: float, burst: float, *, limit: int = MAX_BUCKETS) -> None:
+    def __init__(self, rate: float, burst: float, *, limit: int = MAX_TOKEN_BUCKETS) -> None:
         self._rate = rate
         self._burst = max(burst, 1.0)
         self._limit = limit

@@ -23,7 +23,7 @@ from jauspy.protocol.header import Broadcast, RawPacket
 from jauspy.protocol.outward import KINDS, Outward
 from jauspy.protocol.registrar import Registrar
 from jauspy.protocol.reports import Reports
-from jauspy.protocol.sources import Sources
+from jauspy.protocol.sources import SourceChecks
 from jauspy.protocol.waiting import WaitingRoom
 
 _LOGGER = logging.getLogger(__name__)
@@ -51,7 +51,7 @@ class NodeCore:
         addresses: Mapping[JausID, Sequence[NetworkPort]] | None = None,
         networks: Sequence[str] = (DEFAULT_NETWORK,),
         gateway: Gateway | None = None,
-        sources: Sources | None = None,
+        sources: SourceChecks | None = None,
         address_lifetime: float = ADDRESS_LIFETIME,
         local_udp: bool = True,
         compression: CompressionUse = "accept",
@@ -64,7 +64,7 @@ class NodeCore:
         static = {int(id): ports for id, ports in (addresses or {}).items()}
         self.address_book = AddressBook(static, lifetime=address_lifetime)
         self.gateway = gateway
-        self.sources = sources or Sources()
+        self.sources = sources or SourceChecks()
         self._networks = tuple(networks)
         self._waiting = WaitingRoom(self.counters)
         self._out = Outward(self.counters, self.components, self.address_book)

@@ -10,9 +10,9 @@ from jauspy.protocol.addressing import NetworkPort
 from jauspy.protocol.buckets import TokenBuckets
 from jauspy.protocol.header import Priority
 
-SILENCE: Final = 30.0
+MOVE_TIMEOUT: Final = 30.0
 """Seconds after which an id that was not heard may come from elsewhere."""
-SETTLED: Final = 1.0
+VERIFIED_INTERVAL: Final = 1.0
 """Seconds between two notes of the same id at the same place."""
 _URGENT: Final = 1 << 32
 
@@ -26,7 +26,7 @@ class SourceLimits:
     burst: float = 1000.0
 
 
-class Sources:
+class SourceChecks:
     """Keys are ids as 32-bit numbers."""
 
     def __init__(self, limits: SourceLimits | None = None) -> None:
@@ -49,7 +49,7 @@ class Sources:
     def is_settled(self, id: int, port: NetworkPort, now: float) -> bool:
         """True when this id came from exactly there a moment ago: there is nothing new to check or to learn."""
         known = self._places.get(id)
-        return known is not None and known[0] == port and now - known[1] < SETTLED
+        return known is not None and known[0] == port and now - known[1] < VERIFIED_INTERVAL
 
     def forget(self, port: NetworkPort) -> None:
         """What came from there may come from anywhere now, as when a connection was closed."""
@@ -59,7 +59,7 @@ class Sources:
         """False when this id was heard from another host or network lately; another port is fine."""
         known, heard = self._places.get(id) or (port, now)
         moved = known.host != port.host or known.network != port.network
-        if moved and self._limits.check_address and now - heard < SILENCE:
+        if moved and self._limits.check_address and now - heard < MOVE_TIMEOUT:
             return False
         self._places.note(id, port, now)
         return True
