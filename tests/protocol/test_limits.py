@@ -4,14 +4,13 @@ import pytest
 
 from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
-from jauspy.protocol import address_book, buckets, directory, judp, junior, reports, seal, sources
+from jauspy.protocol import address_book, directory, judp, junior, reports, seal, sources, sources as buckets
 from jauspy.protocol.address_book import LearnedAddresses
 from jauspy.protocol.addressing import LocalPort, UdpPort
-from jauspy.protocol.buckets import TokenBuckets
 from jauspy.protocol.header import Packet, Priority, peek_priority
 from jauspy.protocol.node import NodeCore
 from jauspy.protocol.seal import Seal
-from jauspy.protocol.sources import SourceChecks, SourceLimits
+from jauspy.protocol.sources import SourceChecks, SourceLimits, TokenBuckets
 
 HERE, FAR = JausID.parse("101.1.1"), JausID.parse("42.1.1")
 PORT = LocalPort(f"/root/{int(HERE)}")

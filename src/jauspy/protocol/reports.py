@@ -8,7 +8,7 @@ from typing import Final
 
 from jauspy.ids import JausID
 from jauspy.protocol.addressing import LocalPort, Port
-from jauspy.protocol.buckets import TokenBuckets
+from jauspy.protocol.sources import TokenBuckets
 
 MEMORY: Final = 256
 """Cases to remember as told; an attacker who makes up more of them is told about again."""

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from typing import Final
 
 from jauspy.ids import EVERYONE, JausID
-from jauspy.protocol.buckets import TokenBuckets
 from jauspy.protocol.header import DataFlag, RawPacket
+from jauspy.protocol.sources import TokenBuckets
 
 MAX_STREAMS: Final = 1024
 """Large messages whose first fragment was allowed, and whose others are to follow."""
