@@ -8,7 +8,7 @@ from jauspy.protocol.addressing import GroupPort, LocalPort, Port, UdpPort
 from jauspy.protocol.gateway import Gateway
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet
 from jauspy.protocol.node import NodeCore
-from jauspy.protocol.rules import Rule, Rules
+from jauspy.protocol.rules import GatewayRule, GatewayRules
 from jauspy.protocol.sources import SourceLimits
 
 OCU, MOB, MAN, LOCAL = (JausID.parse(text) for text in ("42.1.1", "101.1.102", "101.2.103", "101.3.1"))
@@ -17,9 +17,9 @@ LAN, VEHICLE = GroupPort("lan"), GroupPort("vehicle")
 HERE = LocalPort(f"/root/{int(LOCAL)}")
 
 
-def gateway(*rules: Rule, networks: tuple[str, ...] = ("lan", "vehicle"), subsystem: int = 101) -> NodeCore:
+def gateway(*rules: GatewayRule, networks: tuple[str, ...] = ("lan", "vehicle"), subsystem: int = 101) -> NodeCore:
     inside = networks[1:]
-    told = Gateway(subsystem, networks, inside, Rules(rules, inside=inside))
+    told = Gateway(subsystem, networks, inside, GatewayRules(rules, inside=inside))
     return NodeCore("/root", networks=networks, gateway=told)
 
 
@@ -139,8 +139,8 @@ def test_local_components_reach_all_networks_of_their_node_manager(core: NodeCor
 
 def test_the_first_rule_that_matches_decides_and_the_rest_is_refused() -> None:
     core = gateway(
-        Rule(allow=False, source=JausID(42, 255, 255), messages=(range(0x0405, 0x0406),)),
-        Rule(allow=True, source=JausID(42, 255, 255), destination=JausID(101, 255, 255)),
+        GatewayRule(allow=False, source=JausID(42, 255, 255), messages=(range(0x0405, 0x0406),)),
+        GatewayRule(allow=True, source=JausID(42, 255, 255), destination=JausID(101, 255, 255)),
     )
     after(core, message(MOB, OCU), MOB_PORT)
     assert len(after(core, message(OCU, MOB), OCU_PORT)) == 1
@@ -151,14 +151,14 @@ def test_the_first_rule_that_matches_decides_and_the_rest_is_refused() -> None:
 
 
 def test_rules_protect_the_components_of_the_same_machine() -> None:
-    core = gateway(Rule(allow=True, source=OCU))
+    core = gateway(GatewayRule(allow=True, source=OCU))
     after(core, junior.connect(LOCAL), HERE)
     assert after(core, message(JausID(43, 1, 1), LOCAL), UdpPort("10.0.0.43", 1)) == []
     assert after(core, message(OCU, LOCAL), OCU_PORT) == [(HERE, message(OCU, LOCAL))]
 
 
 def test_a_rule_allows_so_many_per_second_and_source() -> None:
-    core = gateway(Rule(allow=True, rate=10.0))
+    core = gateway(GatewayRule(allow=True, rate=10.0))
     after(core, message(MOB, OCU), MOB_PORT)
     passed = sum(len(after(core, message(OCU, MOB, n), OCU_PORT, n / 100)) for n in range(200))
     assert 28 <= passed <= 31
@@ -166,14 +166,14 @@ def test_a_rule_allows_so_many_per_second_and_source() -> None:
 
 
 def test_a_rule_for_a_network_inside_limits_what_leaves_it() -> None:
-    core = gateway(Rule(allow=False, network="vehicle", messages=(range(0x2002, 0x2003),)))
+    core = gateway(GatewayRule(allow=False, network="vehicle", messages=(range(0x2002, 0x2003),)))
     after(core, message(OCU, EVERYONE), OCU_PORT)
     assert after(core, message(MOB, OCU), MOB_PORT) == []
     assert len(after(core, message(MOB, OCU, code=0x4002), MOB_PORT)) == 1
 
 
 def test_fragments_follow_the_first_of_them() -> None:
-    core = gateway(Rule(allow=True, messages=(range(0x0405, 0x0406),)))
+    core = gateway(GatewayRule(allow=True, messages=(range(0x0405, 0x0406),)))
     after(core, message(MOB, OCU), MOB_PORT)
     for code, passes in ((0x0405, True), (0x2002, False)):
         for sequence, flag in enumerate((DataFlag.FIRST, DataFlag.MIDDLE, DataFlag.LAST)):
@@ -183,17 +183,17 @@ def test_fragments_follow_the_first_of_them() -> None:
 
 
 def test_the_first_fragment_opens_the_way_for_a_while_only() -> None:
-    core = gateway(Rule(allow=True, source=OCU, messages=(range(0x0405, 0x0406),)))
+    core = gateway(GatewayRule(allow=True, source=OCU, messages=(range(0x0405, 0x0406),)))
     after(core, message(MOB, OCU), MOB_PORT)
     assert after(core, message(OCU, MOB, 1, 0x0405, data_flag=DataFlag.FIRST), OCU_PORT)
-    late = rules.STREAM_PATIENCE - 1
+    late = rules.FRAGMENT_TIMEOUT - 1
     assert after(core, message(OCU, MOB, 2, data_flag=DataFlag.MIDDLE), OCU_PORT, late)
     assert after(core, message(OCU, MOB, 3, data_flag=DataFlag.MIDDLE), OCU_PORT, 2 * late)
-    assert not after(core, message(OCU, MOB, 4, data_flag=DataFlag.LAST), OCU_PORT, 2 * late + rules.STREAM_PATIENCE)
+    assert not after(core, message(OCU, MOB, 4, data_flag=DataFlag.LAST), OCU_PORT, 2 * late + rules.FRAGMENT_TIMEOUT)
 
 
 def test_acknowledgements_pass_where_a_message_may() -> None:
-    core = gateway(Rule(allow=True, source=OCU, messages=(range(0x0405, 0x0406),)))
+    core = gateway(GatewayRule(allow=True, source=OCU, messages=(range(0x0405, 0x0406),)))
     after(core, message(MOB, OCU), MOB_PORT)
     assert len(after(core, judp.pack(Packet(OCU, MOB, b"", 1, ack=Ack.ACK)), OCU_PORT)) == 1
 

@@ -8,7 +8,7 @@ from jauspy.protocol.addressing import GROUP, LocalPort, Port, UdpPort
 from jauspy.protocol.gateway import Gateway
 from jauspy.protocol.header import Packet
 from jauspy.protocol.node import NodeCore
-from jauspy.protocol.rules import Rules
+from jauspy.protocol.rules import GatewayRules
 from jauspy.protocol.sources import SourceChecks, SourceLimits
 
 A, B, FAR, NOBODY = (JausID.parse(text) for text in ("101.1.1", "101.1.2", "42.1.1", "77.1.1"))
@@ -75,7 +75,7 @@ def test_rules_and_rates_want_to_see_every_packet() -> None:
     limited = Node(sources=SourceChecks(SourceLimits(rate=10.0)))
     assert limited.shortcut(A, B, home(A)) is None
     node = Node()
-    node.core.gateway = Gateway(101, ["lan"], ["lan"], Rules([]))
+    node.core.gateway = Gateway(101, ["lan"], ["lan"], GatewayRules([]))
     assert node.shortcut(A, B, home(A)) is None
 
 

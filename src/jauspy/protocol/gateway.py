@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from jauspy.protocol.header import Broadcast, RawPacket
-from jauspy.protocol.rules import Rules
+from jauspy.protocol.rules import GatewayRules
 
 ANY_SUBSYSTEM = 0xFFFF
 
@@ -18,7 +18,7 @@ ANY_SUBSYSTEM = 0xFFFF
 class Gateway:
     """`networks` are all names, `inside` those of the subsystem itself."""
 
-    def __init__(self, subsystem: int, networks: Iterable[str], inside: Iterable[str], rules: Rules) -> None:
+    def __init__(self, subsystem: int, networks: Iterable[str], inside: Iterable[str], rules: GatewayRules) -> None:
         self._subsystem = subsystem
         self._inside = tuple(inside)
         self._outside = tuple(name for name in networks if name not in self._inside)

@@ -11,14 +11,14 @@ from jauspy.ids import EVERYONE, JausID
 from jauspy.protocol.header import DataFlag, RawPacket
 from jauspy.protocol.sources import TokenBuckets
 
-MAX_STREAMS: Final = 1024
+MAX_FRAGMENT_STREAMS: Final = 1024
 """Large messages whose first fragment was allowed, and whose others are to follow."""
-STREAM_PATIENCE: Final = 10.0
+FRAGMENT_TIMEOUT: Final = 10.0
 """Seconds after the last fragment that passed until another needs a first one again."""
 
 
 @dataclass(frozen=True, slots=True)
-class Rule:
+class GatewayRule:
     """What it says goes for packets that match all of it. Wildcards stand for any part of an id.
 
     `network` None stands for every network outside; `messages` None for every message, else ranges of message ids;
@@ -41,13 +41,13 @@ class Rule:
         )
 
 
-class Rules:
+class GatewayRules:
     """The first rule that matches decides. What matches none is refused from outside, and allowed from inside.
 
     Without any rule for a network everything is allowed from there.
     """
 
-    def __init__(self, rules: Sequence[Rule], *, inside: Iterable[str] = ()) -> None:
+    def __init__(self, rules: Sequence[GatewayRule], *, inside: Iterable[str] = ()) -> None:
         self._rules = tuple(rules)
         self._inside = frozenset(inside)
         self._buckets = {
@@ -63,7 +63,7 @@ class Rules:
         flag = raw.control >> 6
         stream = (raw.source, raw.destination, network)
         if flag in (DataFlag.MIDDLE, DataFlag.LAST):
-            if now - self._streams.get(stream, float("-inf")) >= STREAM_PATIENCE:
+            if now - self._streams.get(stream, float("-inf")) >= FRAGMENT_TIMEOUT:
                 return "rule"
             self._note(stream, now)
             return None
@@ -78,7 +78,7 @@ class Rules:
     def _note(self, stream: tuple[int, int, str], now: float) -> None:
         self._streams[stream] = now
         self._streams.move_to_end(stream)
-        if len(self._streams) > MAX_STREAMS:
+        if len(self._streams) > MAX_FRAGMENT_STREAMS:
             self._streams.popitem(last=False)
 
     def _judge(self, raw: RawPacket, data: bytes, network: str, now: float) -> str | None:
