@@ -3,12 +3,11 @@
 import pytest
 
 from jauspy.ids import EVERYONE, JausID
-from jauspy.protocol import judp, junior, rules
+from jauspy.protocol import gateway as rules, judp, junior
 from jauspy.protocol.addressing import GroupPort, LocalPort, Port, UdpPort
-from jauspy.protocol.gateway import Gateway
+from jauspy.protocol.gateway import Gateway, GatewayRule, GatewayRules
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet
 from jauspy.protocol.node import NodeCore
-from jauspy.protocol.rules import GatewayRule, GatewayRules
 from jauspy.protocol.sources import SourceLimits
 
 OCU, MOB, MAN, LOCAL = (JausID.parse(text) for text in ("42.1.1", "101.1.102", "101.2.103", "101.3.1"))

@@ -5,10 +5,9 @@ import pytest
 from jauspy.ids import EVERYONE, JausID
 from jauspy.protocol import judp, junior
 from jauspy.protocol.addressing import GROUP, LocalPort, Port, UdpPort
-from jauspy.protocol.gateway import Gateway
+from jauspy.protocol.gateway import Gateway, GatewayRules
 from jauspy.protocol.header import Packet
 from jauspy.protocol.node import NodeCore
-from jauspy.protocol.rules import GatewayRules
 from jauspy.protocol.sources import SourceChecks, SourceLimits
 
 A, B, FAR, NOBODY = (JausID.parse(text) for text in ("101.1.1", "101.1.2", "42.1.1", "77.1.1"))

@@ -6,8 +6,7 @@ from jauspy.errors import ConfigError
 from jauspy.messages import registry
 from jauspy.node.config import NodeConfig, RuleConfig
 from jauspy.node.settings import parse_codes, parse_pattern
-from jauspy.protocol.gateway import Gateway
-from jauspy.protocol.rules import GatewayRule, GatewayRules
+from jauspy.protocol.gateway import Gateway, GatewayRule, GatewayRules
 from jauspy.protocol.sources import SourceLimits
 
 
