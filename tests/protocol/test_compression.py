@@ -142,7 +142,7 @@ def test_peers_are_asked_with_an_empty_packet_a_few_times_and_only_when_told_to(
     core = known(node("propose"))
     asked = (PEER, plain("02 401000 0009 01 01016500 02016400 0000"))
     sent = [receive(core, PLAIN, OURS, now / 2) for now in range(40)]
-    assert [len(each) for each in sent].count(2) == compression.PROBES
+    assert [len(each) for each in sent].count(2) == compression.MAX_PROBES
     assert sent[0] == [asked, (PEER, plain(PLAIN))]
     receive(core, "02 801000 0009 01 02016400 01016500 0000", PEER)
     assert receive(core, PLAIN, OURS)[0][1].startswith("0240")
@@ -162,7 +162,7 @@ def test_templates_of_broadcasts_and_too_long_ones_are_not_accepted() -> None:
     core = node()
     broadcast = "02 401200 0509 09 ffffffff 01016500 0220 0700"
     assert receive(core, broadcast, PEER) == [(OURS, plain("02 001000 09 ffffffff 01016500 0220 0700"))]
-    for length in (0, templates.MAX_LENGTH + 1, 255):
+    for length in (0, templates.MAX_TEMPLATE_LENGTH + 1, 255):
         data = bytes.fromhex("02 403900") + bytes([7, length]) + bytes.fromhex("01 02016400 01016500") + bytes(43)
         assert [port for port, _ in receive(core, data, PEER)] == [OURS]
     assert core.counters["compression.not_accepted"] == 4
@@ -185,10 +185,10 @@ def test_numbers_are_used_again_only_after_a_silence() -> None:
     offers = templates.Offers()
     first = [offers.offer_for(bytes([n]) * 9, 0.0) for n in range(templates.MAX_OFFERS)]
     assert {each.number for each in first if each} == set(range(1, templates.MAX_OFFERS + 1))
-    assert offers.offer_for(b"x" * 9, templates.QUIET - 1) is None
-    again = offers.offer_for(b"x" * 9, templates.QUIET)
+    assert offers.offer_for(b"x" * 9, templates.REUSE_DELAY - 1) is None
+    again = offers.offer_for(b"x" * 9, templates.REUSE_DELAY)
     assert again is not None
-    assert (again.number, again.is_accepted(templates.QUIET)) == (1, False)
+    assert (again.number, again.is_accepted(templates.REUSE_DELAY)) == (1, False)
 
 
 @given(st.lists(st.binary(max_size=40), max_size=8), st.sampled_from([b"\x40", b"\x80", b"\xc0"]))

@@ -21,11 +21,11 @@ from jauspy.protocol import addressing, header
 from jauspy.protocol.addressing import UdpPort
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.header import Priority
-from jauspy.protocol.templates import COVERED, Offers, Templates
+from jauspy.protocol.templates import TEMPLATE_LENGTH, Offers, Templates
 
 MAX_PARTNERS: Final = 64
 """Peers that compress, and as many that are asked whether they do."""
-PROBES: Final = 3
+MAX_PROBES: Final = 3
 PROBE_INTERVAL: Final = 1.0
 
 _PROPOSED, _ANSWERED, _COMPRESSED = 1, 2, 3
@@ -34,7 +34,7 @@ _BODY: Final = slice(4, None)
 """Of a plain datagram: all but version, flags and data size."""
 _PROBE_NUMBER: Final = 0
 _ACK_MASK: Final = 3 << 4
-_EMPTY: Final = COVERED + 2
+_EMPTY: Final = TEMPLATE_LENGTH + 2
 """Bytes of a packet without a message, behind number and length."""
 
 
@@ -100,7 +100,7 @@ class Compression:
     def _template(self, number: int, port: UdpPort) -> bytes:
         template = self._templates.find(port, number)
         if template is None:
-            self._answer(number, 0, bytes(COVERED), port)
+            self._answer(number, 0, bytes(TEMPLATE_LENGTH), port)
             self._counters["compression.refused"] += 1
             raise ProtocolError("no_template", f"nobody has proposed number {number} here")
         return template
@@ -149,28 +149,28 @@ class Compression:
                 self._ask(datagram, port, now)
             return datagram
         body = datagram[_BODY]
-        offer = partner.offer_for(body[:COVERED], now)
+        offer = partner.offer_for(body[:TEMPLATE_LENGTH], now)
         if offer is None:
             return datagram
         if offer.is_due(now) and len(body) <= header.MAX_PAYLOAD + _EMPTY:
             offer.proposed_at = now
             self._counters["compression.proposed"] += 1
-            return _packed(_PROPOSED, offer.number, COVERED, body)
+            return _packed(_PROPOSED, offer.number, TEMPLATE_LENGTH, body)
         if offer.is_accepted(now):
             self._counters["compression.sent"] += 1
-            return _packed(_COMPRESSED, offer.number, COVERED, body[COVERED:])
+            return _packed(_COMPRESSED, offer.number, TEMPLATE_LENGTH, body[TEMPLATE_LENGTH:])
         return datagram
 
     def _ask(self, datagram: bytes, port: UdpPort, now: float) -> None:
         """Propose in an empty packet: those that do not know compression would misread a message that has it."""
         count, at = self._asked.get(port, (0, now - PROBE_INTERVAL))
-        if count >= PROBES or now - at < PROBE_INTERVAL:
+        if count >= MAX_PROBES or now - at < PROBE_INTERVAL:
             return
         self._asked[port] = (count + 1, now)
         if len(self._asked) > MAX_PARTNERS:
             self._asked.popitem(last=False)
         control = bytes([datagram[4] & ~_ACK_MASK & 0x3F])
-        self._send(port, _packed(_PROPOSED, _PROBE_NUMBER, COVERED, control + datagram[5:13] + bytes(2)))
+        self._send(port, _packed(_PROPOSED, _PROBE_NUMBER, TEMPLATE_LENGTH, control + datagram[5:13] + bytes(2)))
         self._counters["compression.asked"] += 1
 
 

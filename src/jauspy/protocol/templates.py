@@ -8,9 +8,9 @@ from typing import Final
 
 from jauspy.protocol.addressing import UdpPort
 
-COVERED: Final = 9
+TEMPLATE_LENGTH: Final = 9
 """Bytes of our own templates: control, destination and source."""
-MAX_LENGTH: Final = 32
+MAX_TEMPLATE_LENGTH: Final = 32
 """The longest template that is kept for a peer; a longer one is not accepted."""
 MAX_TEMPLATES: Final = 1024
 MAX_OFFERS: Final = 64
@@ -18,9 +18,9 @@ MAX_OFFERS: Final = 64
 PROPOSE_INTERVAL: Final = 1.0
 CONFIRM_INTERVAL: Final = 5.0
 """Seconds after which an accepted template is proposed again: the peer may have restarted."""
-TRUST: Final = 10.0
+ACCEPTANCE_TIMEOUT: Final = 10.0
 """Seconds without an answer after which nothing is compressed any more."""
-QUIET: Final = 30.0
+REUSE_DELAY: Final = 30.0
 """Seconds that a number was not used before it may mean something else: no packet is on its way for so long."""
 
 
@@ -39,7 +39,7 @@ class Templates:
 
     def keep(self, port: UdpPort, number: int, packet: bytes, length: int) -> bool:
         """Remember the first `length` bytes; false when that cannot be."""
-        if not 0 < length <= min(MAX_LENGTH, len(packet)):
+        if not 0 < length <= min(MAX_TEMPLATE_LENGTH, len(packet)):
             return False
         self._known[port, number] = packet[:length]
         self._known.move_to_end((port, number))
@@ -59,7 +59,7 @@ class Offer:
 
     def is_accepted(self, now: float) -> bool:
         """True when the peer can be expected to know it."""
-        return now - self.accepted_at < TRUST
+        return now - self.accepted_at < ACCEPTANCE_TIMEOUT
 
     def is_due(self, now: float) -> bool:
         """True when it should be proposed, for the first time or again."""
@@ -80,7 +80,7 @@ class Offers:
                 number = len(self._offers) + 1
             else:
                 oldest, idle = next(iter(self._offers.items()))
-                if now - idle.used_at < QUIET:
+                if now - idle.used_at < REUSE_DELAY:
                     return None
                 del self._offers[oldest]
                 number = idle.number
@@ -95,5 +95,5 @@ class Offers:
             if offer.number == number:
                 if length == 0:
                     offer.accepted_at = offer.proposed_at = float("-inf")
-                elif length == COVERED and packet[1:COVERED] == template[5:] + template[1:5]:
+                elif length == TEMPLATE_LENGTH and packet[1:TEMPLATE_LENGTH] == template[5:] + template[1:5]:
                     offer.accepted_at = now
