@@ -10,7 +10,7 @@ from hypothesis import given, strategies as st
 
 from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
-from jauspy.protocol import compression, judp, junior, templates
+from jauspy.protocol import compression, compression as templates, judp, junior
 from jauspy.protocol.addressing import LocalPort, Port, UdpPort
 from jauspy.protocol.compression import Compression
 from jauspy.protocol.counters import Counters
