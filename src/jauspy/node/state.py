@@ -12,7 +12,7 @@ from jauspy.node.config import NodeConfig
 from jauspy.node.network import Network
 from jauspy.protocol.addressing import NetworkPort
 from jauspy.protocol.node import NodeCore
-from jauspy.protocol.reports import place
+from jauspy.protocol.reports import format_port
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,7 +33,7 @@ class NodeState:
             "uptime": round(self.now - started, 3),
             "local_root": str(self.config.local_root),
             "networks": [self._network(name, network) for name, network in self.networks.items()],
-            "components": [self._component(id, place(port)) for id, port in sorted(self.core.components)],
+            "components": [self._component(id, format_port(port)) for id, port in sorted(self.core.components)],
             "peers": [self._peer(*entry) for entry in self.core.address_book],
             "queues": {"ingress": self.ingress, "unknown_destinations": self.core.waiting_messages},
             "counters": dict(sorted(self.core.counters.items())),
@@ -57,7 +57,7 @@ class NodeState:
     def _peer(self, id: int, port: NetworkPort, heard: float | None) -> dict[str, Any]:
         return {
             "id": str(JausID.from_int(id)),
-            "address": place(port),
+            "address": format_port(port),
             "network": port.network,
             "heard": None if heard is None else round(self.now - heard, 3),
         }

@@ -9,14 +9,14 @@ from jauspy.protocol import addressing
 from jauspy.protocol.addressing import LocalPort, UdpPort
 
 MAX_COMPONENTS: Final = 1024
-MAX_BY_UDP: Final = 256
+MAX_UDP_COMPONENTS: Final = 256
 """Of these, by UDP: any user of this machine can send it, and must not fill the places of those with a socket."""
 
 ComponentPort: TypeAlias = LocalPort | UdpPort
 """A component's Unix socket, or its UDP port on this machine, as ROS/IOP components have it."""
 
 
-class Directory:
+class ComponentDirectory:
     """Ids (32-bit numbers) and the ports they were last heard from. `changed` is told of an id that comes or goes."""
 
     def __init__(self, changed: Callable[[int], None] = lambda _: None) -> None:
@@ -47,7 +47,7 @@ class Directory:
         known, by_udp = self._ports.get(id), isinstance(port, UdpPort)
         if id == 0 or (known is None and len(self._ports) >= MAX_COMPONENTS):
             return False
-        if by_udp and not isinstance(known, UdpPort) and self._by_udp >= MAX_BY_UDP:
+        if by_udp and not isinstance(known, UdpPort) and self._by_udp >= MAX_UDP_COMPONENTS:
             return False
         if known != port:
             self.remove(id)

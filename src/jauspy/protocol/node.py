@@ -17,12 +17,12 @@ from jauspy.protocol.address_book import ADDRESS_LIFETIME, AddressBook
 from jauspy.protocol.addressing import DEFAULT_NETWORK, GroupPort, LocalPort, NetworkPort, Port, UdpPort
 from jauspy.protocol.compression import Compression, applies_to
 from jauspy.protocol.counters import Counters
-from jauspy.protocol.directory import ComponentPort, Directory
+from jauspy.protocol.directory import ComponentDirectory, ComponentPort
 from jauspy.protocol.gateway import Gateway
 from jauspy.protocol.header import Broadcast, RawPacket
 from jauspy.protocol.outward import KINDS, Outward
 from jauspy.protocol.registrar import Registrar
-from jauspy.protocol.reports import Reports
+from jauspy.protocol.reports import DuplicateIdLog
 from jauspy.protocol.sources import SourceChecks
 from jauspy.protocol.waiting import WaitingRoom
 
@@ -60,7 +60,7 @@ class NodeCore:
     ) -> None:
         self.counters = Counters(_LOGGER)
         self._changed = changed
-        self.components = Directory(changed)
+        self.components = ComponentDirectory(changed)
         static = {int(id): ports for id, ports in (addresses or {}).items()}
         self.address_book = AddressBook(static, lifetime=address_lifetime)
         self.gateway = gateway
@@ -70,7 +70,7 @@ class NodeCore:
         self._out = Outward(self.counters, self.components, self.address_book)
         if compression != "off":
             self._out.compression = Compression(self.counters, self._out.send, probes=compression == "propose")
-        self._reports = Reports(_LOGGER)
+        self._reports = DuplicateIdLog(_LOGGER)
         self._registrar = Registrar(
             local_root,
             self.components,

@@ -10,7 +10,7 @@ from jauspy.protocol.address_book import AddressBook
 from jauspy.protocol.addressing import GroupPort, LocalPort, NetworkPort, Port, SerialPort, TcpPort, UdpPort
 from jauspy.protocol.compression import Compression
 from jauspy.protocol.counters import Counters
-from jauspy.protocol.directory import ComponentPort, Directory
+from jauspy.protocol.directory import ComponentDirectory, ComponentPort
 from jauspy.protocol.duplicates import MulticastEchoes
 
 KINDS: Final = {LocalPort: "local", UdpPort: "udp", GroupPort: "udp", TcpPort: "tcp", SerialPort: "serial"}
@@ -20,7 +20,7 @@ ROUTED: Final[dict[type, str]] = {port: f"routed.{kind}" for port, kind in KINDS
 class Outward:
     """Queues datagrams for ports, in the words that the peers understand, and counts them."""
 
-    def __init__(self, counters: Counters, components: Directory, address_book: AddressBook) -> None:
+    def __init__(self, counters: Counters, components: ComponentDirectory, address_book: AddressBook) -> None:
         self._counters = counters
         self._components = components
         self._address_book = address_book

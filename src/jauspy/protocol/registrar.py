@@ -9,9 +9,9 @@ from jauspy.ids import JausID
 from jauspy.protocol import junior
 from jauspy.protocol.addressing import LocalPort, UdpPort
 from jauspy.protocol.counters import Counters
-from jauspy.protocol.directory import ComponentPort, Directory
+from jauspy.protocol.directory import ComponentDirectory, ComponentPort
 from jauspy.protocol.outward import Outward
-from jauspy.protocol.reports import Reports
+from jauspy.protocol.reports import DuplicateIdLog
 from jauspy.protocol.waiting import WaitingRoom
 
 _LOGGER = logging.getLogger(__name__)
@@ -27,12 +27,12 @@ class Registrar:
     def __init__(
         self,
         root: str,
-        components: Directory,
+        components: ComponentDirectory,
         out: Outward,
         waiting: WaitingRoom,
         counters: Counters,
         *,
-        reports: Reports,
+        reports: DuplicateIdLog,
         is_dead: Callable[[str], bool],
         local_udp: bool,
     ) -> None:

@@ -10,20 +10,20 @@ from jauspy.ids import JausID
 from jauspy.protocol.addressing import LocalPort, Port
 from jauspy.protocol.sources import TokenBuckets
 
-MEMORY: Final = 256
+MAX_LOGGED_CASES: Final = 256
 """Cases to remember as told; an attacker who makes up more of them is told about again."""
-RATE: Final = 0.1
-BURST: Final = 16.0
+LOG_RATE: Final = 0.1
+LOG_BURST: Final = 16.0
 """Lines per second, and at once: what more is made up is only counted."""
 
 
-class Reports:
+class DuplicateIdLog:
     """Warnings about ids, each once per id and host, or local socket."""
 
     def __init__(self, logger: logging.Logger) -> None:
         self._logger = logger
         self._told: OrderedDict[tuple[int, str], None] = OrderedDict()
-        self._lines = TokenBuckets(RATE, BURST)
+        self._lines = TokenBuckets(LOG_RATE, LOG_BURST)
 
     def twice(self, id: int, port: Port, now: float) -> None:
         """Somebody at `port` uses the id of a component that is registered here."""
@@ -31,25 +31,25 @@ class Reports:
             self._logger.warning(
                 "%s is used twice: a component has it here, and %s sends with it too; the latter is not heard",
                 JausID.from_int(id),
-                place(port),
+                format_port(port),
             )
 
     def moved(self, id: int, port: Port, now: float) -> None:
         """A component has connected whose id was registered elsewhere."""
         if self._is_news(id, port, now):
-            self._logger.info("component %s is now on %s", JausID.from_int(id), place(port))
+            self._logger.info("component %s is now on %s", JausID.from_int(id), format_port(port))
 
     def _is_news(self, id: int, port: Port, now: float) -> bool:
         key = (id, port.path if isinstance(port, LocalPort) else port[0])
         if key in self._told or not self._lines.take(None, now):
             return False
         self._told[key] = None
-        if len(self._told) > MEMORY:
+        if len(self._told) > MAX_LOGGED_CASES:
             self._told.popitem(last=False)
         return True
 
 
-def place(port: Port) -> str:
+def format_port(port: Port) -> str:
     """A port as people read it; the host of an IPv6 address is in brackets."""
     host, *rest = port[:2]
     return ":".join([f"[{host}]" if rest and ":" in host else host, *map(str, rest)])
