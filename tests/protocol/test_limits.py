@@ -4,7 +4,7 @@ import pytest
 
 from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
-from jauspy.protocol import address_book, directory, judp, junior, reports, seal, sources, sources as buckets
+from jauspy.protocol import address_book, judp, junior, registrar, seal, sources, sources as buckets
 from jauspy.protocol.address_book import LearnedAddresses
 from jauspy.protocol.addressing import LocalPort, UdpPort
 from jauspy.protocol.header import Packet, Priority, peek_priority
@@ -111,16 +111,16 @@ def test_whoever_uses_an_id_twice_is_told_once_and_a_flood_of_them_is_only_count
     assert len(caplog.records) == 1
     for number in range(1000):
         node.receive(stolen, UdpPort(f"10.0.{number >> 8}.{number & 255}", 3794), 1.0)
-    assert len(caplog.records) <= reports.LOG_BURST + 1
+    assert len(caplog.records) <= registrar.LOG_BURST + 1
     assert node.counters["dropped.hijack"] == 2000
 
 
 def test_components_by_udp_leave_places_for_those_with_a_socket() -> None:
     node = NodeCore("/root")
-    for number in range(directory.MAX_UDP_COMPONENTS + 10):
+    for number in range(registrar.MAX_UDP_COMPONENTS + 10):
         id = JausID(7, 1 + number // 200, 1 + number % 200)
         node.receive(junior.connect(id), UdpPort("127.0.0.1", 5000 + number), 0.0)
-    assert len(node.components) == directory.MAX_UDP_COMPONENTS
+    assert len(node.components) == registrar.MAX_UDP_COMPONENTS
     assert node.counters["dropped.component_refused"] == 10
     node.receive(junior.connect(HERE), PORT, 0.0)
     assert int(HERE) in node.components

@@ -5,7 +5,7 @@ import logging
 import pytest
 
 from jauspy.ids import EVERYONE, JausID
-from jauspy.protocol import judp, junior, reports
+from jauspy.protocol import judp, junior, registrar
 from jauspy.protocol.address_book import ADDRESS_LIFETIME
 from jauspy.protocol.addressing import GROUP, LocalPort, Port, SerialPort, TcpPort, UdpPort
 from jauspy.protocol.header import Ack, Broadcast, Packet
@@ -102,10 +102,10 @@ def test_ids_that_are_used_twice_are_reported_once_each(caplog: pytest.LogCaptur
     told = [record.getMessage() for record in caplog.records if record.levelno == logging.WARNING]
     assert ["/root/thief" in told[0], "10.0.0.9:3794" in told[1], len(told)] == [True, True, 2]
     assert (core.counters["dropped.duplicate_id"], core.counters["dropped.hijack"]) == (2, 2)
-    for number in range(reports.MAX_LOGGED_CASES + 5):
+    for number in range(registrar.MAX_LOGGED_CASES + 5):
         stolen = judp.pack(Packet(OURS, THEIRS, b"\x02\x20"))
         core.receive(stolen, UdpPort(f"10.0.{number >> 8}.{number & 255}", 3794), 100.0 * number)
-    assert len(core._reports._told) == reports.MAX_LOGGED_CASES
+    assert len(core._reports._told) == registrar.MAX_LOGGED_CASES
 
 
 def test_tcp_and_serial_addresses_are_learned_and_forgotten_with_their_connection() -> None:

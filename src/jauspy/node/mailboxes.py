@@ -12,8 +12,8 @@ from jauspy.protocol.addressing import LocalPort
 from jauspy.transport import local_socket
 
 if TYPE_CHECKING:
-    from jauspy.protocol.directory import ComponentPort
     from jauspy.protocol.node import NodeCore
+    from jauspy.protocol.registrar import ComponentPort
 
 
 class Mailboxes:

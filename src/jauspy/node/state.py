@@ -12,7 +12,7 @@ from jauspy.node.config import NodeConfig
 from jauspy.node.network import Network
 from jauspy.protocol.addressing import NetworkPort
 from jauspy.protocol.node import NodeCore
-from jauspy.protocol.reports import format_port
+from jauspy.protocol.registrar import format_port
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,12 +17,10 @@ from jauspy.protocol.address_book import ADDRESS_LIFETIME, AddressBook
 from jauspy.protocol.addressing import DEFAULT_NETWORK, GroupPort, LocalPort, NetworkPort, Port, UdpPort
 from jauspy.protocol.compression import Compression, applies_to
 from jauspy.protocol.counters import Counters
-from jauspy.protocol.directory import ComponentDirectory, ComponentPort
 from jauspy.protocol.gateway import Gateway
 from jauspy.protocol.header import Broadcast, RawPacket
 from jauspy.protocol.outward import KINDS, Outward
-from jauspy.protocol.registrar import Registrar
-from jauspy.protocol.reports import DuplicateIdLog
+from jauspy.protocol.registrar import ComponentDirectory, ComponentPort, DuplicateIdLog, Registrar
 from jauspy.protocol.sources import SourceChecks
 from jauspy.protocol.waiting import WaitingRoom
 

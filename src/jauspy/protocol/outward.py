@@ -10,8 +10,8 @@ from jauspy.protocol.address_book import AddressBook
 from jauspy.protocol.addressing import GroupPort, LocalPort, NetworkPort, Port, SerialPort, TcpPort, UdpPort
 from jauspy.protocol.compression import Compression
 from jauspy.protocol.counters import Counters
-from jauspy.protocol.directory import ComponentDirectory, ComponentPort
 from jauspy.protocol.duplicates import MulticastEchoes
+from jauspy.protocol.registrar import ComponentDirectory, ComponentPort
 
 KINDS: Final = {LocalPort: "local", UdpPort: "udp", GroupPort: "udp", TcpPort: "tcp", SerialPort: "serial"}
 ROUTED: Final[dict[type, str]] = {port: f"routed.{kind}" for port, kind in KINDS.items()}

@@ -3,16 +3,133 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable
+from collections import OrderedDict
+from collections.abc import Callable, Iterator
+from typing import Final, TypeAlias
 
 from jauspy.ids import JausID
-from jauspy.protocol import junior
-from jauspy.protocol.addressing import LocalPort, UdpPort
+from jauspy.protocol import addressing, junior
+from jauspy.protocol.addressing import LocalPort, Port, UdpPort
 from jauspy.protocol.counters import Counters
-from jauspy.protocol.directory import ComponentDirectory, ComponentPort
 from jauspy.protocol.outward import Outward
-from jauspy.protocol.reports import DuplicateIdLog
+from jauspy.protocol.sources import TokenBuckets
 from jauspy.protocol.waiting import WaitingRoom
+
+MAX_COMPONENTS: Final = 1024
+MAX_UDP_COMPONENTS: Final = 256
+"""Of these, by UDP: any user of this machine can send it, and must not fill the places of those with a socket."""
+
+ComponentPort: TypeAlias = LocalPort | UdpPort
+"""A component's Unix socket, or its UDP port on this machine, as ROS/IOP components have it."""
+
+
+class ComponentDirectory:
+    """Ids (32-bit numbers) and the ports they were last heard from. `changed` is told of an id that comes or goes."""
+
+    def __init__(self, changed: Callable[[int], None] = lambda _: None) -> None:
+        self._changed = changed
+        self._ports: dict[int, ComponentPort] = {}
+        self._ids: dict[ComponentPort, set[int]] = {}
+        self._by_udp = 0
+
+    def __len__(self) -> int:
+        return len(self._ports)
+
+    def __contains__(self, id: int) -> bool:
+        return id in self._ports
+
+    def __iter__(self) -> Iterator[tuple[int, ComponentPort]]:
+        return iter(list(self._ports.items()))
+
+    def port(self, id: int) -> ComponentPort | None:
+        """Where exactly this id listens."""
+        return self._ports.get(id)
+
+    def has_port(self, port: ComponentPort) -> bool:
+        """True when some component listens there."""
+        return port in self._ids
+
+    def register(self, id: int, port: ComponentPort) -> bool:
+        """Note that `id` listens on `port`, the last one to say so wins; False when there is no room or no id."""
+        known, by_udp = self._ports.get(id), isinstance(port, UdpPort)
+        if id == 0 or (known is None and len(self._ports) >= MAX_COMPONENTS):
+            return False
+        if by_udp and not isinstance(known, UdpPort) and self._by_udp >= MAX_UDP_COMPONENTS:
+            return False
+        if known != port:
+            self.remove(id)
+            self._ports[id] = port
+            self._by_udp += by_udp
+            self._ids.setdefault(port, set()).add(id)
+            self._changed(id)
+        return True
+
+    def remove(self, id: int) -> None:
+        """Forget a component."""
+        port = self._ports.pop(id, None)
+        if port is not None:
+            self._by_udp -= isinstance(port, UdpPort)
+            self._ids[port].discard(id)
+            if not self._ids[port]:
+                del self._ids[port]
+            self._changed(id)
+
+    def remove_port(self, port: ComponentPort) -> list[int]:
+        """Forget all that listen there; returns their ids."""
+        gone = sorted(self._ids.get(port, ()))
+        for id in gone:
+            self.remove(id)
+        return gone
+
+    def reached_by(self, destination: int, *, besides: int | None = None) -> list[ComponentPort]:
+        """The ports of all components that a broadcast addresses, except the one it comes from."""
+        return [port for id, port in self._ports.items() if id != besides and addressing.reaches(destination, id)]
+
+
+MAX_LOGGED_CASES: Final = 256
+"""Cases to remember as told; an attacker who makes up more of them is told about again."""
+LOG_RATE: Final = 0.1
+LOG_BURST: Final = 16.0
+"""Lines per second, and at once: what more is made up is only counted."""
+
+
+class DuplicateIdLog:
+    """Warnings about ids, each once per id and host, or local socket."""
+
+    def __init__(self, logger: logging.Logger) -> None:
+        self._logger = logger
+        self._told: OrderedDict[tuple[int, str], None] = OrderedDict()
+        self._lines = TokenBuckets(LOG_RATE, LOG_BURST)
+
+    def twice(self, id: int, port: Port, now: float) -> None:
+        """Somebody at `port` uses the id of a component that is registered here."""
+        if self._is_news(id, port, now):
+            self._logger.warning(
+                "%s is used twice: a component has it here, and %s sends with it too; the latter is not heard",
+                JausID.from_int(id),
+                format_port(port),
+            )
+
+    def moved(self, id: int, port: Port, now: float) -> None:
+        """A component has connected whose id was registered elsewhere."""
+        if self._is_news(id, port, now):
+            self._logger.info("component %s is now on %s", JausID.from_int(id), format_port(port))
+
+    def _is_news(self, id: int, port: Port, now: float) -> bool:
+        key = (id, port.path if isinstance(port, LocalPort) else port[0])
+        if key in self._told or not self._lines.take(None, now):
+            return False
+        self._told[key] = None
+        if len(self._told) > MAX_LOGGED_CASES:
+            self._told.popitem(last=False)
+        return True
+
+
+def format_port(port: Port) -> str:
+    """A port as people read it; the host of an IPv6 address is in brackets."""
+    host, *rest = port[:2]
+    return ":".join([f"[{host}]" if rest and ":" in host else host, *map(str, rest)])
+
 
 _LOGGER = logging.getLogger(__name__)
 
