@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given, strategies as st
 
 from jauspy.ids import EVERYONE, JausID
-from jauspy.protocol import judp, junior, registrar, waiting
+from jauspy.protocol import judp, junior, pending, registrar
 from jauspy.protocol.addressing import GROUP, LocalPort, Port, UdpPort
 from jauspy.protocol.duplicates import ECHO_LIFETIME, MulticastEchoes
 from jauspy.protocol.header import Ack, Broadcast, Packet
@@ -132,7 +132,7 @@ def test_an_unknown_destination_is_asked_for_at_a_bounded_rate(node: NodeCore) -
             node.handle_timeout(now)
             multicasts += len(node.poll_output())
     assert 9 <= multicasts <= 11
-    assert node.counters["dropped.unknown_destination"] + multicasts + waiting.MAX_WAITING >= 1000
+    assert node.counters["dropped.unknown_destination"] + multicasts + pending.MAX_PENDING_PER_DESTINATION >= 1000
 
 
 def test_waiting_messages_ask_again_and_expire(node: NodeCore) -> None:
@@ -148,7 +148,7 @@ def test_waiting_messages_ask_again_and_expire(node: NodeCore) -> None:
 
 
 def test_many_unknown_destinations_are_bounded(node: NodeCore) -> None:
-    for number in range(waiting.MAX_DESTINATIONS + 5):
+    for number in range(pending.MAX_PENDING_DESTINATIONS + 5):
         after(node, message(A, JausID(200, 1 + number // 200, 1 + number % 200)), port(A))
     assert node.counters["dropped.too_many_unknown_destinations"] == 5
 
@@ -246,7 +246,7 @@ def test_the_bytes_that_wait_are_bounded(node: NodeCore) -> None:
     big = judp.pack(Packet(A, FAR, bytes(60000), 1))
     for number in range(40):
         after(node, judp.pack(Packet(A, JausID(200, 1, 1 + number // 4), bytes(60000), number)), port(A))
-    assert node.counters["dropped.unknown_destination"] == 30 - waiting.MAX_BYTES // len(big)
+    assert node.counters["dropped.unknown_destination"] == 30 - pending.MAX_PENDING_BYTES // len(big)
 
 
 def test_only_the_newest_own_multicasts_are_remembered() -> None:

@@ -20,9 +20,9 @@ from jauspy.protocol.counters import Counters
 from jauspy.protocol.gateway import Gateway
 from jauspy.protocol.header import Broadcast, RawPacket
 from jauspy.protocol.outward import KINDS, Outward
+from jauspy.protocol.pending import PendingDestinations
 from jauspy.protocol.registrar import ComponentDirectory, ComponentPort, DuplicateIdLog, Registrar
 from jauspy.protocol.sources import SourceChecks
-from jauspy.protocol.waiting import WaitingRoom
 
 _LOGGER = logging.getLogger(__name__)
 
@@ -64,7 +64,7 @@ class NodeCore:
         self.gateway = gateway
         self.sources = sources or SourceChecks()
         self._networks = tuple(networks)
-        self._waiting = WaitingRoom(self.counters)
+        self._waiting = PendingDestinations(self.counters)
         self._out = Outward(self.counters, self.components, self.address_book)
         if compression != "off":
             self._out.compression = Compression(self.counters, self._out.send, probes=compression == "propose")

@@ -12,8 +12,8 @@ from jauspy.protocol import addressing, junior
 from jauspy.protocol.addressing import LocalPort, Port, UdpPort
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.outward import Outward
+from jauspy.protocol.pending import PendingDestinations
 from jauspy.protocol.sources import TokenBuckets
-from jauspy.protocol.waiting import WaitingRoom
 
 MAX_COMPONENTS: Final = 1024
 MAX_UDP_COMPONENTS: Final = 256
@@ -146,7 +146,7 @@ class Registrar:
         root: str,
         components: ComponentDirectory,
         out: Outward,
-        waiting: WaitingRoom,
+        waiting: PendingDestinations,
         counters: Counters,
         *,
         reports: DuplicateIdLog,

@@ -14,12 +14,12 @@ from jauspy.protocol.counters import Counters
 
 PROBE_INTERVAL: Final = 1.0
 """Seconds between two multicasts for the same unknown destination."""
-PATIENCE: Final = 3.0
+PENDING_TIMEOUT: Final = 3.0
 """Seconds a message may wait for its destination."""
-MAX_DESTINATIONS: Final = 256
-MAX_WAITING: Final = 32
+MAX_PENDING_DESTINATIONS: Final = 256
+MAX_PENDING_PER_DESTINATION: Final = 32
 """Messages that wait for one destination; the oldest is dropped first."""
-MAX_BYTES: Final = 1 << 20
+MAX_PENDING_BYTES: Final = 1 << 20
 """Bytes that wait in all; what does not fit is dropped."""
 
 
@@ -29,7 +29,7 @@ class _Search:
     messages: deque[tuple[float, bytes]] = field(default_factory=deque)
 
 
-class WaitingRoom:
+class PendingDestinations:
     """Sans-I/O; keys are ids as 32-bit numbers. What is to be multicast is returned, never sent."""
 
     def __init__(self, counters: Counters) -> None:
@@ -44,7 +44,7 @@ class WaitingRoom:
         """Take a message for an unknown destination; returns it when it is to be multicast at once."""
         search = self._searches.get(destination)
         if search is None:
-            if len(self._searches) >= MAX_DESTINATIONS:
+            if len(self._searches) >= MAX_PENDING_DESTINATIONS:
                 self._counters.drop("too_many_unknown_destinations", destination)
                 return None
             self._searches[destination] = _Search(now + PROBE_INTERVAL)
@@ -52,10 +52,10 @@ class WaitingRoom:
         if not search.messages and now >= search.next_probe:
             search.next_probe = now + PROBE_INTERVAL
             return datagram
-        if self._bytes + len(datagram) > MAX_BYTES:
+        if self._bytes + len(datagram) > MAX_PENDING_BYTES:
             self._counters.drop("unknown_destination", "too many bytes wait")
             return None
-        if len(search.messages) >= MAX_WAITING:
+        if len(search.messages) >= MAX_PENDING_PER_DESTINATION:
             self._take(search)
             self._counters.drop("unknown_destination", "too many messages wait")
         search.messages.append((now, datagram))
@@ -77,7 +77,7 @@ class WaitingRoom:
         for destination, search in list(self._searches.items()):
             if now < search.next_probe:
                 continue
-            while search.messages and now - search.messages[0][0] >= PATIENCE:
+            while search.messages and now - search.messages[0][0] >= PENDING_TIMEOUT:
                 self._take(search)
                 self._counters.drop("unknown_destination", "nobody answered")
             if search.messages:
