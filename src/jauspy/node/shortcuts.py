@@ -9,8 +9,8 @@ from typing import Final, TypeAlias
 
 from jauspy.protocol import header
 from jauspy.protocol.addressing import LocalPort, Port, UdpPort
+from jauspy.protocol.egress import ROUTED
 from jauspy.protocol.node import RECEIVED, NodeCore
-from jauspy.protocol.outward import ROUTED
 
 LIFETIME: Final = 0.5
 """Seconds until all ways are looked for again, so that what the core learns from packets is only this much late."""

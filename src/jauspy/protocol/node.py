@@ -17,9 +17,9 @@ from jauspy.protocol.address_book import ADDRESS_LIFETIME, AddressBook
 from jauspy.protocol.addressing import DEFAULT_NETWORK, GroupPort, LocalPort, NetworkPort, Port, UdpPort
 from jauspy.protocol.compression import Compression, applies_to
 from jauspy.protocol.counters import Counters
+from jauspy.protocol.egress import KINDS, EgressQueue
 from jauspy.protocol.gateway import Gateway
 from jauspy.protocol.header import Broadcast, RawPacket
-from jauspy.protocol.outward import KINDS, Outward
 from jauspy.protocol.pending import PendingDestinations
 from jauspy.protocol.registrar import ComponentDirectory, ComponentPort, DuplicateIdLog, Registrar
 from jauspy.protocol.sources import SourceChecks
@@ -65,7 +65,7 @@ class NodeCore:
         self.sources = sources or SourceChecks()
         self._networks = tuple(networks)
         self._waiting = PendingDestinations(self.counters)
-        self._out = Outward(self.counters, self.components, self.address_book)
+        self._out = EgressQueue(self.counters, self.components, self.address_book)
         if compression != "off":
             self._out.compression = Compression(self.counters, self._out.send, probes=compression == "propose")
         self._reports = DuplicateIdLog(_LOGGER)

@@ -11,7 +11,7 @@ from jauspy.ids import JausID
 from jauspy.protocol import addressing, junior
 from jauspy.protocol.addressing import LocalPort, Port, UdpPort
 from jauspy.protocol.counters import Counters
-from jauspy.protocol.outward import Outward
+from jauspy.protocol.egress import EgressQueue
 from jauspy.protocol.pending import PendingDestinations
 from jauspy.protocol.sources import TokenBuckets
 
@@ -145,7 +145,7 @@ class Registrar:
         self,
         root: str,
         components: ComponentDirectory,
-        out: Outward,
+        out: EgressQueue,
         waiting: PendingDestinations,
         counters: Counters,
         *,

@@ -17,7 +17,7 @@ KINDS: Final = {LocalPort: "local", UdpPort: "udp", GroupPort: "udp", TcpPort: "
 ROUTED: Final[dict[type, str]] = {port: f"routed.{kind}" for port, kind in KINDS.items()}
 
 
-class Outward:
+class EgressQueue:
     """Queues datagrams for ports, in the words that the peers understand, and counts them."""
 
     def __init__(self, counters: Counters, components: ComponentDirectory, address_book: AddressBook) -> None:
