@@ -4,12 +4,12 @@ import pytest
 
 from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
-from jauspy.protocol import address_book, judp, junior, registrar, seal, sources, sources as buckets
+from jauspy.protocol import address_book, authentication, judp, junior, registrar, sources, sources as buckets
 from jauspy.protocol.address_book import LearnedAddresses
 from jauspy.protocol.addressing import LocalPort, UdpPort
+from jauspy.protocol.authentication import Authenticator
 from jauspy.protocol.header import Packet, Priority, peek_priority
 from jauspy.protocol.node import NodeCore
-from jauspy.protocol.seal import Seal
 from jauspy.protocol.sources import SourceChecks, SourceLimits, TokenBuckets
 
 HERE, FAR = JausID.parse("101.1.1"), JausID.parse("42.1.1")
@@ -147,7 +147,7 @@ def test_what_is_no_packet_has_no_priority() -> None:
 # --- seals -----------------------------------------------------------------------------------------------------------
 
 
-def opened(receiver: Seal, data: bytes, utc: float = 1000.0) -> str:
+def opened(receiver: Authenticator, data: bytes, utc: float = 1000.0) -> str:
     try:
         receiver.open(data, utc)
     except ProtocolError as error:
@@ -156,22 +156,22 @@ def opened(receiver: Seal, data: bytes, utc: float = 1000.0) -> str:
 
 
 def test_the_sealed_form_is_as_documented() -> None:
-    sealed = Seal(KEY, 0x0102030405060708).seal(query(1), 1.5)
+    sealed = Authenticator(KEY, 0x0102030405060708).seal(query(1), 1.5)
     assert sealed.hex(" ", 1).startswith("a5 01 02 03 04 05 06 07 08 00 00 00 00 00 00 00 01 00 00 00 00 00 00 05 dc")
-    assert sealed[seal.OVERHEAD :] == query(1)
+    assert sealed[authentication.OVERHEAD :] == query(1)
     assert len(sealed) == len(query(1)) + 41
 
 
 def test_a_seal_is_opened_once() -> None:
-    sender, receiver = Seal(KEY, 1), Seal(KEY, 2)
+    sender, receiver = Authenticator(KEY, 1), Authenticator(KEY, 2)
     data = sender.seal(query(1), 1000.0)
     assert receiver.open(data, 1000.0) == query(1)
     assert opened(receiver, data) == "replayed"
 
 
 def test_datagrams_may_overtake_each_other_within_the_window() -> None:
-    sender, receiver = Seal(KEY, 1), Seal(KEY, 2)
-    sent = [sender.seal(query(n), 1000.0) for n in range(seal.WINDOW + 2)]
+    sender, receiver = Authenticator(KEY, 1), Authenticator(KEY, 2)
+    sent = [sender.seal(query(n), 1000.0) for n in range(authentication.REPLAY_WINDOW + 2)]
     assert opened(receiver, sent[5]) == "good"
     assert opened(receiver, sent[3]) == "good"
     assert opened(receiver, sent[-1]) == "good"
@@ -184,16 +184,16 @@ def test_datagrams_may_overtake_each_other_within_the_window() -> None:
 
 
 def test_whatever_is_changed_is_noticed() -> None:
-    data = Seal(KEY, 1).seal(query(1), 1000.0)
+    data = Authenticator(KEY, 1).seal(query(1), 1000.0)
     for at in range(len(data)):
         changed = data[:at] + bytes([data[at] ^ 1]) + data[at + 1 :]
-        assert opened(Seal(KEY, 2), changed) in ("forged", "unauthenticated")
+        assert opened(Authenticator(KEY, 2), changed) in ("forged", "unauthenticated")
 
 
 def test_other_keys_plain_packets_old_ones_and_our_own_are_refused() -> None:
-    sender, receiver = Seal(KEY, 1), Seal(KEY, 2)
-    assert opened(receiver, Seal(KEY + b"!", 1).seal(query(1), 1000.0)) == "forged"
+    sender, receiver = Authenticator(KEY, 1), Authenticator(KEY, 2)
+    assert opened(receiver, Authenticator(KEY + b"!", 1).seal(query(1), 1000.0)) == "forged"
     assert opened(receiver, query(1)) == "unauthenticated"
     assert opened(receiver, b"") == "unauthenticated"
-    assert opened(receiver, sender.seal(query(1), 1000.0 - seal.MAX_AGE - 1)) == "stale"
+    assert opened(receiver, sender.seal(query(1), 1000.0 - authentication.MAX_AGE - 1)) == "stale"
     assert opened(sender, sender.seal(query(1), 1000.0)) == "own"

@@ -14,10 +14,10 @@ from jauspy.node import udp_errors
 from jauspy.node.binding import bind
 from jauspy.node.config import NetworkConfig
 from jauspy.node.network6 import Network6
-from jauspy.protocol import seal as seal_format
+from jauspy.protocol import authentication as seal_format
 from jauspy.protocol.addressing import UdpPort
+from jauspy.protocol.authentication import Authenticator
 from jauspy.protocol.counters import Counters
-from jauspy.protocol.seal import Seal
 from jauspy.transport import multicast
 from jauspy.transport.memberships import Memberships
 
@@ -49,7 +49,7 @@ class Network:
         config: NetworkConfig,
         counters: Counters,
         receive_buffer: int,
-        seal: Seal | None,
+        seal: Authenticator | None,
         lost: Callable[[UdpPort], None],
     ) -> None:
         self._lost = lost

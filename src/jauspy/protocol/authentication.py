@@ -15,18 +15,18 @@ from jauspy.errors import ProtocolError
 
 MAGIC: Final = 0xA5
 """In place of the version byte; node managers without the key drop it as an unknown version."""
-WINDOW: Final = 64
+REPLAY_WINDOW: Final = 64
 """How many datagrams may overtake another one."""
 MAX_AGE: Final = 30.0
 """Seconds that the clocks of two machines may differ, and that a recorded datagram of an unknown sender is good for."""
 MAX_SENDERS: Final = 1024
-MIN_KEY: Final = 16
+MIN_KEY_LENGTH: Final = 16
 _TAG: Final = 16
 _HEAD: Final = struct.Struct(">BQQQ")
 OVERHEAD: Final = _HEAD.size + _TAG
 
 
-class Seal:
+class Authenticator:
     """`sender` is random, 64 bits; `utc` is the wall clock in seconds since 1970."""
 
     def __init__(self, key: bytes, sender: int) -> None:
@@ -67,8 +67,8 @@ class Seal:
         """Note a number; False when it was seen or is too old to tell. `seen` has a bit for each of the last ones."""
         top, seen = self._heard.get(sender, (0, 0))
         if counter > top:
-            top, seen = counter, (seen << min(counter - top, WINDOW) | 1) & ((1 << WINDOW) - 1)
-        elif top - counter >= WINDOW or seen >> (top - counter) & 1:
+            top, seen = counter, (seen << min(counter - top, REPLAY_WINDOW) | 1) & ((1 << REPLAY_WINDOW) - 1)
+        elif top - counter >= REPLAY_WINDOW or seen >> (top - counter) & 1:
             return False
         else:
             seen |= 1 << (top - counter)
