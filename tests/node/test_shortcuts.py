@@ -12,7 +12,7 @@ from jauspy.node.shortcuts import Shortcuts
 from jauspy.protocol import judp, junior
 from jauspy.protocol.addressing import LocalPort, Port, UdpPort
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet, Priority
-from jauspy.protocol.node import NodeCore
+from jauspy.protocol.routing import Router
 
 HERE, THERE, FAR, AWAY = (JausID.parse(text) for text in ("101.1.1", "101.1.2", "42.1.1", "43.1.1"))
 IDS = (HERE, THERE, FAR, AWAY)
@@ -33,7 +33,7 @@ class Router:
     def __init__(self, *, short: bool) -> None:
         self.out: list[tuple[Port, bytes]] = []
         self.short_ways = 0
-        self.core = NodeCore("/tmp", changed=self._changed)
+        self.core = Router("/tmp", changed=self._changed)
         self.shortcuts = Shortcuts(self.core, self._open if short else lambda _: None)
 
     def _open(self, port: LocalPort | UdpPort) -> shortcuts.Send:

@@ -15,7 +15,7 @@ from jauspy.protocol.addressing import LocalPort, Port, UdpPort
 from jauspy.protocol.compression import Compression
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.header import Ack, Packet, Priority, peek_priority
-from jauspy.protocol.node import CompressionUse, NodeCore
+from jauspy.protocol.routing import CompressionUse, Router
 
 HERE, FAR = JausID.parse("100.1.2"), JausID.parse("101.1.1")
 OURS, PEER = LocalPort("/root/here"), UdpPort("10.77.0.2", 3794)
@@ -26,19 +26,19 @@ def plain(text: str) -> str:
     return bytes.fromhex(text).hex()
 
 
-def node(use: CompressionUse = "accept", id: JausID = HERE, port: LocalPort = OURS) -> NodeCore:
-    core = NodeCore("/root", compression=use)
+def node(use: CompressionUse = "accept", id: JausID = HERE, port: LocalPort = OURS) -> Router:
+    core = Router("/root", compression=use)
     core.receive(junior.connect(id), port, 0.0)
     core.poll_output()
     return core
 
 
-def receive(core: NodeCore, data: str | bytes, source: Port, now: float = 0.0) -> list[tuple[Port, str]]:
+def receive(core: Router, data: str | bytes, source: Port, now: float = 0.0) -> list[tuple[Port, str]]:
     core.receive(bytes.fromhex(data) if isinstance(data, str) else data, source, now)
     return [(port, out.hex()) for port, out in core.poll_output()]
 
 
-def known(core: NodeCore) -> NodeCore:
+def known(core: Router) -> Router:
     """The same node manager, which has heard FAR at PEER."""
     receive(core, judp.pack(Packet(FAR, HERE, b"\x02\x40", 1)), PEER)
     return core
@@ -77,7 +77,7 @@ def test_who_proposes_is_proposed_to_and_who_accepts_is_compressed_for() -> None
     assert core.counters["compression.sent"] == 1
 
 
-def agreed(*, use: CompressionUse = "accept") -> NodeCore:
+def agreed(*, use: CompressionUse = "accept") -> Router:
     core = known(node(use))
     receive(core, "02 401200 0509 01 02016400 01016500 0220 0700", PEER)
     receive(core, PLAIN, OURS)
@@ -210,7 +210,7 @@ class Cable:
         self.chance = random.Random(seed)
         self.loss = loss
         self.now = 0.0
-        self.nodes: list[NodeCore] = []
+        self.nodes: list[Router] = []
         self.arrived: list[list[bytes]] = [[], []]
         self._air: list[tuple[float, int, int, bytes]] = []
         for _ in range(2):
@@ -222,7 +222,7 @@ class Cable:
     def restart(self, side: int, use: CompressionUse = "accept") -> None:
         id, other = ((HERE, FAR), (FAR, HERE))[side]
         static = {other: (UdpPort(f"10.0.0.{2 - side}", 3794),)}
-        self.nodes[side] = NodeCore("/root", compression=use, addresses=static)
+        self.nodes[side] = Router("/root", compression=use, addresses=static)
         self.nodes[side].receive(junior.connect(id), OURS, self.now)
         self.nodes[side].poll_output()
 

@@ -7,7 +7,7 @@ from jauspy.protocol import gateway as rules, judp, junior
 from jauspy.protocol.addressing import GroupPort, LocalPort, Port, UdpPort
 from jauspy.protocol.gateway import Gateway, GatewayRule, GatewayRules
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet
-from jauspy.protocol.node import NodeCore
+from jauspy.protocol.routing import Router
 from jauspy.protocol.sources import SourceLimits
 
 OCU, MOB, MAN, LOCAL = (JausID.parse(text) for text in ("42.1.1", "101.1.102", "101.2.103", "101.3.1"))
@@ -16,23 +16,23 @@ LAN, VEHICLE = GroupPort("lan"), GroupPort("vehicle")
 HERE = LocalPort(f"/root/{int(LOCAL)}")
 
 
-def gateway(*rules: GatewayRule, networks: tuple[str, ...] = ("lan", "vehicle"), subsystem: int = 101) -> NodeCore:
+def gateway(*rules: GatewayRule, networks: tuple[str, ...] = ("lan", "vehicle"), subsystem: int = 101) -> Router:
     inside = networks[1:]
     told = Gateway(subsystem, networks, inside, GatewayRules(rules, inside=inside))
-    return NodeCore("/root", networks=networks, gateway=told)
+    return Router("/root", networks=networks, gateway=told)
 
 
 def message(source: JausID, destination: JausID, sequence: int = 1, code: int = 0x2002, **fields: object) -> bytes:
     return judp.pack(Packet(source, destination, code.to_bytes(2, "little"), sequence, **fields))  # type: ignore[arg-type]
 
 
-def after(core: NodeCore, data: bytes, source: Port, now: float = 0.0) -> list[tuple[Port, bytes]]:
+def after(core: Router, data: bytes, source: Port, now: float = 0.0) -> list[tuple[Port, bytes]]:
     core.receive(data, source, now)
     return core.poll_output()
 
 
 @pytest.fixture
-def core() -> NodeCore:
+def core() -> Router:
     """A gateway of subsystem 101 that has heard an OCU outside and a module inside."""
     core = gateway()
     after(core, message(OCU, EVERYONE, 100), OCU_PORT)
@@ -40,14 +40,14 @@ def core() -> NodeCore:
     return core
 
 
-def test_unicast_crosses_both_ways_as_it_came(core: NodeCore) -> None:
+def test_unicast_crosses_both_ways_as_it_came(core: Router) -> None:
     query, report = message(OCU, MOB), message(MOB, OCU)
     assert after(core, query, OCU_PORT) == [(MOB_PORT, query)]
     assert after(core, report, MOB_PORT) == [(OCU_PORT, report)]
     assert core.counters["relayed"] == 3
 
 
-def test_broadcasts_cross_both_ways(core: NodeCore) -> None:
+def test_broadcasts_cross_both_ways(core: Router) -> None:
     after(core, junior.connect(LOCAL), HERE)
     data = message(OCU, EVERYONE, broadcast=Broadcast.GLOBAL)
     assert after(core, data, OCU_PORT) == [(HERE, data), (VEHICLE, data)]
@@ -65,7 +65,7 @@ def test_broadcasts_cross_both_ways(core: NodeCore) -> None:
     ids=["for the subsystem itself", "local broadcast", "of another subsystem"],
 )
 def test_what_does_not_leave_the_subsystem(
-    core: NodeCore, source: JausID, destination: JausID, fields: dict[str, object]
+    core: Router, source: JausID, destination: JausID, fields: dict[str, object]
 ) -> None:
     assert after(core, message(source, destination, **fields), MOB_PORT) == []
 
@@ -78,18 +78,18 @@ def test_what_does_not_leave_the_subsystem(
         (MAN, EVERYONE, "own_id_outside"),
     ],
 )
-def test_what_does_not_enter(core: NodeCore, source: JausID, destination: JausID, reason: str) -> None:
+def test_what_does_not_enter(core: Router, source: JausID, destination: JausID, reason: str) -> None:
     assert after(core, message(source, destination), OCU_PORT) == []
     assert core.counters[f"dropped.gateway.{reason}"] == 1
 
 
-def test_an_id_that_is_known_inside_cannot_be_taken_from_outside(core: NodeCore) -> None:
+def test_an_id_that_is_known_inside_cannot_be_taken_from_outside(core: Router) -> None:
     assert after(core, message(MOB, EVERYONE, 2), OCU_PORT) == []
     assert after(core, message(OCU, MOB, 3), OCU_PORT) == [(MOB_PORT, message(OCU, MOB, 3))]
     assert core.counters["dropped.address_mismatch"] == 1
 
 
-def test_an_unknown_module_is_asked_for_inside_only(core: NodeCore) -> None:
+def test_an_unknown_module_is_asked_for_inside_only(core: Router) -> None:
     asking = message(OCU, MAN, ack=Ack.REQUIRED)
     assert after(core, message(OCU, MAN), OCU_PORT) == [(VEHICLE, asking)]
     assert after(core, message(OCU, MAN, 2), OCU_PORT) == []
@@ -101,13 +101,13 @@ def test_an_unknown_module_is_asked_for_inside_only(core: NodeCore) -> None:
     assert after(core, answer, there, 1.2) == [(there, message(OCU, MAN, 3)), (OCU_PORT, answer)]
 
 
-def test_an_unknown_ocu_is_asked_for_outside_only(core: NodeCore) -> None:
+def test_an_unknown_ocu_is_asked_for_outside_only(core: Router) -> None:
     far = JausID(43, 1, 1)
     asking = message(MOB, far, ack=Ack.REQUIRED)
     assert after(core, message(MOB, far), MOB_PORT) == [(LAN, asking)]
 
 
-def test_a_retransmission_while_the_module_is_unknown_is_no_echo(core: NodeCore) -> None:
+def test_a_retransmission_while_the_module_is_unknown_is_no_echo(core: Router) -> None:
     asking = message(OCU, MAN, ack=Ack.REQUIRED)
     assert after(core, asking, OCU_PORT) == [(VEHICLE, asking)]
     assert after(core, asking, OCU_PORT, 0.1) == []
@@ -115,19 +115,19 @@ def test_a_retransmission_while_the_module_is_unknown_is_no_echo(core: NodeCore)
     assert core.waiting_messages == 1
 
 
-def test_a_module_that_asks_its_own_network_gets_no_echo(core: NodeCore) -> None:
+def test_a_module_that_asks_its_own_network_gets_no_echo(core: Router) -> None:
     """The destination is on the same network and answers by itself."""
     assert after(core, message(MOB, MAN, ack=Ack.REQUIRED), MOB_PORT) == []
 
 
 def test_without_a_gateway_nothing_crosses() -> None:
-    core = NodeCore("/root", networks=("lan", "vehicle"))
+    core = Router("/root", networks=("lan", "vehicle"))
     after(core, message(MOB, EVERYONE), MOB_PORT)
     assert after(core, message(OCU, MOB), OCU_PORT) == []
     assert after(core, message(OCU, EVERYONE), OCU_PORT) == []
 
 
-def test_local_components_reach_all_networks_of_their_node_manager(core: NodeCore) -> None:
+def test_local_components_reach_all_networks_of_their_node_manager(core: Router) -> None:
     data = message(LOCAL, EVERYONE)
     assert after(core, data, HERE) == [(LAN, data), (VEHICLE, data)]
     assert after(core, message(LOCAL, OCU), HERE) == [(OCU_PORT, message(LOCAL, OCU))]

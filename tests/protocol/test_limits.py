@@ -9,7 +9,7 @@ from jauspy.protocol.address_book import LearnedAddresses
 from jauspy.protocol.addressing import LocalPort, UdpPort
 from jauspy.protocol.authentication import Authenticator
 from jauspy.protocol.header import Packet, Priority, peek_priority
-from jauspy.protocol.node import NodeCore
+from jauspy.protocol.routing import Router
 from jauspy.protocol.sources import SourceChecks, SourceLimits, TokenBuckets
 
 HERE, FAR = JausID.parse("101.1.1"), JausID.parse("42.1.1")
@@ -17,14 +17,14 @@ PORT = LocalPort(f"/root/{int(HERE)}")
 KEY = b"sixteen bytes or more"
 
 
-def core(**limits: object) -> NodeCore:
-    node = NodeCore("/root", sources=SourceChecks(SourceLimits(**limits)))  # type: ignore[arg-type]
+def core(**limits: object) -> Router:
+    node = Router("/root", sources=SourceChecks(SourceLimits(**limits)))  # type: ignore[arg-type]
     node.receive(junior.connect(HERE), PORT, 0.0)
     node.poll_output()
     return node
 
 
-def received(node: NodeCore, data: bytes, host: str = "10.0.0.1", now: float = 0.0) -> int:
+def received(node: Router, data: bytes, host: str = "10.0.0.1", now: float = 0.0) -> int:
     node.receive(data, UdpPort(host, 3794), now)
     return len(node.poll_output())
 
@@ -116,7 +116,7 @@ def test_whoever_uses_an_id_twice_is_told_once_and_a_flood_of_them_is_only_count
 
 
 def test_components_by_udp_leave_places_for_those_with_a_socket() -> None:
-    node = NodeCore("/root")
+    node = Router("/root")
     for number in range(registrar.MAX_UDP_COMPONENTS + 10):
         id = JausID(7, 1 + number // 200, 1 + number % 200)
         node.receive(junior.connect(id), UdpPort("127.0.0.1", 5000 + number), 0.0)

@@ -9,7 +9,7 @@ from jauspy.protocol import judp, junior, registrar
 from jauspy.protocol.address_book import ADDRESS_LIFETIME
 from jauspy.protocol.addressing import GROUP, LocalPort, Port, SerialPort, TcpPort, UdpPort
 from jauspy.protocol.header import Ack, Broadcast, Packet
-from jauspy.protocol.node import NodeCore
+from jauspy.protocol.routing import Router
 
 OURS, THEIRS = JausID.parse("100.1.1"), JausID.parse("200.1.1")
 OUR_PORT, PEER = LocalPort("/root/ours"), UdpPort("10.0.0.9", 3794)
@@ -18,14 +18,14 @@ V1_HERE = "010000 0012 06023412 01016400 0101c800 0200 2300 0102"
 V1_REPLY = "010000 0012 06023412 0101c800 01016400 0200 2300 0102"
 
 
-def node(**settings: object) -> NodeCore:
-    core = NodeCore("/root", **settings)  # type: ignore[arg-type]
+def node(**settings: object) -> Router:
+    core = Router("/root", **settings)  # type: ignore[arg-type]
     core.receive(junior.connect(OURS), OUR_PORT, 0.0)
     core.poll_output()
     return core
 
 
-def receive(core: NodeCore, data: str | bytes, source: Port, now: float = 0.0) -> list[tuple[Port, str]]:
+def receive(core: Router, data: str | bytes, source: Port, now: float = 0.0) -> list[tuple[Port, str]]:
     core.receive(bytes.fromhex(data) if isinstance(data, str) else data, source, now)
     return [(port, out.hex()) for port, out in core.poll_output()]
 

@@ -7,7 +7,7 @@ from jauspy.protocol import judp, junior
 from jauspy.protocol.addressing import GROUP, LocalPort, Port, UdpPort
 from jauspy.protocol.gateway import Gateway, GatewayRules
 from jauspy.protocol.header import Packet
-from jauspy.protocol.node import NodeCore
+from jauspy.protocol.routing import Router
 from jauspy.protocol.sources import SourceChecks, SourceLimits
 
 A, B, FAR, NOBODY = (JausID.parse(text) for text in ("101.1.1", "101.1.2", "42.1.1", "77.1.1"))
@@ -23,7 +23,7 @@ class Node:
 
     def __init__(self, **options: object) -> None:
         self.changed: list[int | None] = []
-        self.core = NodeCore("/tmp", changed=self.changed.append, **options)  # type: ignore[arg-type]
+        self.core = Router("/tmp", changed=self.changed.append, **options)  # type: ignore[arg-type]
         for id in (A, B):
             self.core.receive(junior.connect(id), home(id), 0.0)
         self.hear(FAR, PEER)

@@ -12,14 +12,14 @@ from jauspy.protocol.addressing import LocalPort
 from jauspy.transport import local_socket
 
 if TYPE_CHECKING:
-    from jauspy.protocol.node import NodeCore
     from jauspy.protocol.registrar import ComponentPort
+    from jauspy.protocol.routing import Router
 
 
 class Mailboxes:
     """By the path of the component's socket. The core is told of components that nobody listens for any more."""
 
-    def __init__(self, root: Path, core: NodeCore) -> None:
+    def __init__(self, root: Path, core: Router) -> None:
         self._root = root
         self._core = core
         self._by_path: dict[str, Mailbox] = {}

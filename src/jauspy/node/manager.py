@@ -23,7 +23,7 @@ from jauspy.node.state import NodeState
 from jauspy.node.sweep import Sweep
 from jauspy.protocol import junior
 from jauspy.protocol.addressing import GroupPort, LocalPort, Port, SerialPort, TcpPort, UdpPort
-from jauspy.protocol.node import NodeCore
+from jauspy.protocol.routing import Router
 from jauspy.protocol.sources import SourceChecks
 from jauspy.transport import draining, local_socket, memberships
 
@@ -48,7 +48,7 @@ class NodeManager:
         self.config = config or NodeConfig()
         self._known = self.config.known_addresses()
         dead = partial(is_dead, self.config.local_root)
-        self._core = NodeCore(
+        self._core = Router(
             str(self.config.local_root),
             addresses=self._known,
             address_lifetime=self.config.address_lifetime,

@@ -9,8 +9,8 @@ from typing import Final, TypeAlias
 
 from jauspy.protocol import header
 from jauspy.protocol.addressing import LocalPort, Port, UdpPort
-from jauspy.protocol.egress import ROUTED
-from jauspy.protocol.node import RECEIVED, NodeCore
+from jauspy.protocol.egress import ROUTED_COUNTERS
+from jauspy.protocol.routing import RECEIVED_COUNTERS, Router
 
 LIFETIME: Final = 0.5
 """Seconds until all ways are looked for again, so that what the core learns from packets is only this much late."""
@@ -29,7 +29,7 @@ class Shortcuts:
     `open_way` makes what sends to a port, or None when its datagrams are to go the whole way.
     """
 
-    def __init__(self, core: NodeCore, open_way: Callable[[LocalPort | UdpPort], Send | None]) -> None:
+    def __init__(self, core: Router, open_way: Callable[[LocalPort | UdpPort], Send | None]) -> None:
         self._core = core
         self._counters = core.counters
         self._open_way = open_way
@@ -79,7 +79,7 @@ class Shortcuts:
             return None
         if len(self._ways) >= MAX_WAYS:
             self.clear()
-        way = self._ways[port, ids] = (send, RECEIVED[type(port)], ROUTED[type(where)])
+        way = self._ways[port, ids] = (send, RECEIVED_COUNTERS[type(port)], ROUTED_COUNTERS[type(where)])
         self._ids.update((source, destination))
         if self._timer is None:
             self._timer = loop.call_later(LIFETIME, self.clear)

@@ -11,8 +11,8 @@ from jauspy.ids import JausID
 from jauspy.node.config import NodeConfig
 from jauspy.node.network import Network
 from jauspy.protocol.addressing import NetworkPort
-from jauspy.protocol.node import NodeCore
 from jauspy.protocol.registrar import format_port
+from jauspy.protocol.routing import Router
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,7 +20,7 @@ class NodeState:
     """References into a running node manager; `waiting` is the queue of each local socket, `now` in loop time."""
 
     config: NodeConfig
-    core: NodeCore
+    core: Router
     networks: Mapping[str, Network]
     waiting: Mapping[str, int]
     ingress: int

@@ -13,8 +13,8 @@ from jauspy.protocol.counters import Counters
 from jauspy.protocol.duplicates import MulticastEchoes
 from jauspy.protocol.registrar import ComponentDirectory, ComponentPort
 
-KINDS: Final = {LocalPort: "local", UdpPort: "udp", GroupPort: "udp", TcpPort: "tcp", SerialPort: "serial"}
-ROUTED: Final[dict[type, str]] = {port: f"routed.{kind}" for port, kind in KINDS.items()}
+PORT_KINDS: Final = {LocalPort: "local", UdpPort: "udp", GroupPort: "udp", TcpPort: "tcp", SerialPort: "serial"}
+ROUTED_COUNTERS: Final[dict[type, str]] = {port: f"routed.{kind}" for port, kind in PORT_KINDS.items()}
 
 
 class EgressQueue:
@@ -26,7 +26,7 @@ class EgressQueue:
         self._address_book = address_book
         self._queue: list[tuple[Port, bytes]] = []
         self.echoes = MulticastEchoes()
-        self.dialects = wire.Dialects()
+        self.dialects = wire.PeerVersions()
         self.compression: Compression | None = None
 
     def drain(self) -> list[tuple[Port, bytes]]:
@@ -71,4 +71,4 @@ class EgressQueue:
 
     def _send_to(self, port: NetworkPort, destination: int, datagram: bytes) -> None:
         self._queue.append((port, self.dialects.spoken_to(destination, datagram)))
-        self._counters[ROUTED[type(port)]] += 1
+        self._counters[ROUTED_COUNTERS[type(port)]] += 1

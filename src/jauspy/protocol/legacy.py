@@ -33,7 +33,7 @@ _FLAGS: Final = {0: DataFlag.SINGLE, 1: DataFlag.FIRST, 2: DataFlag.MIDDLE, 4: D
 """From data control; 4 is a piece in the middle that is sent again."""
 
 
-class Dialect(Enum):
+class LegacyVersion(Enum):
     """Which old header a peer speaks."""
 
     V1 = "AS5669 1"
@@ -43,16 +43,16 @@ class Dialect(Enum):
 class LegacyPacket(NamedTuple):
     """One old packet; `header` is its RA header and `payload` what follows."""
 
-    dialect: Dialect
+    dialect: LegacyVersion
     code: int
     raw: RawPacket
     header: bytes
     payload: bytes
 
-    def as_datagram(self, dialect: Dialect) -> bytes:
+    def as_datagram(self, dialect: LegacyVersion) -> bytes:
         """The same packet with this outer header."""
         body = self.header + self.payload
-        if dialect is Dialect.OPC:
+        if dialect is LegacyVersion.OPC:
             return OPC_GREETING + body
         return _V1_HEAD.pack(V1, b"\0\0", len(body)) + body
 
@@ -85,7 +85,7 @@ def is_legacy(data: bytes) -> bool:
 def parse(data: bytes) -> list[LegacyPacket]:
     """The packets of a datagram with an old header; raises `ProtocolError` with a short reason."""
     if data.startswith(OPC_GREETING):
-        return [_parse_ra(data[len(OPC_GREETING) :], Dialect.OPC)]
+        return [_parse_ra(data[len(OPC_GREETING) :], LegacyVersion.OPC)]
     packets = []
     at = 1
     while at < len(data):
@@ -98,7 +98,7 @@ def parse(data: bytes) -> list[LegacyPacket]:
         body = data[at + _V1_HEAD.size - 1 :][:length]
         if len(body) < length:
             raise ProtocolError("truncated", f"a length of {length} in {len(body)} bytes")
-        packets.append(_parse_ra(body, Dialect.V1))
+        packets.append(_parse_ra(body, LegacyVersion.V1))
         at += _V1_HEAD.size - 1 + length
     if not packets:
         raise ProtocolError("empty", "a datagram without a packet")
@@ -111,7 +111,7 @@ def priority(data: bytes) -> int:
     return _priority(data[at]) if at < len(data) else Priority.LOW
 
 
-def _parse_ra(body: bytes, dialect: Dialect) -> LegacyPacket:
+def _parse_ra(body: bytes, dialect: LegacyVersion) -> LegacyPacket:
     if len(body) < RA_SIZE:
         raise ProtocolError("truncated", f"{len(body)} bytes are too few for a JAUS RA header")
     properties, version, code, destination, source, size, _ = _RA.unpack_from(body)

@@ -12,9 +12,9 @@ from typing import Final
 
 from jauspy.protocol import header, judp, legacy
 from jauspy.protocol.header import Ack, RawPacket
-from jauspy.protocol.legacy import Dialect
+from jauspy.protocol.legacy import LegacyVersion
 
-MAX_DIALECTS: Final = 1024
+MAX_PEER_VERSIONS: Final = 1024
 
 _VERSION_BYTE: Final = bytes([header.VERSION])
 _PLAIN: Final = bytes([header.VERSION, 0])
@@ -24,7 +24,7 @@ _HC_BYTES: Final = 2
 _OLD_BEGINNINGS: Final = (bytes([legacy.V1]), legacy.OPC_GREETING[:1])
 
 
-def packets(data: bytes) -> Iterator[tuple[RawPacket, bytes, Dialect | None]]:
+def packets(data: bytes) -> Iterator[tuple[RawPacket, bytes, LegacyVersion | None]]:
     """Header, datagram and old dialect of each packet; raises `ProtocolError` at the first that is wrong.
 
     The header's offsets are those in the datagram that comes with it.
@@ -33,7 +33,7 @@ def packets(data: bytes) -> Iterator[tuple[RawPacket, bytes, Dialect | None]]:
     return iter(((alone, data, None),)) if alone is not None else _packets(data)
 
 
-def _packets(data: bytes) -> Iterator[tuple[RawPacket, bytes, Dialect | None]]:
+def _packets(data: bytes) -> Iterator[tuple[RawPacket, bytes, LegacyVersion | None]]:
     if legacy.is_legacy(data):
         yield from map(_old, legacy.parse(data))
         return
@@ -62,34 +62,34 @@ def peek_priority(data: bytes, skip: int = 0) -> int:
     return header.peek_priority(data, skip)
 
 
-def asking(datagram: bytes) -> bytes:
+def with_ack_required(datagram: bytes) -> bytes:
     """The same packet, asking for an ACK, by which its destination makes itself known."""
     if legacy.is_legacy(datagram):
-        return legacy.parse(datagram)[0].asking().as_datagram(Dialect.V1)
+        return legacy.parse(datagram)[0].asking().as_datagram(LegacyVersion.V1)
     at = header.control_offset(datagram)
     if datagram[at] & _ACK_MASK:
         return datagram
     return datagram[:at] + bytes([datagram[at] | _ACK_REQUIRED]) + datagram[at + 1 :]
 
 
-class Dialects:
+class PeerVersions:
     """Which old header each id was last heard with. AS5669A is never turned into one."""
 
     def __init__(self) -> None:
-        self._known: OrderedDict[int, Dialect] = OrderedDict()
+        self._known: OrderedDict[int, LegacyVersion] = OrderedDict()
 
-    def learn(self, id: int, dialect: Dialect) -> None:
+    def learn(self, id: int, dialect: LegacyVersion) -> None:
         """Remember how somebody on the network speaks."""
         self._known[id] = dialect
         self._known.move_to_end(id)
-        if len(self._known) > MAX_DIALECTS:
+        if len(self._known) > MAX_PEER_VERSIONS:
             self._known.popitem(last=False)
 
     def spoken_to(self, id: int, datagram: bytes) -> bytes:
         """The same packet as `id` understands it."""
-        if datagram[0] != legacy.V1 or self._known.get(id) is not Dialect.OPC:
+        if datagram[0] != legacy.V1 or self._known.get(id) is not LegacyVersion.OPC:
             return datagram
-        return legacy.parse(datagram)[0].as_datagram(Dialect.OPC)
+        return legacy.parse(datagram)[0].as_datagram(LegacyVersion.OPC)
 
 
 def _single(data: bytes, raw: RawPacket) -> bytes:
@@ -100,9 +100,9 @@ def _single(data: bytes, raw: RawPacket) -> bytes:
     return _VERSION_BYTE + packet
 
 
-def _old(packet: legacy.LegacyPacket) -> tuple[RawPacket, bytes, Dialect | None]:
+def _old(packet: legacy.LegacyPacket) -> tuple[RawPacket, bytes, LegacyVersion | None]:
     if packet.code == 0:
         datagram = packet.as_current()
         return header.parse_header(datagram, 1), datagram, None
-    datagram = packet.as_datagram(Dialect.V1)
+    datagram = packet.as_datagram(LegacyVersion.V1)
     return packet.raw._replace(start=1, end=len(datagram), payload_start=legacy.V1_CODE_AT), datagram, packet.dialect

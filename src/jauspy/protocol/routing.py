@@ -17,7 +17,7 @@ from jauspy.protocol.address_book import ADDRESS_LIFETIME, AddressBook
 from jauspy.protocol.addressing import DEFAULT_NETWORK, GroupPort, LocalPort, NetworkPort, Port, UdpPort
 from jauspy.protocol.compression import Compression, applies_to
 from jauspy.protocol.counters import Counters
-from jauspy.protocol.egress import KINDS, EgressQueue
+from jauspy.protocol.egress import PORT_KINDS, EgressQueue
 from jauspy.protocol.gateway import Gateway
 from jauspy.protocol.header import Broadcast, RawPacket
 from jauspy.protocol.pending import PendingDestinations
@@ -26,12 +26,12 @@ from jauspy.protocol.sources import SourceChecks
 
 _LOGGER = logging.getLogger(__name__)
 
-RECEIVED: Final[dict[type, str]] = {port: f"received.{kind}" for port, kind in KINDS.items()}
+RECEIVED_COUNTERS: Final[dict[type, str]] = {port: f"received.{kind}" for port, kind in PORT_KINDS.items()}
 
 CompressionUse: TypeAlias = Literal["off", "accept", "propose"]
 
 
-class NodeCore:
+class Router:
     """Routing between the components of this machine (`LocalPort`) and the networks (all other ports).
 
     `local_root` is the folder of the components' sockets. `addresses` are entries that are never forgotten; others are,
@@ -84,7 +84,7 @@ class NodeCore:
 
     def receive(self, data: bytes, source: Port, now: float) -> None:
         """Take one datagram from a component or from the network. Never raises; what is wrong is counted."""
-        self.counters[RECEIVED[type(source)]] += 1
+        self.counters[RECEIVED_COUNTERS[type(source)]] += 1
         try:
             if isinstance(source, LocalPort) or (
                 isinstance(source, UdpPort) and self._registrar.is_local(data, source)
@@ -139,7 +139,9 @@ class NodeCore:
     def handle_timeout(self, now: float) -> None:
         """Ask again for unknown destinations, drop what waited too long."""
         for datagram in self._waiting.handle_timeout(now):
-            self._out.multicast(wire.asking(datagram), self._where_to_ask(wire.header_of(datagram), now), now)
+            self._out.multicast(
+                wire.with_ack_required(datagram), self._where_to_ask(wire.header_of(datagram), now), now
+            )
 
     @property
     def waiting_messages(self) -> int:
@@ -190,7 +192,7 @@ class NodeCore:
         else:
             self._out.deliver_broadcast(destination, datagram, besides=raw.source)
             if (probe := self._waiting.add(destination, datagram, now)) is not None:
-                self._out.multicast(wire.asking(probe), self._where_to_ask(raw, now), now)
+                self._out.multicast(wire.with_ack_required(probe), self._where_to_ask(raw, now), now)
 
     # --- from the network ----------------------------------------------------------------------------------------
 
@@ -245,7 +247,7 @@ class NodeCore:
             self.counters.drop("not_here", JausID.from_int(destination))
         elif (address := self.address_book.find(destination, now)) is None:
             if (probe := self._waiting.add(destination, datagram, now)) is not None:
-                self._out.multicast(wire.asking(probe), onward, now)
+                self._out.multicast(wire.with_ack_required(probe), onward, now)
         elif address.network in onward:
             self._out.forward(address, destination, datagram, now)
             self.counters["relayed"] += 1
