@@ -15,6 +15,7 @@ from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
 
 VERSION: Final = 2
+VERSION_BYTE: Final = bytes([VERSION])
 OVERHEAD: Final = 14
 """Bytes of a packet without its payload (and without the version byte)."""
 MAX_PAYLOAD: Final = 4079

@@ -18,12 +18,10 @@ PORT: Final = 3794
 MULTICAST_GROUP: Final = "239.255.0.1"
 MULTICAST_TTL: Final = 16
 
-_VERSION_BYTE: Final = bytes([header.VERSION])
-
 
 def pack(packet: Packet) -> bytes:
     """The datagram of one packet."""
-    return _VERSION_BYTE + header.pack(packet)
+    return header.VERSION_BYTE + header.pack(packet)
 
 
 def check_version(data: bytes | memoryview) -> None:

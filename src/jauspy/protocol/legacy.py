@@ -11,13 +11,13 @@ code is a message of JAUS RA, which is passed on as it is; only its outer header
 from __future__ import annotations
 
 import struct
+from collections import OrderedDict
 from enum import Enum
 from typing import Final, NamedTuple
 
 from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
-from jauspy.protocol import judp
-from jauspy.protocol.header import Ack, DataFlag, Packet, Priority, RawPacket
+from jauspy.protocol.header import VERSION_BYTE, Ack, DataFlag, Packet, Priority, RawPacket, pack
 
 V1: Final = 1
 OPC_GREETING: Final = b"JAUS01.0"
@@ -31,6 +31,7 @@ RA_SIZE: Final = _RA.size
 _MAX_DATA: Final = 0xFFF
 _FLAGS: Final = {0: DataFlag.SINGLE, 1: DataFlag.FIRST, 2: DataFlag.MIDDLE, 4: DataFlag.MIDDLE, 8: DataFlag.LAST}
 """From data control; 4 is a piece in the middle that is sent again."""
+MAX_PEER_VERSIONS: Final = 1024
 
 
 class LegacyVersion(Enum):
@@ -68,7 +69,7 @@ class LegacyPacket(NamedTuple):
             ack=Ack(self.raw.ack),
             data_flag=_flag(size >> 12),
         )
-        return judp.pack(packet)
+        return VERSION_BYTE + pack(packet)
 
     def asking(self) -> LegacyPacket:
         """The same packet, asking for an ACK, by which its destination makes itself known."""
@@ -109,6 +110,26 @@ def priority(data: bytes) -> int:
     """The AS5669A priority of an old datagram; the lowest when it is cut off."""
     at = len(OPC_GREETING) if data.startswith(OPC_GREETING) else _V1_HEAD.size
     return _priority(data[at]) if at < len(data) else Priority.LOW
+
+
+class PeerVersions:
+    """Which old header each id was last heard with. AS5669A is never turned into one."""
+
+    def __init__(self) -> None:
+        self._known: OrderedDict[int, LegacyVersion] = OrderedDict()
+
+    def learn(self, id: int, dialect: LegacyVersion) -> None:
+        """Remember how somebody on the network speaks."""
+        self._known[id] = dialect
+        self._known.move_to_end(id)
+        if len(self._known) > MAX_PEER_VERSIONS:
+            self._known.popitem(last=False)
+
+    def spoken_to(self, id: int, datagram: bytes) -> bytes:
+        """The same packet as `id` understands it."""
+        if datagram[0] != V1 or self._known.get(id) is not LegacyVersion.OPC:
+            return datagram
+        return parse(datagram)[0].as_datagram(LegacyVersion.OPC)
 
 
 def _parse_ra(body: bytes, dialect: LegacyVersion) -> LegacyPacket:

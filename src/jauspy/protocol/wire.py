@@ -6,7 +6,6 @@ passed on. Old headers without a command code become AS5669A; those with one bec
 
 from __future__ import annotations
 
-from collections import OrderedDict
 from collections.abc import Iterator
 from typing import Final
 
@@ -14,9 +13,6 @@ from jauspy.protocol import header, judp, legacy
 from jauspy.protocol.header import Ack, RawPacket
 from jauspy.protocol.legacy import LegacyVersion
 
-MAX_PEER_VERSIONS: Final = 1024
-
-_VERSION_BYTE: Final = bytes([header.VERSION])
 _PLAIN: Final = bytes([header.VERSION, 0])
 _ACK_REQUIRED: Final = Ack.REQUIRED << 4
 _ACK_MASK: Final = 3 << 4
@@ -72,32 +68,12 @@ def with_ack_required(datagram: bytes) -> bytes:
     return datagram[:at] + bytes([datagram[at] | _ACK_REQUIRED]) + datagram[at + 1 :]
 
 
-class PeerVersions:
-    """Which old header each id was last heard with. AS5669A is never turned into one."""
-
-    def __init__(self) -> None:
-        self._known: OrderedDict[int, LegacyVersion] = OrderedDict()
-
-    def learn(self, id: int, dialect: LegacyVersion) -> None:
-        """Remember how somebody on the network speaks."""
-        self._known[id] = dialect
-        self._known.move_to_end(id)
-        if len(self._known) > MAX_PEER_VERSIONS:
-            self._known.popitem(last=False)
-
-    def spoken_to(self, id: int, datagram: bytes) -> bytes:
-        """The same packet as `id` understands it."""
-        if datagram[0] != legacy.V1 or self._known.get(id) is not LegacyVersion.OPC:
-            return datagram
-        return legacy.parse(datagram)[0].as_datagram(LegacyVersion.OPC)
-
-
 def _single(data: bytes, raw: RawPacket) -> bytes:
     packet = data[raw.start : raw.end]
     if packet[0]:
         size = len(packet) - _HC_BYTES
         packet = b"\0" + size.to_bytes(2, "little") + packet[3 + _HC_BYTES :]
-    return _VERSION_BYTE + packet
+    return header.VERSION_BYTE + packet
 
 
 def _old(packet: legacy.LegacyPacket) -> tuple[RawPacket, bytes, LegacyVersion | None]:
