@@ -105,7 +105,7 @@ async def test_a_step_of_the_wall_clock_changes_nothing(
     own = judp.pack(Packet(HERE, HERE, b"\0\0"))
     here.sendto(own, str(node.path))
     assert await receive(here) == own
-    assert node.state.core.waiting_messages == 2
+    assert node.state.core.pending_messages == 2
     assert node.counters["dropped.unknown_destination"] == 0
 
 

@@ -27,7 +27,7 @@ PORTS: tuple[Port, ...] = (
 )
 
 
-class Router:
+class CountingRouter:
     """A core, with shortcuts or without."""
 
     def __init__(self, *, short: bool) -> None:
@@ -89,14 +89,14 @@ def any_datagram(chance: random.Random, number: int) -> bytes:
 @pytest.mark.parametrize("seed", range(5))
 async def test_nobody_can_tell_the_difference(seed: int) -> None:
     chance = random.Random(seed)
-    quick, whole = Router(short=True), Router(short=False)
+    quick, whole = CountingRouter(short=True), CountingRouter(short=False)
     now = asyncio.get_running_loop().time()
     for number in range(4000):
         datagram, port = any_datagram(chance, number), chance.choice(PORTS)
         gone = chance.choice(PORTS) if chance.random() < 0.01 else None
         for router in (quick, whole):
             if isinstance(gone, LocalPort | UdpPort):
-                router.core.unreachable(gone)
+                router.core.remove_dead(gone)
             router.take(datagram, port, now)
         assert quick.out == whole.out, f"datagram {number}: {datagram.hex()} from {port}"
         quick.out.clear()
@@ -108,7 +108,7 @@ async def test_nobody_can_tell_the_difference(seed: int) -> None:
 
 async def test_ways_are_looked_for_again_after_a_while(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(shortcuts, "LIFETIME", 0.0)
-    router = Router(short=True)
+    router = CountingRouter(short=True)
     now = asyncio.get_running_loop().time()
     port = LocalPort(f"/tmp/{int(HERE)}")
     for id in (HERE, THERE):
@@ -122,7 +122,7 @@ async def test_ways_are_looked_for_again_after_a_while(monkeypatch: pytest.Monke
 
 async def test_made_up_destinations_do_not_pile_up(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(shortcuts, "MAX_WAYS", 3)
-    router = Router(short=True)
+    router = CountingRouter(short=True)
     now = asyncio.get_running_loop().time()
     sender = JausID(101, 1, 1)
     for number in range(1, 20):

@@ -14,7 +14,7 @@ from jauspy.protocol import compression, compression as templates, judp, junior
 from jauspy.protocol.addressing import LocalPort, Port, UdpPort
 from jauspy.protocol.compression import Compression
 from jauspy.protocol.counters import Counters
-from jauspy.protocol.header import Ack, Packet, Priority, peek_priority
+from jauspy.protocol.header import Ack, Packet, Priority
 from jauspy.protocol.routing import CompressionUse, Router
 
 HERE, FAR = JausID.parse("100.1.2"), JausID.parse("101.1.1")
@@ -127,7 +127,7 @@ def test_the_most_urgent_always_go_whole() -> None:
     urgent = judp.pack(Packet(HERE, FAR, b"\x06\x00\x00", 1, Priority.SAFETY_CRITICAL))
     for now in (0.1, 1.0, 6.0):
         assert receive(agreed(), urgent, OURS, now) == [(PEER, urgent.hex())]
-    assert peek_priority(bytes.fromhex("02 c00900 0109 ff20 0700")) == Priority.STANDARD
+    assert judp.peek_priority(bytes.fromhex("02 c00900 0109 ff20 0700")) == Priority.STANDARD
 
 
 def test_the_largest_packets_stay_within_4096_bytes() -> None:
@@ -175,7 +175,7 @@ def test_everything_is_bounded() -> None:
         peer = UdpPort(f"10.1.{number % 100}.1", 3794)
         head = bytes.fromhex("02 401200") + bytes([number & 0xFF, 9, 1]) + bytes.fromhex("02016400")
         receive(core, head + chance.randbytes(4) + b"\x02\x20\x07\x00", peer, number / 1000)
-    used = core._out.compression
+    used = core._egress.compression
     assert used is not None
     assert len(used._templates._known) == templates.MAX_TEMPLATES
     assert len(used._partners) == compression.MAX_PARTNERS

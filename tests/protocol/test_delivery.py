@@ -214,7 +214,13 @@ def test_without_loss_everything_arrives_in_any_order_of_packets(
 
 @pytest.mark.parametrize(
     "wrong",
-    [{"ack_timeout": 0}, {"resends": -1}, {"window": 0}, {"max_message": MAX_MESSAGE_SIZE + 1}, {"patience": -1}],
+    [
+        {"ack_timeout": 0},
+        {"resends": -1},
+        {"window": 0},
+        {"max_message": MAX_MESSAGE_SIZE + 1},
+        {"fragment_timeout": -1},
+    ],
 )
 def test_settings_that_make_no_sense(wrong: dict[str, Any]) -> None:
     with pytest.raises(ConfigError, match="delivery"):

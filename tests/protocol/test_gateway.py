@@ -112,7 +112,7 @@ def test_a_retransmission_while_the_module_is_unknown_is_no_echo(core: Router) -
     assert after(core, asking, OCU_PORT) == [(VEHICLE, asking)]
     assert after(core, asking, OCU_PORT, 0.1) == []
     assert core.counters["echoes"] == 0
-    assert core.waiting_messages == 1
+    assert core.pending_messages == 1
 
 
 def test_a_module_that_asks_its_own_network_gets_no_echo(core: Router) -> None:
@@ -238,7 +238,7 @@ def test_a_ring_of_three_networks_comes_to_rest() -> None:
     """With the address check off, so that only the memory of what was relayed stops it."""
     ring = Ring(("lan", "a", "b"), ("lan", "b", "c"), ("lan", "c", "a"))
     for core in ring.gateways.values():
-        core.sources.limit(SourceLimits(check_address=False))
+        core.sources.set_limits(SourceLimits(check_address=False))
     data = message(MOB, JausID(101, 255, 255), broadcast=Broadcast.GLOBAL)
     ring.hear(data, UdpPort("10.1.0.2", 3794, "a"))
     assert 2 <= len(ring.crossings) <= 4

@@ -7,7 +7,7 @@ from hypothesis import given, settings, strategies as st
 
 from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
-from jauspy.protocol import judp, reassembly, reassembly as fragments
+from jauspy.protocol import delivery, judp, reassembly
 from jauspy.protocol.delivery import BURST_INTERVAL, FRAGMENTS_PER_BURST, Delivery
 from jauspy.protocol.endpoint import Endpoint
 from jauspy.protocol.header import MAX_PAYLOAD, Ack, DataFlag, Packet
@@ -17,8 +17,8 @@ A, B = JausID.parse("100.1.4"), JausID.parse("101.1.1")
 
 def pieces(payload: bytes, first: int = 1, source: JausID = A, ack: Ack = Ack.NONE) -> list[bytes]:
     made = []
-    for index in range(fragments.fragment_count(len(payload))):
-        part, flag = fragments.fragment_at(payload, index)
+    for index in range(delivery.fragment_count(len(payload))):
+        part, flag = delivery.fragment_at(payload, index)
         made.append(judp.pack(Packet(source, B, part, (first + index) & 0xFFFF, ack=ack, data_flag=flag)))
     return made
 

@@ -1,4 +1,4 @@
-"""Old headers: examples from the wire, both dialects, and what is malformed."""
+"""Old headers: examples from the wire, both versions, and what is malformed."""
 
 import pytest
 from hypothesis import given, strategies as st
@@ -25,7 +25,7 @@ def v1(body: bytes) -> bytes:
 
 def test_version_1_from_the_wire() -> None:
     (packet,) = legacy.parse(V1)
-    assert (packet.dialect, packet.code) == (LegacyVersion.V1, 0x1234)
+    assert (packet.version, packet.code) == (LegacyVersion.V1, 0x1234)
     assert (packet.raw.destination, packet.raw.source) == (0x00650101, 0x00640108)
     assert packet.payload == bytes(range(10))
     assert packet.as_datagram(LegacyVersion.V1) == V1
@@ -33,9 +33,9 @@ def test_version_1_from_the_wire() -> None:
 
 def test_opc_from_the_wire_and_over_to_version_1() -> None:
     (packet,) = legacy.parse(OPC)
-    assert (packet.dialect, packet.payload.hex()) == (LegacyVersion.OPC, "0102")
+    assert (packet.version, packet.payload.hex()) == (LegacyVersion.OPC, "0102")
     assert packet.as_datagram(LegacyVersion.OPC) == OPC
-    assert legacy.parse(packet.as_datagram(LegacyVersion.V1))[0]._replace(dialect=LegacyVersion.OPC) == packet
+    assert legacy.parse(packet.as_datagram(LegacyVersion.V1))[0]._replace(version=LegacyVersion.OPC) == packet
     (heartbeat,) = legacy.parse(HEARTBEAT)
     assert (heartbeat.code, heartbeat.raw.source) == (0x4202, 0x82010101)
 

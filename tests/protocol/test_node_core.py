@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given, strategies as st
 
 from jauspy.ids import EVERYONE, JausID
-from jauspy.protocol import judp, junior, pending, registrar
+from jauspy.protocol import directory, judp, junior, pending
 from jauspy.protocol.addressing import GROUP, LocalPort, Port, UdpPort
 from jauspy.protocol.duplicates import ECHO_LIFETIME, MulticastEchoes
 from jauspy.protocol.header import Ack, Broadcast, Packet
@@ -135,7 +135,7 @@ def test_an_unknown_destination_is_asked_for_at_a_bounded_rate(node: Router) -> 
     assert node.counters["dropped.unknown_destination"] + multicasts + pending.MAX_PENDING_PER_DESTINATION >= 1000
 
 
-def test_waiting_messages_ask_again_and_expire(node: Router) -> None:
+def test_pending_messages_ask_again_and_expire(node: Router) -> None:
     for sequence in range(1, 6):
         after(node, message(A, FAR, sequence), port(A), 0.0)
     asked = []
@@ -194,7 +194,7 @@ def test_packed_datagrams_are_unpacked_for_everybody(node: Router) -> None:
 
 
 def test_a_dead_component_leaves_the_living_alone(node: Router) -> None:
-    node.unreachable(port(A))
+    node.remove_dead(port(A))
     data = message(FAR, JausID(100, 255, 255))
     assert after(node, data, FAR_PORT) == [(port(B), data), (port(C), data)]
     after(node, message(A, B), port(A))
@@ -204,7 +204,7 @@ def test_a_dead_component_leaves_the_living_alone(node: Router) -> None:
 def test_who_does_not_listen_any_more_is_asked_for_again(node: Router) -> None:
     after(node, message(FAR, A), FAR_PORT)
     assert after(node, message(A, FAR), port(A)) == [(FAR_PORT, message(A, FAR))]
-    node.unreachable(FAR_PORT)
+    node.remove_dead(FAR_PORT)
     assert [where for where, _ in after(node, message(A, FAR, 2), port(A))] == [GROUP]
 
 
@@ -217,10 +217,10 @@ def test_malformed_datagrams_are_counted_and_nothing_is_sent(node: Router, data:
 
 def test_the_number_of_components_is_bounded() -> None:
     core = Router("/root")
-    for number in range(registrar.MAX_COMPONENTS + 2):
+    for number in range(directory.MAX_COMPONENTS + 2):
         id = JausID(1 + number, 1, 1)
         core.receive(junior.connect(id), port(id), 0.0)
-    assert len(core.components) == registrar.MAX_COMPONENTS
+    assert len(core.components) == directory.MAX_COMPONENTS
     assert core.counters["dropped.component_refused"] == 2
 
 
@@ -253,12 +253,12 @@ def test_only_the_newest_own_multicasts_are_remembered() -> None:
     echoes = MulticastEchoes(limit=2)
     for data in (b"a", b"b", b"a", b"c"):
         echoes.add(data, "lan", 0.0)
-    assert [echoes.heard(data, "lan", 0.1) for data in (b"a", b"b", b"c", b"d")] == [True, False, True, False]
+    assert [echoes.seen(data, "lan", 0.1) for data in (b"a", b"b", b"c", b"d")] == [True, False, True, False]
 
 
 def test_a_multicast_is_remembered_for_its_network_and_for_a_short_time() -> None:
     echoes = MulticastEchoes()
     echoes.add(b"a", "lan", 5.0)
-    assert echoes.heard(b"a", "lan", 5.0 + ECHO_LIFETIME / 2)
-    assert not echoes.heard(b"a", "vehicle", 5.0 + ECHO_LIFETIME / 2)
-    assert not echoes.heard(b"a", "lan", 5.0 + ECHO_LIFETIME)
+    assert echoes.seen(b"a", "lan", 5.0 + ECHO_LIFETIME / 2)
+    assert not echoes.seen(b"a", "vehicle", 5.0 + ECHO_LIFETIME / 2)
+    assert not echoes.seen(b"a", "lan", 5.0 + ECHO_LIFETIME)

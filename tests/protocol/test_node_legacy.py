@@ -105,7 +105,7 @@ def test_ids_that_are_used_twice_are_reported_once_each(caplog: pytest.LogCaptur
     for number in range(registrar.MAX_LOGGED_CASES + 5):
         stolen = judp.pack(Packet(OURS, THEIRS, b"\x02\x20"))
         core.receive(stolen, UdpPort(f"10.0.{number >> 8}.{number & 255}", 3794), 100.0 * number)
-    assert len(core._reports._told) == registrar.MAX_LOGGED_CASES
+    assert len(core._duplicate_ids._logged) == registrar.MAX_LOGGED_CASES
 
 
 def test_tcp_and_serial_addresses_are_learned_and_forgotten_with_their_connection() -> None:

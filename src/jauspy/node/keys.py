@@ -27,6 +27,7 @@ def load(path: Path | None) -> Authenticator | None:
         raise ConfigError(f"key_file {path}: everybody may read it; do: chmod o-rwx {path}")
     if len(key) < authentication.MIN_KEY_LENGTH:
         raise ConfigError(
-            f"key_file {path}: has {len(key)} bytes, needs {authentication.MIN_KEY_LENGTH}; make one with: openssl rand -hex 32"
+            f"key_file {path}: has {len(key)} bytes, needs {authentication.MIN_KEY_LENGTH}; "
+            "make one with: openssl rand -hex 32"
         )
     return Authenticator(key, secrets.randbits(64))

@@ -132,7 +132,7 @@ class NodeManager:
             for each in config.all_networks:
                 seal = keys.load(each.key_file)
                 self._networks[each.name] = Network(
-                    each, self._core.counters, config.receive_buffer, seal, self._core.unreachable
+                    each, self._core.counters, config.receive_buffer, seal, self._core.remove_dead
                 )
             await self._links.open(config, self.port, (port for ports in self._known.values() for port in ports))
             self._mirror = await operations.open_all(self._extras, config, lambda: self.state)
@@ -179,8 +179,8 @@ class NodeManager:
         """
         gateway, known = policy.gateway(config), config.known_addresses()
         self._core.gateway = gateway
-        self._core.address_book.tell({int(id): ports for id, ports in known.items()})
-        self._core.sources.limit(policy.limits(config))
+        self._core.address_book.set_static({int(id): ports for id, ports in known.items()})
+        self._core.sources.set_limits(policy.limits(config))
         self._shortcuts.clear()
         names = type(config).model_fields
         changed = [name for name in names if getattr(config, name) != getattr(self.config, name)]

@@ -15,7 +15,7 @@ from prometheus_client.registry import Collector
 from jauspy.errors import TransportError
 from jauspy.ids import JausID
 from jauspy.node.state import NodeState
-from jauspy.protocol.registrar import format_port
+from jauspy.protocol.addressing import format_port
 
 PATIENCE: Final = 5.0
 """Seconds for a request and its answer."""

@@ -102,7 +102,7 @@ class Network:
         if self.seal is None:
             return data
         try:
-            return self.seal.open(data, time.time())
+            return self.seal.verify(data, time.time())
         except ProtocolError as error:
             if error.reason == "own":
                 self._counters["echoes"] += 1
@@ -113,7 +113,7 @@ class Network:
     def send(self, datagram: bytes, host: str, port: int) -> None:
         """Send now; what cannot be sent is dropped and counted."""
         if self.seal is not None:
-            datagram = self.seal.seal(datagram, time.time())
+            datagram = self.seal.sign(datagram, time.time())
         sock = self._unicast
         if ":" in host:
             if self._six is None:

@@ -73,7 +73,7 @@ class Shortcuts:
     def _find(self, port: Port, ids: int) -> tuple[Send, str, str] | None:
         source, destination = ids >> 32, ids & _IDS
         loop = asyncio.get_running_loop()
-        where = self._core.shortcut(source, destination, port, loop.time())
+        where = self._core.cacheable_route(source, destination, port, loop.time())
         send = None if where is None else self._open_way(where)
         if where is None or send is None:
             return None

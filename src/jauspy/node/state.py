@@ -10,8 +10,7 @@ from typing import Any
 from jauspy.ids import JausID
 from jauspy.node.config import NodeConfig
 from jauspy.node.network import Network
-from jauspy.protocol.addressing import NetworkPort
-from jauspy.protocol.registrar import format_port
+from jauspy.protocol.addressing import NetworkPort, format_port
 from jauspy.protocol.routing import Router
 
 
@@ -35,7 +34,7 @@ class NodeState:
             "networks": [self._network(name, network) for name, network in self.networks.items()],
             "components": [self._component(id, format_port(port)) for id, port in sorted(self.core.components)],
             "peers": [self._peer(*entry) for entry in self.core.address_book],
-            "queues": {"ingress": self.ingress, "unknown_destinations": self.core.waiting_messages},
+            "queues": {"ingress": self.ingress, "unknown_destinations": self.core.pending_messages},
             "counters": dict(sorted(self.core.counters.items())),
         }
 

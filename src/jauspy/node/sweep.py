@@ -8,7 +8,7 @@ from collections.abc import Callable
 from typing import Final
 
 from jauspy.protocol.addressing import LocalPort, UdpPort
-from jauspy.protocol.registrar import ComponentDirectory, ComponentPort
+from jauspy.protocol.directory import ComponentDirectory, ComponentPort
 
 INTERVAL: Final = 1.0
 PER_TURN: Final = 32

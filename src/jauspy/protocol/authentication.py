@@ -1,7 +1,8 @@
-"""Authentication of JUDP between node managers that share a key. Not part of AS5669A: others cannot read it.
+"""Authentication of JUDP between node managers that share a key. It is not part of AS5669A.
 
-A sealed datagram: 0xA5 | sender u64 | counter u64 | milliseconds since 1970 u64 | tag 16 bytes | the JUDP datagram,
-big endian. The tag is the first half of HMAC-SHA256 over all the rest. `sender` is a random number of each start.
+A signed datagram: 0xA5 | sender u64 | counter u64 | milliseconds since 1970 u64 | tag 16 bytes | the JUDP datagram,
+big endian. The tag is the first half of the HMAC-SHA256 of everything else. `sender` is a random number,
+new with every start.
 """
 
 from __future__ import annotations
@@ -14,11 +15,11 @@ from typing import Final
 from jauspy.errors import ProtocolError
 
 MAGIC: Final = 0xA5
-"""In place of the version byte; node managers without the key drop it as an unknown version."""
+"""In place of the version byte; node managers without authentication drop it as an unknown version."""
 REPLAY_WINDOW: Final = 64
-"""How many datagrams may overtake another one."""
+"""Datagrams by which one may be overtaken."""
 MAX_AGE: Final = 30.0
-"""Seconds that the clocks of two machines may differ, and that a recorded datagram of an unknown sender is good for."""
+"""Seconds that the clocks of two machines may differ; a replay from an unknown sender is accepted for as long."""
 MAX_SENDERS: Final = 1024
 MIN_KEY_LENGTH: Final = 16
 _TAG: Final = 16
@@ -27,7 +28,7 @@ OVERHEAD: Final = _HEAD.size + _TAG
 
 
 class Authenticator:
-    """`sender` is random, 64 bits; `utc` is the wall clock in seconds since 1970."""
+    """Signs and verifies datagrams. `sender` is a random number of 64 bits; `utc` is in seconds since 1970."""
 
     def __init__(self, key: bytes, sender: int) -> None:
         self._hmac = hmac.new(key, digestmod="sha256")
@@ -35,24 +36,24 @@ class Authenticator:
         self._sent = 0
         self._heard: OrderedDict[int, tuple[int, int]] = OrderedDict()
 
-    def seal(self, datagram: bytes, utc: float) -> bytes:
-        """The datagram as it is to be sent."""
+    def sign(self, datagram: bytes, utc: float) -> bytes:
+        """The signed datagram."""
         self._sent += 1
         head = _HEAD.pack(MAGIC, self._sender, self._sent, int(utc * 1000))
         return head + self._tag(head, datagram) + datagram
 
-    def open(self, data: bytes, utc: float) -> bytes:
-        """The datagram that was sealed; raises `ProtocolError`: not sealed, forged, stale, replayed, or our own."""
+    def verify(self, data: bytes, utc: float) -> bytes:
+        """The datagram that was signed; raises `ProtocolError`: unsigned, forged, stale, replayed, or our own."""
         if len(data) <= OVERHEAD or data[0] != MAGIC:
-            raise ProtocolError("unauthenticated", "the datagram has no seal")
+            raise ProtocolError("unauthenticated", "the datagram is not signed")
         head, tag, datagram = data[: _HEAD.size], data[_HEAD.size : OVERHEAD], data[OVERHEAD:]
         if not hmac.compare_digest(tag, self._tag(head, datagram)):
-            raise ProtocolError("forged", "the seal was made with another key")
+            raise ProtocolError("forged", "the datagram was signed with another key")
         _, sender, counter, milliseconds = _HEAD.unpack(head)
         if sender == self._sender:
             raise ProtocolError("own", "the datagram is our own")
         if abs(utc - milliseconds / 1000) > MAX_AGE:
-            raise ProtocolError("stale", f"sealed {utc - milliseconds / 1000:.0f} s ago; are the clocks right?")
+            raise ProtocolError("stale", f"signed {utc - milliseconds / 1000:.0f} s ago; are the clocks right?")
         if not self._is_new(sender, counter):
             raise ProtocolError("replayed", f"number {counter} of {sender:016x} came again")
         return datagram
@@ -64,7 +65,7 @@ class Authenticator:
         return mac.digest()[:_TAG]
 
     def _is_new(self, sender: int, counter: int) -> bool:
-        """Note a number; False when it was seen or is too old to tell. `seen` has a bit for each of the last ones."""
+        """Record a counter; false when it is known or too old. `seen` has a bit for each of the last ones."""
         top, seen = self._heard.get(sender, (0, 0))
         if counter > top:
             top, seen = counter, (seen << min(counter - top, REPLAY_WINDOW) | 1) & ((1 << REPLAY_WINDOW) - 1)
