@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING, Generic, TypeVar
 
 from jauspy.codec.base import Message
 from jauspy.conformance.checks import Check
-from jauspy.conformance.outcome import Failed, Late, Malformed, Outcome, Silent
-from jauspy.conformance.results import Looked
+from jauspy.conformance.results import Failed, Late, Looked, Malformed, Outcome, Silent
 from jauspy.conformance.trace import Heard, named
 from jauspy.errors import DecodeError
 from jauspy.ids import JausID

@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 from typing import Final, TypeAlias
 
 from jauspy.conformance.checks import that
-from jauspy.conformance.outcome import Outcome
 from jauspy.conformance.packets import PINGS
+from jauspy.conformance.results import Outcome
 from jauspy.conformance.tester import Tester
 from jauspy.errors import RequestError
 from jauspy.ids import JausID

@@ -9,7 +9,7 @@ from typing import Any, Final
 
 from jauspy.codec.base import Message
 from jauspy.conformance.client import Client, is_answer
-from jauspy.conformance.outcome import Late, Silent
+from jauspy.conformance.results import Late, Silent
 from jauspy.conformance.tester import Tester
 from jauspy.ids import JausID
 from jauspy.messages.core import (

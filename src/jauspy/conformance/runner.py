@@ -9,11 +9,10 @@ from typing import Final
 
 from jauspy.codec.registry import Registry
 from jauspy.conformance.offers import Offers, discover
-from jauspy.conformance.outcome import Outcome
 from jauspy.conformance.parting import part
 from jauspy.conformance.profile import Profile, Step
 from jauspy.conformance.pulse import Pulse, silent_since
-from jauspy.conformance.results import Report, Result, Verdict
+from jauspy.conformance.results import Outcome, Report, Result, Verdict
 from jauspy.conformance.tester import TIMEOUT, Tester
 from jauspy.conformance.wire import Wire
 from jauspy.errors import ConfigError, RequestError, TransportError

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Final
 
 from jauspy.conformance.checks import has
-from jauspy.conformance.outcome import Skipped
+from jauspy.conformance.results import Skipped
 from jauspy.conformance.walk.stimulus import EARLIEST, LONGEST, Aftermath, Stimulus
 from jauspy.conformance.walk.walker import OBSERVER, Walker
 from jauspy.messages.core import QueryAuthority, ReportAuthority, RequestControl, SetAuthority

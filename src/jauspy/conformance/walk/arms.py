@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from jauspy.codec.base import Message
-from jauspy.conformance.outcome import Outcome, Skipped
+from jauspy.conformance.results import Outcome, Skipped
 from jauspy.conformance.walk import lists
 from jauspy.conformance.walk.events import UNKNOWN_ID
 from jauspy.conformance.walk.neutral import neutral

@@ -6,7 +6,7 @@ from datetime import datetime, timedelta
 from typing import Final
 
 from jauspy.conformance.checks import Check
-from jauspy.conformance.outcome import Failed, Skipped
+from jauspy.conformance.results import Failed, Skipped
 from jauspy.conformance.walk.stimulus import Aftermath, Stimulus
 from jauspy.conformance.walk.walker import OBSERVER, Walker
 from jauspy.messages.core import QueryTime, ReportTime, SetTime

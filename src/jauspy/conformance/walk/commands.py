@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from jauspy.conformance.checks import has
-from jauspy.conformance.outcome import Outcome, Skipped
+from jauspy.conformance.results import Outcome, Skipped
 from jauspy.conformance.walk.events import CREATE, HELD, QUERY, confirmed, drop_events, held
 from jauspy.conformance.walk.stimulus import Aftermath, Stimulus
 from jauspy.conformance.walk.walker import Walker

@@ -8,7 +8,7 @@ from typing import Any, Final
 
 from jauspy.codec.base import Message
 from jauspy.conformance.checks import near, value_of
-from jauspy.conformance.outcome import Skipped
+from jauspy.conformance.results import Skipped
 from jauspy.conformance.walk.machine import Truth
 from jauspy.conformance.walk.stimulus import Aftermath, Prepare, Stimulus, nothing
 from jauspy.conformance.walk.walker import OBSERVER, Walker

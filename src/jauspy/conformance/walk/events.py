@@ -7,7 +7,7 @@ from typing import Final
 from jauspy.codec.base import Message
 from jauspy.conformance import streams
 from jauspy.conformance.checks import has, that
-from jauspy.conformance.outcome import Skipped
+from jauspy.conformance.results import Skipped
 from jauspy.conformance.streams import ONE_HERTZ
 from jauspy.conformance.walk.stimulus import EARLIEST, LONGEST, Aftermath, Stimulus
 from jauspy.conformance.walk.walker import OBSERVER, Walker

@@ -7,7 +7,7 @@ from typing import Final
 
 from jauspy.codec.base import Message
 from jauspy.conformance.checks import has, that
-from jauspy.conformance.outcome import Failed, Skipped
+from jauspy.conformance.results import Failed, Skipped
 from jauspy.conformance.walk.events import CREATE, UNKNOWN_ID
 from jauspy.conformance.walk.neutral import neutral
 from jauspy.conformance.walk.stimulus import Aftermath, Stimulus

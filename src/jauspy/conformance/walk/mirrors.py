@@ -8,7 +8,7 @@ from typing import Any, Final
 
 from jauspy.codec.base import Message
 from jauspy.conformance.checks import Check
-from jauspy.conformance.outcome import Outcome
+from jauspy.conformance.results import Outcome
 from jauspy.conformance.walk.neutral import neutral
 from jauspy.conformance.walk.stimulus import Aftermath, Stimulus
 from jauspy.conformance.walk.walker import OBSERVER, Walker

@@ -8,7 +8,7 @@ from typing import Any, Final
 
 from jauspy.codec.base import Message
 from jauspy.conformance.checks import Check, has
-from jauspy.conformance.outcome import Skipped
+from jauspy.conformance.results import Skipped
 from jauspy.conformance.walk.events import CREATE
 from jauspy.conformance.walk.stimulus import Aftermath, Stimulus
 from jauspy.conformance.walk.walker import OBSERVER, Walker

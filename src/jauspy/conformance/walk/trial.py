@@ -9,7 +9,7 @@ from functools import cached_property
 from jauspy.codec.base import Message
 from jauspy.conformance.checks import Check, has
 from jauspy.conformance.client import EVENTS
-from jauspy.conformance.outcome import Late, Malformed, Silent
+from jauspy.conformance.results import Late, Malformed, Silent
 from jauspy.conformance.tester import Tester
 from jauspy.conformance.trace import Heard, named
 from jauspy.conformance.walk.machine import Output, Prediction, Situation

@@ -6,8 +6,8 @@ from collections.abc import Callable, Collection, Iterable, Iterator
 from itertools import groupby
 
 from jauspy.conformance.offers import ServiceKey
-from jauspy.conformance.outcome import Skipped
 from jauspy.conformance.profile import Step
+from jauspy.conformance.results import Skipped
 from jauspy.conformance.tester import Tester
 from jauspy.conformance.walk.machine import Machine, Prediction, Rule, Situation
 from jauspy.conformance.walk.subject import Subject

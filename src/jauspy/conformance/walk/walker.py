@@ -9,7 +9,7 @@ from typing import Final
 
 from jauspy.codec.base import Message
 from jauspy.conformance.client import Client
-from jauspy.conformance.outcome import Failed, Outcome, Silent, Skipped
+from jauspy.conformance.results import Failed, Outcome, Silent, Skipped
 from jauspy.conformance.tester import Tester
 from jauspy.conformance.walk.machine import Situation
 from jauspy.ids import JausID

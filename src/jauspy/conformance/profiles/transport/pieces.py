@@ -6,9 +6,9 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Final
 
-from jauspy.conformance.outcome import Skipped
 from jauspy.conformance.packets import Hand, pieces
 from jauspy.conformance.profiles.transport.making import B, Trial, by_hand, step
+from jauspy.conformance.results import Skipped
 from jauspy.protocol.header import Ack, Packet
 
 
