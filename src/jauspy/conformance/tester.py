@@ -8,9 +8,8 @@ from typing import Any, Final, TypeAlias, TypeVar
 from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
 from jauspy.conformance.client import Client
-from jauspy.conformance.record import Record
 from jauspy.conformance.results import Failed, Looked, Skipped
-from jauspy.conformance.trace import Direction, Entry
+from jauspy.conformance.trace import Direction, Entry, Record
 from jauspy.conformance.wire import Arrival, Wire
 from jauspy.errors import ConfigError, TransportError
 from jauspy.ids import JausID
