@@ -10,9 +10,7 @@ from tests.conformance.simulated import examined, robot
 from tests.conformance.test_endings import COP, READY, STATUS, dying, steps, verdicts
 
 from jauspy.conformance import Verdict, run, tell, tester, trace
-from jauspy.conformance.as_json import result_json, summary_json
-from jauspy.conformance.html import page
-from jauspy.conformance.junit import junit
+from jauspy.conformance.reports import junit, page, result_json, summary_json
 from jauspy.conformance.wire import Arrival
 from jauspy.ids import JausID
 from jauspy.messages.core import Standby
