@@ -6,7 +6,7 @@ import math
 from typing import Final
 
 from jauspy.conformance.checks import carries, has
-from jauspy.conformance.client import Client
+from jauspy.conformance.tester import Client
 from jauspy.ids import JausID
 from jauspy.messages.core import (
     ConfirmControl,

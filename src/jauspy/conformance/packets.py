@@ -8,9 +8,8 @@ from functools import partial
 from typing import Any, Final
 
 from jauspy.codec.base import Message
-from jauspy.conformance.client import Client, is_answer
 from jauspy.conformance.results import Late, Silent
-from jauspy.conformance.tester import Tester
+from jauspy.conformance.tester import Client, Tester, is_answer
 from jauspy.ids import JausID
 from jauspy.messages.core import (
     AllEventsRec,

@@ -8,9 +8,8 @@ from typing import Final
 
 from jauspy.codec.base import Message
 from jauspy.conformance.checks import has, near
-from jauspy.conformance.client import Client
 from jauspy.conformance.results import Silent
-from jauspy.conformance.tester import Tester
+from jauspy.conformance.tester import Client, Tester
 from jauspy.conformance.trace import named
 from jauspy.errors import DecodeError
 from jauspy.ids import JausID

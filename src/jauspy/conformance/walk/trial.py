@@ -8,9 +8,8 @@ from functools import cached_property
 
 from jauspy.codec.base import Message
 from jauspy.conformance.checks import Check, has
-from jauspy.conformance.client import EVENTS
 from jauspy.conformance.results import Late, Malformed, Silent
-from jauspy.conformance.tester import Tester
+from jauspy.conformance.tester import EVENTS, Tester
 from jauspy.conformance.trace import Heard, named
 from jauspy.conformance.walk.machine import Output, Prediction, Situation
 from jauspy.conformance.walk.stimulus import Aftermath, Stimulus

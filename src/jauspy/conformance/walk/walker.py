@@ -8,9 +8,8 @@ from dataclasses import dataclass
 from typing import Final
 
 from jauspy.codec.base import Message
-from jauspy.conformance.client import Client
 from jauspy.conformance.results import Failed, Outcome, Silent, Skipped
-from jauspy.conformance.tester import Tester
+from jauspy.conformance.tester import Client, Tester
 from jauspy.conformance.walk.machine import Situation
 from jauspy.ids import JausID
 from jauspy.messages.core import (
