@@ -80,7 +80,7 @@ def same_number_elsewhere(hand: Hand) -> None:
     other.expect(1, "an answer to another client with the same number")
 
 
-STEPS: Final = (
+ACKNOWLEDGING: Final = (
     step("ack", "a packet that wants to be acknowledged", by_hand(acknowledged)),
     step("ack-resend", "a packet that is sent again", by_hand(acknowledged_again)),
     step("ack-unasked", "a packet that does not want to be acknowledged", by_hand(not_acknowledged)),

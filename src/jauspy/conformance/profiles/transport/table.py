@@ -19,7 +19,7 @@ PROFILE: Final = Profile(
     (
         *addresses.STEPS,
         *packing.STEPS,
-        *acknowledging.STEPS,
+        *acknowledging.ACKNOWLEDGING,
         *pieces.STEPS,
         *garbage.STEPS,
         *ports.STEPS,
