@@ -56,7 +56,7 @@ def flagged(flag: Broadcast) -> Action:
     return by_hand(trial)
 
 
-STEPS: Final = (
+ADDRESSING: Final = (
     step("query", "a query is answered", find_ping),
     step("unicast", "a query to the component alone", answered()),
     *(step(f"priority-{each.value}", f"a query of priority {each.name}", answered(priority=each)) for each in Priority),

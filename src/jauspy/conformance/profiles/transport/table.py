@@ -17,7 +17,7 @@ PROFILE: Final = Profile(
     "transport",
     "AS5669A: packing, wildcards, broadcast, ACK, pieces, duplicates, garbage, source ports",
     (
-        *addresses.STEPS,
+        *addresses.ADDRESSING,
         *packing.STEPS,
         *acknowledging.ACKNOWLEDGING,
         *pieces.STEPS,
