@@ -79,7 +79,7 @@ GARBAGE: Final[tuple[tuple[str, Callable[[Hand], bytes]], ...]] = (
 )
 
 
-STEPS: Final = (
+MALFORMED_DATAGRAMS: Final = (
     *(step(f"garbage-{number:02}", name, garbage(make), RAW) for number, (name, make) in enumerate(GARBAGE, 1)),
     step("long", "a query with bytes too many", borderline(WHO + bytes(3))),
     step("short", "a query with a byte too few", borderline(WHO[:-1])),

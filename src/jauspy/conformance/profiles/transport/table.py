@@ -21,7 +21,7 @@ PROFILE: Final = Profile(
         *packing.STEPS,
         *acknowledging.ACKNOWLEDGING,
         *pieces.STEPS,
-        *garbage.STEPS,
+        *garbage.MALFORMED_DATAGRAMS,
         *ports.STEPS,
         step("alive", "after all this a query is answered", alive),
     ),
