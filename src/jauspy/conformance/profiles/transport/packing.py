@@ -40,7 +40,7 @@ def sequence_numbers(hand: Hand) -> None:
     hand.tester.check("the sequence numbers of answers differ", problem)
 
 
-STEPS: Final = (
+PACKING: Final = (
     step("packed", "two packets in a datagram", by_hand(packed), RAW),
     step("packed-clients", "packets of two clients in a datagram", by_hand(packed_for_two), RAW),
     step("packed-garbage", "a packet followed by garbage", by_hand(followed_by_garbage), RAW),

@@ -18,7 +18,7 @@ PROFILE: Final = Profile(
     "AS5669A: packing, wildcards, broadcast, ACK, pieces, duplicates, garbage, source ports",
     (
         *addresses.ADDRESSING,
-        *packing.STEPS,
+        *packing.PACKING,
         *acknowledging.ACKNOWLEDGING,
         *pieces.STEPS,
         *garbage.MALFORMED_DATAGRAMS,
