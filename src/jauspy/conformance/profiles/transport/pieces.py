@@ -61,7 +61,7 @@ def crossed(hand: Hand) -> None:
     other.expect_none("no answer to the other client either")
 
 
-STEPS: Final = (
+FRAGMENTATION: Final = (
     step("pieces-2", "a query in two pieces", by_hand(in_pieces(2))),
     step("pieces-3", "a query in three pieces", by_hand(in_pieces(3))),
     step("pieces-order", "pieces in the wrong order", by_hand(in_pieces(3, swapped))),

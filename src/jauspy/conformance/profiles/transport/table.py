@@ -20,7 +20,7 @@ PROFILE: Final = Profile(
         *addresses.ADDRESSING,
         *packing.PACKING,
         *acknowledging.ACKNOWLEDGING,
-        *pieces.STEPS,
+        *pieces.FRAGMENTATION,
         *garbage.MALFORMED_DATAGRAMS,
         *ports.STEPS,
         step("alive", "after all this a query is answered", alive),
