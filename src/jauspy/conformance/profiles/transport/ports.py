@@ -43,7 +43,7 @@ def not_moved_by_others(hand: Hand) -> None:
     came_to(hand, strange=False)
 
 
-STEPS: Final = (
+UDP_PORTS: Final = (
     step("port-other", "a client on another UDP port", by_hand(other_port), RAW, PORTS),
     step("port-back", "a client that changes its UDP port and comes back", by_hand(back_again), RAW, PORTS),
     step("port-neighbour", "another client of the host on another UDP port", by_hand(not_moved_by_others), RAW, PORTS),

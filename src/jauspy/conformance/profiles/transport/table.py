@@ -22,7 +22,7 @@ PROFILE: Final = Profile(
         *acknowledging.ACKNOWLEDGING,
         *pieces.FRAGMENTATION,
         *garbage.MALFORMED_DATAGRAMS,
-        *ports.STEPS,
+        *ports.UDP_PORTS,
         step("alive", "after all this a query is answered", alive),
     ),
 )
