@@ -10,19 +10,24 @@ from typing import Final
 
 from jauspy.conformance.packets import alive
 from jauspy.conformance.profile import Profile
-from jauspy.conformance.profiles.transport import acknowledging, addresses, garbage, packing, pieces, ports
+from jauspy.conformance.profiles.transport.acknowledging import ACKNOWLEDGING
+from jauspy.conformance.profiles.transport.addresses import ADDRESSING
+from jauspy.conformance.profiles.transport.garbage import MALFORMED_DATAGRAMS
+from jauspy.conformance.profiles.transport.packing import PACKING
+from jauspy.conformance.profiles.transport.pieces import FRAGMENTATION
+from jauspy.conformance.profiles.transport.ports import UDP_PORTS
 from jauspy.conformance.profiles.transport.making import step
 
 PROFILE: Final = Profile(
     "transport",
     "AS5669A: packing, wildcards, broadcast, ACK, pieces, duplicates, garbage, source ports",
     (
-        *addresses.ADDRESSING,
-        *packing.PACKING,
-        *acknowledging.ACKNOWLEDGING,
-        *pieces.FRAGMENTATION,
-        *garbage.MALFORMED_DATAGRAMS,
-        *ports.UDP_PORTS,
+        *ADDRESSING,
+        *PACKING,
+        *ACKNOWLEDGING,
+        *FRAGMENTATION,
+        *MALFORMED_DATAGRAMS,
+        *UDP_PORTS,
         step("alive", "after all this a query is answered", alive),
     ),
 )
