@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Final, TypeAlias
 
 from jauspy.conformance.checks import that
-from jauspy.conformance.packets import PINGS
+from jauspy.conformance.profiles.raw_packets import PINGS
 from jauspy.conformance.results import Outcome
 from jauspy.conformance.tester import Tester
 from jauspy.errors import RequestError

@@ -11,8 +11,8 @@ from typing import Final
 from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
 from jauspy.conformance.offers import Offers, discover
-from jauspy.conformance.packets import PINGS
 from jauspy.conformance.profile import Profile, Step
+from jauspy.conformance.profiles.raw_packets import PINGS
 from jauspy.conformance.results import Outcome, Report, Result, Verdict
 from jauspy.conformance.tester import TIMEOUT, Tester
 from jauspy.conformance.wire import Wire

@@ -5,8 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Final
 
-from jauspy.conformance.packets import Hand
-from jauspy.conformance.profiles.transport.making import UNKNOWN, B, Trial, by_hand, step
+from jauspy.conformance.profiles.raw_packets import UNKNOWN, B, Hand, Trial, by_hand, step
 from jauspy.protocol.header import Ack
 
 

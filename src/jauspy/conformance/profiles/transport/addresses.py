@@ -6,9 +6,8 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Final
 
-from jauspy.conformance.packets import Hand, find_ping, other_subsystem
 from jauspy.conformance.profile import Action
-from jauspy.conformance.profiles.transport.making import answered, by_hand, step
+from jauspy.conformance.profiles.raw_packets import Hand, answered, by_hand, find_ping, other_subsystem, step
 from jauspy.conformance.wire import RAW
 from jauspy.ids import JausID
 from jauspy.protocol.header import Broadcast, Priority

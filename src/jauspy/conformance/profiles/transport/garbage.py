@@ -6,9 +6,8 @@ import struct
 from collections.abc import Callable
 from typing import Final
 
-from jauspy.conformance.packets import Hand, alive
 from jauspy.conformance.profile import Action
-from jauspy.conformance.profiles.transport.making import UNKNOWN, by_hand, step
+from jauspy.conformance.profiles.raw_packets import UNKNOWN, Hand, alive, by_hand, step
 from jauspy.conformance.wire import RAW
 from jauspy.messages.core import QueryIdentification
 from jauspy.protocol import header

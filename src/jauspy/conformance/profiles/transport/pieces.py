@@ -6,8 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Final
 
-from jauspy.conformance.packets import Hand, pieces
-from jauspy.conformance.profiles.transport.making import B, Trial, by_hand, step
+from jauspy.conformance.profiles.raw_packets import B, Hand, Trial, by_hand, pieces, step
 from jauspy.conformance.results import Skipped
 from jauspy.protocol.header import Ack, Packet
 

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from jauspy.conformance.packets import Hand
-from jauspy.conformance.profiles.transport.making import B, by_hand, step
+from jauspy.conformance.profiles.raw_packets import B, Hand, by_hand, step
 from jauspy.conformance.wire import PORTS, RAW
 
 

@@ -8,15 +8,14 @@ from __future__ import annotations
 
 from typing import Final
 
-from jauspy.conformance.packets import alive
 from jauspy.conformance.profile import Profile
+from jauspy.conformance.profiles.raw_packets import alive, step
 from jauspy.conformance.profiles.transport.acknowledging import ACKNOWLEDGING
 from jauspy.conformance.profiles.transport.addresses import ADDRESSING
 from jauspy.conformance.profiles.transport.garbage import MALFORMED_DATAGRAMS
 from jauspy.conformance.profiles.transport.packing import PACKING
 from jauspy.conformance.profiles.transport.pieces import FRAGMENTATION
 from jauspy.conformance.profiles.transport.ports import UDP_PORTS
-from jauspy.conformance.profiles.transport.making import step
 
 PROFILE: Final = Profile(
     "transport",

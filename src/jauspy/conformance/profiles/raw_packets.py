@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from functools import partial
 from typing import Any, Final
 
 from jauspy.codec.base import Message
+from jauspy.conformance.profile import Action, Step
 from jauspy.conformance.results import Late, Silent
 from jauspy.conformance.tester import Client, Tester, is_answer
 from jauspy.ids import JausID
@@ -175,3 +176,32 @@ def pieces(hand: Hand, payload: bytes, *cuts: int, ack: Ack = Ack.NONE) -> list[
 def other_subsystem(id: JausID) -> JausID:
     """An id whose subsystem differs in the upper byte alone: for some node managers 100 and 356 are the same."""
     return JausID(id.subsystem ^ 0x0100, id.node, id.component)
+
+
+A: Final = "42.1.1"
+B: Final = "42.2.1"
+"""Two clients."""
+UNKNOWN: Final = bytes.fromhex("ffee")
+"""A message id that no standard has."""
+
+Trial = Callable[[Hand], None]
+
+
+def by_hand(trial: Trial, client: str = A) -> Action:
+    """A step that works with packets."""
+    return lambda tester: trial(Hand(tester, client))
+
+
+def answered(**fields: Any) -> Action:
+    """A query with these header fields is answered once."""
+
+    def trial(hand: Hand) -> None:
+        hand.send(hand.packet(**fields))
+        hand.expect(1, "one answer")
+
+    return by_hand(trial)
+
+
+def step(id: str, title: str, action: Action, *wants: str) -> Step:
+    """A step of this profile."""
+    return Step(id, title, action, why="AS5669A", wants=frozenset(wants))
