@@ -21,7 +21,7 @@ from tests.conformance.simulated import TARGET
 
 from jauspy.conformance import Bench, Part
 from jauspy.conformance.bench import STRANGE, USUAL
-from jauspy.conformance.profiles import transport_steps
+from jauspy.conformance.profiles import transport as transport_steps
 from jauspy.conformance.profiles.raw_packets import FIRST_NUMBER
 from jauspy.conformance.wire import Arrival
 from jauspy.ids import JausID
