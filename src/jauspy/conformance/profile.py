@@ -25,9 +25,9 @@ BUILT_IN: Final = {
     "manipulator-2.0": "service_sets:MANIPULATOR",
     "sensing-2.0": "service_sets:SENSING",
     "ugv-1.0": "service_sets:UGV",
-    "transport": "transport.table:PROFILE",
+    "transport": "transport:PROFILE",
     "igvc-2011": "igvc_2011:PROFILE",
-    "igvc-2015": "igvc_2015.table:PROFILE",
+    "igvc-2015": "igvc_2015:PROFILE",
 }
 """Where the shipped ones are; loaded when they are run."""
 
