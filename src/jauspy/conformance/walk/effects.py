@@ -9,7 +9,7 @@ from typing import Any, Final
 from jauspy.codec.base import Message
 from jauspy.conformance.checks import near, value_of
 from jauspy.conformance.results import Skipped
-from jauspy.conformance.walk.machine import Truth
+from jauspy.conformance.walk.behaviour import Truth
 from jauspy.conformance.walk.stimulus import Aftermath, Prepare, Stimulus, nothing
 from jauspy.conformance.walk.walker import OBSERVER, Walker
 from jauspy.messages.manipulator import (

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Final, TypeAlias
 
 from jauspy.conformance.walk.access import ACCESS
-from jauspy.conformance.walk.machine import Machine, Situation
+from jauspy.conformance.walk.behaviour import Machine, Situation
 from jauspy.conformance.walk.stimulus import Stimulus
 from jauspy.conformance.walk.walker import STEERING
 

@@ -8,7 +8,7 @@ from typing import Final, TypeAlias
 
 from jauspy.codec.base import Message
 from jauspy.conformance.checks import Check
-from jauspy.conformance.walk.machine import Judge, Prediction, Situation, Truth
+from jauspy.conformance.walk.behaviour import Judge, Prediction, Situation, Truth
 from jauspy.conformance.walk.walker import Walker
 from jauspy.schema import guards
 

@@ -11,9 +11,8 @@ from jauspy.conformance.checks import Check, has
 from jauspy.conformance.results import Late, Malformed, Silent
 from jauspy.conformance.tester import EVENTS, Tester
 from jauspy.conformance.trace import Heard, named
-from jauspy.conformance.walk.machine import Output, Prediction, Situation
+from jauspy.conformance.walk.behaviour import Output, Prediction, Situation, Subject
 from jauspy.conformance.walk.stimulus import Aftermath, Stimulus
-from jauspy.conformance.walk.subject import Subject
 from jauspy.conformance.walk.walker import CLIENTS, STATUS, Seen, Walker
 from jauspy.errors import DecodeError
 

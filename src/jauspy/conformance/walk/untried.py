@@ -9,8 +9,7 @@ from jauspy.conformance.offers import ServiceKey
 from jauspy.conformance.profile import Step
 from jauspy.conformance.results import Skipped
 from jauspy.conformance.tester import Tester
-from jauspy.conformance.walk.machine import Machine, Prediction, Rule, Situation
-from jauspy.conformance.walk.subject import Subject
+from jauspy.conformance.walk.behaviour import Machine, Prediction, Rule, Situation, Subject
 
 
 def untried(

@@ -10,7 +10,7 @@ from typing import Final
 from jauspy.codec.base import Message
 from jauspy.conformance.results import Failed, Outcome, Silent, Skipped
 from jauspy.conformance.tester import Client, Tester
-from jauspy.conformance.walk.machine import Situation
+from jauspy.conformance.walk.behaviour import Situation
 from jauspy.ids import JausID
 from jauspy.messages.core import (
     AllEventsRec,

@@ -13,7 +13,15 @@ from functools import partial
 from itertools import product
 from typing import Final, NamedTuple, TypeAlias
 
+from jauspy.codec.base import Message
+from jauspy.codec.registry import Registry
+from jauspy.conformance.offers import ServiceKey
+from jauspy.conformance.tester import Tester
+from jauspy.conformance.walk.walker import Walker
+from jauspy.ids import JausID
+from jauspy.messages import registry
 from jauspy.schema import guards, model
+from jauspy.schema.needed import load_needed
 from jauspy.services.tree import Owned, StateNode, merge, start_of
 
 MACHINE: Final = "ReceiveFSM"
@@ -259,3 +267,60 @@ def _effect(action: str, situation: Situation, role: str) -> Situation:
             return replace(situation, emergencies=situation.emergencies - {role})
         case _:
             return situation
+
+
+TRANSPORT: Final = "urn:jaus:jss:core:Transport"
+"""Has no messages, and so is not in the registry."""
+
+
+@dataclass(frozen=True)
+class Subject:
+    """The component under test, as its definitions say it is."""
+
+    component: JausID
+    definitions: tuple[model.Service, ...]
+    machine: Machine
+    registry: Registry
+
+    def walker(self, tester: Tester) -> Walker:
+        """The one walker of this component in this run."""
+        known: dict[JausID, Walker] = tester.memory.setdefault("walkers", {})
+        if self.component not in known:
+            services = frozenset(each.id for each in self.definitions)
+            known[self.component] = Walker(tester, self.component, services, self.machine.start)
+        return known[self.component]
+
+    def transition(self, rule: str) -> str:
+        """A transition of this component, as reports name it."""
+        return f"{self.component} {rule}"
+
+    def kind(self, name: str) -> type[Message]:
+        """The class of an output, of the version that the component runs."""
+        for definition in self.definitions:
+            for message in (*definition.outputs, *definition.inputs):
+                if message.name == name:
+                    for kind in self.registry.by_code(message.code):
+                        if definition.key == (kind.SERVICE, kind.VERSION):
+                            return kind
+        return self.registry.by_name(name)
+
+
+def subject_of(id: JausID, offered: frozenset[ServiceKey]) -> Subject:
+    """The component with everything known that it offers, most derived first."""
+    known = {(each.service, each.version) for each in registry.entries} | {(TRANSPORT, "1.0"), (TRANSPORT, "1.1")}
+    schema = load_needed(frozenset(offered & known))
+    found: dict[str, tuple[int, model.Service]] = {}
+    for urn, version in sorted(offered & known):
+        line = list(_line(schema, schema.service(urn, version)))
+        for depth, each in enumerate(reversed(line)):
+            found.setdefault(each.id, (depth, each))
+    ordered = tuple(each for _, each in sorted(found.values(), key=lambda pair: -pair[0]))
+    return Subject(id, ordered, Machine(ordered), registry)
+
+
+def _line(schema: model.Schema, definition: model.Service) -> Iterator[model.Service]:
+    while True:
+        yield definition
+        if definition.inherits_from is None:
+            return
+        definition = schema.service(*definition.inherits_from.key)
