@@ -20,9 +20,9 @@ from jauspy.codec.base import Message, Struct
 from jauspy.codec.items import Composite
 from jauspy.conformance import Bench, Part
 from jauspy.conformance.walk import neutral
+from jauspy.conformance.walk.explorer import AUTHORITY, CLIENTS, OBSERVER
 from jauspy.conformance.walk.pictures import PATIENCE as PICTURE_PATIENCE
 from jauspy.conformance.walk.trial import Trial
-from jauspy.conformance.walk.walker import AUTHORITY, CLIENTS, OBSERVER
 from jauspy.ids import JausID
 from jauspy.messages import core, registry
 from jauspy.messages.environment_sensing.v2_0.range_sensor import ConfirmSensorConfiguration

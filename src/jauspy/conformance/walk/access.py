@@ -7,8 +7,7 @@ from typing import Final
 
 from jauspy.conformance.checks import has
 from jauspy.conformance.results import Skipped
-from jauspy.conformance.walk.stimulus import EARLIEST, LONGEST, Aftermath, Stimulus
-from jauspy.conformance.walk.walker import OBSERVER, Walker
+from jauspy.conformance.walk.explorer import EARLIEST, LONGEST, OBSERVER, Aftermath, Stimulus, Walker
 from jauspy.messages.core import QueryAuthority, ReportAuthority, RequestControl, SetAuthority
 
 

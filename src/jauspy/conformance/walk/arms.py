@@ -8,9 +8,8 @@ from jauspy.codec.base import Message
 from jauspy.conformance.results import Outcome, Skipped
 from jauspy.conformance.walk import lists
 from jauspy.conformance.walk.events import UNKNOWN_ID
+from jauspy.conformance.walk.explorer import OBSERVER, PILOT, Prepare, Stimulus, Walker
 from jauspy.conformance.walk.neutral import neutral
-from jauspy.conformance.walk.stimulus import Prepare, Stimulus
-from jauspy.conformance.walk.walker import OBSERVER, PILOT, Walker
 from jauspy.messages.manipulator import (
     ExecuteList,
     QueryCommandedJointPositions,

@@ -7,8 +7,7 @@ from typing import Final
 
 from jauspy.conformance.checks import Check
 from jauspy.conformance.results import Failed, Skipped
-from jauspy.conformance.walk.stimulus import Aftermath, Stimulus
-from jauspy.conformance.walk.walker import OBSERVER, Walker
+from jauspy.conformance.walk.explorer import OBSERVER, Aftermath, Stimulus, Walker
 from jauspy.messages.core import QueryTime, ReportTime, SetTime
 from jauspy.services.stamps import date_stamp, time_stamp
 

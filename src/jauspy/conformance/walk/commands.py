@@ -7,8 +7,7 @@ from typing import Final
 from jauspy.conformance.checks import has
 from jauspy.conformance.results import Outcome, Skipped
 from jauspy.conformance.walk.events import CREATE, HELD, QUERY, confirmed, drop_events, held
-from jauspy.conformance.walk.stimulus import Aftermath, Stimulus
-from jauspy.conformance.walk.walker import Walker
+from jauspy.conformance.walk.explorer import Aftermath, Stimulus, Walker
 from jauspy.messages.core import (
     CommandEvent,
     ConfirmEventRequest,

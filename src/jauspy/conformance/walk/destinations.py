@@ -8,7 +8,7 @@ from typing import Final
 
 from jauspy.codec.base import Message
 from jauspy.conformance.walk import lists
-from jauspy.conformance.walk.walker import PILOT, Walker
+from jauspy.conformance.walk.explorer import PILOT, Walker
 from jauspy.messages.core import Standby
 from jauspy.messages.mobility import (
     SetGlobalLoiter,

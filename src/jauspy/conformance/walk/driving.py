@@ -23,8 +23,7 @@ from jauspy.conformance.walk.destinations import (
 )
 from jauspy.conformance.walk.effects import SLOW, effect, over_ground
 from jauspy.conformance.walk.events import UNKNOWN_ID
-from jauspy.conformance.walk.stimulus import Aftermath, Prepare, Stimulus
-from jauspy.conformance.walk.walker import OBSERVER, PILOT, Walker
+from jauspy.conformance.walk.explorer import OBSERVER, PILOT, Aftermath, Prepare, Stimulus, Walker
 from jauspy.messages.mobility import (
     ExecuteList,
     ExecuteListExt,

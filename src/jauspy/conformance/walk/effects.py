@@ -10,8 +10,7 @@ from jauspy.codec.base import Message
 from jauspy.conformance.checks import near, value_of
 from jauspy.conformance.results import Skipped
 from jauspy.conformance.walk.behaviour import Truth
-from jauspy.conformance.walk.stimulus import Aftermath, Prepare, Stimulus, nothing
-from jauspy.conformance.walk.walker import OBSERVER, Walker
+from jauspy.conformance.walk.explorer import OBSERVER, Aftermath, Prepare, Stimulus, Walker, nothing
 from jauspy.messages.manipulator import (
     QueryEndEffectorEffort,
     QueryToolOffset,

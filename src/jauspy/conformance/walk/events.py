@@ -9,8 +9,7 @@ from jauspy.conformance import streams
 from jauspy.conformance.checks import has, that
 from jauspy.conformance.results import Skipped
 from jauspy.conformance.streams import ONE_HERTZ
-from jauspy.conformance.walk.stimulus import EARLIEST, LONGEST, Aftermath, Stimulus
-from jauspy.conformance.walk.walker import OBSERVER, Walker
+from jauspy.conformance.walk.explorer import EARLIEST, LONGEST, OBSERVER, Aftermath, Stimulus, Walker
 from jauspy.messages.core import (
     AllEventsRec,
     CancelEvent,

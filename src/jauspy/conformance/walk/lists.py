@@ -9,9 +9,8 @@ from jauspy.codec.base import Message
 from jauspy.conformance.checks import has, that
 from jauspy.conformance.results import Failed, Skipped
 from jauspy.conformance.walk.events import CREATE, UNKNOWN_ID
+from jauspy.conformance.walk.explorer import OBSERVER, PILOT, Aftermath, Stimulus, Walker
 from jauspy.conformance.walk.neutral import neutral
-from jauspy.conformance.walk.stimulus import Aftermath, Stimulus
-from jauspy.conformance.walk.walker import OBSERVER, PILOT, Walker
 from jauspy.messages import registry
 from jauspy.messages.core import (
     ConfirmElementRequest,

@@ -9,9 +9,8 @@ from typing import Any, Final
 from jauspy.codec.base import Message
 from jauspy.conformance.checks import Check
 from jauspy.conformance.results import Outcome
+from jauspy.conformance.walk.explorer import OBSERVER, Aftermath, Stimulus, Walker
 from jauspy.conformance.walk.neutral import neutral
-from jauspy.conformance.walk.stimulus import Aftermath, Stimulus
-from jauspy.conformance.walk.walker import OBSERVER, Walker
 from jauspy.messages.manipulator import (
     QueryJointMotionProfile,
     QueryPanTiltMotionProfile,

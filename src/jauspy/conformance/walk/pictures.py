@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from jauspy.conformance.checks import that
-from jauspy.conformance.walk.stimulus import Stimulus
+from jauspy.conformance.walk.explorer import Stimulus
 from jauspy.messages.environment_sensing.v2_0.still_image import QueryStillImageDataExt, ReportStillImageDataExt
 
 PATIENCE: Final = 10.0

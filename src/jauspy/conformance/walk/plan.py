@@ -10,13 +10,12 @@ from jauspy.conformance.offers import Offers, ServiceKey
 from jauspy.conformance.profile import Profile, Step
 from jauspy.conformance.walk import presence
 from jauspy.conformance.walk.behaviour import Situation, Subject, subject_of
+from jauspy.conformance.walk.explorer import CLIENTS, MEDIC, OBSERVER, PILOT, RIVAL, SENDER, SETTER, Stimulus
 from jauspy.conformance.walk.neutral import neutral, presence_fields
 from jauspy.conformance.walk.recipes import RECIPES, SPONTANEOUS
 from jauspy.conformance.walk.routes import Path, Routes
-from jauspy.conformance.walk.stimulus import SENDER, SETTER, Stimulus
 from jauspy.conformance.walk.trial import Trial
 from jauspy.conformance.walk.untried import skip, untried
-from jauspy.conformance.walk.walker import CLIENTS, MEDIC, OBSERVER, PILOT, RIVAL
 from jauspy.errors import ConfigError
 from jauspy.messages import registry
 from jauspy.schema import guards

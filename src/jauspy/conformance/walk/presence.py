@@ -8,9 +8,8 @@ from typing import Final
 from jauspy.codec.base import Message, Struct
 from jauspy.codec.layout import Composite, Slot
 from jauspy.conformance.checks import Check
+from jauspy.conformance.walk.explorer import OBSERVER, Aftermath, Stimulus
 from jauspy.conformance.walk.neutral import PRESENCE, neutral, presence_fields
-from jauspy.conformance.walk.stimulus import Aftermath, Stimulus
-from jauspy.conformance.walk.walker import OBSERVER
 
 EVERYTHING: Final = -1
 

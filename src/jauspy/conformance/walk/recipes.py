@@ -14,12 +14,11 @@ from jauspy.conformance.walk.commands import COMMANDS, EXPIRED
 from jauspy.conformance.walk.driving import DRIVING
 from jauspy.conformance.walk.effects import EFFECTS
 from jauspy.conformance.walk.events import DUE, EVENTS, NOT_RENEWED
+from jauspy.conformance.walk.explorer import STOP, Stimulus
 from jauspy.conformance.walk.lists import LISTS
 from jauspy.conformance.walk.mirrors import MIRRORS
 from jauspy.conformance.walk.pictures import PICTURES
 from jauspy.conformance.walk.sensors import SENSORS
-from jauspy.conformance.walk.stimulus import Stimulus
-from jauspy.conformance.walk.walker import STOP
 from jauspy.messages.core import ClearEmergency, QueryConfiguration, QueryIdentification, SetEmergency
 
 

@@ -9,8 +9,7 @@ from typing import Final, TypeAlias
 
 from jauspy.conformance.walk.access import ACCESS
 from jauspy.conformance.walk.behaviour import Machine, Situation
-from jauspy.conformance.walk.stimulus import Stimulus
-from jauspy.conformance.walk.walker import STEERING
+from jauspy.conformance.walk.explorer import STEERING, Stimulus
 
 Path: TypeAlias = tuple[tuple[str, str], ...]
 """Inputs, each with the role that sends it."""

@@ -10,8 +10,7 @@ from jauspy.codec.base import Message
 from jauspy.conformance.checks import Check, has
 from jauspy.conformance.results import Skipped
 from jauspy.conformance.walk.events import CREATE
-from jauspy.conformance.walk.stimulus import Aftermath, Stimulus
-from jauspy.conformance.walk.walker import OBSERVER, Walker
+from jauspy.conformance.walk.explorer import OBSERVER, Aftermath, Stimulus, Walker
 from jauspy.messages.environment_sensing.v1_0.types import SensorIdRec
 from jauspy.messages.environment_sensing.v2_0.range_sensor import ConfirmSensorConfiguration
 

@@ -12,8 +12,7 @@ from jauspy.conformance.results import Late, Malformed, Silent
 from jauspy.conformance.tester import EVENTS, Tester
 from jauspy.conformance.trace import Heard, named
 from jauspy.conformance.walk.behaviour import Output, Prediction, Situation, Subject
-from jauspy.conformance.walk.stimulus import Aftermath, Stimulus
-from jauspy.conformance.walk.walker import CLIENTS, STATUS, Seen, Walker
+from jauspy.conformance.walk.explorer import CLIENTS, STATUS, Aftermath, Seen, Stimulus, Walker
 from jauspy.errors import DecodeError
 
 INIT, INITIALIZED = "Init", "Initialized"

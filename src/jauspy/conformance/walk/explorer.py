@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass
-from typing import Final
+from dataclasses import dataclass, field
+from typing import Final, TypeAlias
 
 from jauspy.codec.base import Message
+from jauspy.conformance.checks import Check
 from jauspy.conformance.results import Failed, Outcome, Silent, Skipped
 from jauspy.conformance.tester import Client, Tester
-from jauspy.conformance.walk.behaviour import Situation
+from jauspy.conformance.walk.behaviour import Judge, Prediction, Situation, Truth
 from jauspy.ids import JausID
 from jauspy.messages.core import (
     AllEventsRec,
@@ -34,6 +35,7 @@ from jauspy.messages.core import (
     Shutdown,
     Standby,
 )
+from jauspy.schema import guards
 
 PILOT, RIVAL, MEDIC, OBSERVER = "pilot", "rival", "medic", "observer"
 CLIENTS: Final[Mapping[str, str]] = {PILOT: "42.2.1", RIVAL: "42.2.2", MEDIC: "42.2.4", OBSERVER: "42.2.9"}
@@ -256,3 +258,85 @@ class Walker:
 def status_of(situation: Situation) -> ReportStatus.Status | None:
     """What Management reports: the innermost state that it names, below `Receiving.Ready`, which everything has."""
     return next((STATUS[name] for name in reversed(situation.state[2:]) if name in STATUS), None)
+
+
+Make: TypeAlias = Callable[[Walker], Message]
+Prepare: TypeAlias = Callable[[Walker, str], None]
+"""Takes the role of the sender, too."""
+
+SENDER: Final = frozenset({"isControllingClient"})
+SETTER: Final = frozenset({"isIDStored"})
+"""Predicates about who sends."""
+
+
+LONGEST: Final = 70.0
+"""Seconds that a step may wait for a timer of the component: the default of events is a minute."""
+EARLIEST: Final = 0.8
+"""Of a timer: the part of its time that must have passed."""
+
+
+def nothing(walker: Walker, role: str) -> None:
+    """The usual preparation."""
+
+
+@dataclass(frozen=True, slots=True)
+class Aftermath:
+    """What is known when an input has been answered: who sent it, where that was, and the outcome that fits."""
+
+    walker: Walker
+    role: str
+    before: Situation
+    outcome: Prediction
+    took: Callable[[str], None]
+    """To be called when the input has brought about an internal event as well, by its name."""
+
+
+@dataclass(frozen=True, slots=True)
+class Stimulus:
+    """One kind of input. `message` is its name in the JSIDL, `make` None for an event that comes by itself."""
+
+    message: str
+    make: Make | None
+    variant: str = ""
+    truths: Mapping[str, Truth] = field(default_factory=dict)
+    """What is known of predicates, by name."""
+    before: Prepare = nothing
+    after: Prepare = nothing
+    checks: Mapping[str, tuple[Check, ...]] = field(default_factory=dict)
+    """What to look at in outputs, by message name."""
+    verify: Callable[[Aftermath], None] | None = None
+    """Looks at the effect."""
+    by_controller: bool = False
+    """Can only be prepared by the client in control."""
+    only_in: str = ""
+    """The name of the state, below Receiving.Ready, in which alone it shows anything."""
+    moves: bool = False
+    """Something may move in Ready, whatever the message says."""
+    of: str = ""
+    """How the URN of the service begins that is meant, when messages of others have the same name."""
+    also: tuple[str, ...] = ()
+    """Internal events that it may bring about as well."""
+    seconds: Callable[[Walker], float] | None = None
+    """How long to wait: for an event that comes by itself, or an answer that takes its time."""
+    earliest: float = 0.0
+    """The part of that time before which it must not come."""
+    once: bool = False
+    """Tried in the first state alone: the others would show nothing more."""
+
+    def fits(self, situation: Situation) -> bool:
+        """True where it can be prepared and shows something."""
+        controlled = situation.controller is not None or not self.by_controller
+        return controlled and (not self.only_in or self.only_in in situation.state[2:])
+
+    def judge(self, role: str) -> Judge:
+        """Decides predicates for this input from this sender."""
+
+        def decide(call: guards.Call, situation: Situation) -> Truth:
+            name = call.name.rpartition(".")[2]
+            if name in SENDER:
+                return situation.controller == role
+            if name in SETTER:
+                return role in situation.emergencies
+            return self.truths.get(name)
+
+        return decide
