@@ -14,8 +14,8 @@ from jauspy.conformance import Bench, Part, Verdict, find, offers_of
 from jauspy.conformance.offers import Offers
 from jauspy.conformance.trace import Direction
 from jauspy.conformance.walk.behaviour import subject_of
-from jauspy.conformance.walk.neutral import neutral
 from jauspy.conformance.walk.plan import Planner
+from jauspy.conformance.walk.sample_messages import neutral
 from jauspy.conformance.walk.trial import Trial
 from jauspy.ids import JausID
 from jauspy.messages import core, registry

@@ -9,7 +9,7 @@ from jauspy.conformance.results import Outcome, Skipped
 from jauspy.conformance.walk import lists
 from jauspy.conformance.walk.events import UNKNOWN_ID
 from jauspy.conformance.walk.explorer import OBSERVER, PILOT, Prepare, Stimulus, Walker
-from jauspy.conformance.walk.neutral import neutral
+from jauspy.conformance.walk.sample_messages import neutral
 from jauspy.messages.manipulator import (
     ExecuteList,
     QueryCommandedJointPositions,

@@ -8,7 +8,7 @@ from typing import Any, Final
 
 from jauspy.codec.base import Message
 from jauspy.conformance.checks import Check, has, near
-from jauspy.conformance.walk import lists, presence
+from jauspy.conformance.walk import lists, sample_messages
 from jauspy.conformance.walk.destinations import (
     FAR,
     LATITUDE,
@@ -88,7 +88,7 @@ def _waypoint(waypoint: Message, kind: type[Message], report: type[Message], *ri
             once=False,
         )
 
-    everything, nothing, some = presence.variants(kind, report)
+    everything, nothing, some = sample_messages.variants(kind, report)
     return (
         everything,
         of_mine(replace(everything, checks={report.NAME: right})),

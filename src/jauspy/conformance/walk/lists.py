@@ -10,7 +10,7 @@ from jauspy.conformance.checks import has, that
 from jauspy.conformance.results import Failed, Skipped
 from jauspy.conformance.walk.events import CREATE, UNKNOWN_ID
 from jauspy.conformance.walk.explorer import OBSERVER, PILOT, Aftermath, Stimulus, Walker
-from jauspy.conformance.walk.neutral import neutral
+from jauspy.conformance.walk.sample_messages import neutral
 from jauspy.messages import registry
 from jauspy.messages.core import (
     ConfirmElementRequest,

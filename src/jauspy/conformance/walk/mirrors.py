@@ -10,7 +10,7 @@ from jauspy.codec.base import Message
 from jauspy.conformance.checks import Check
 from jauspy.conformance.results import Outcome
 from jauspy.conformance.walk.explorer import OBSERVER, Aftermath, Stimulus, Walker
-from jauspy.conformance.walk.neutral import neutral
+from jauspy.conformance.walk.sample_messages import neutral
 from jauspy.messages.manipulator import (
     QueryJointMotionProfile,
     QueryPanTiltMotionProfile,

@@ -8,12 +8,12 @@ from typing import Final
 
 from jauspy.conformance.offers import Offers, ServiceKey
 from jauspy.conformance.profile import Profile, Step
-from jauspy.conformance.walk import presence
+from jauspy.conformance.walk import sample_messages
 from jauspy.conformance.walk.behaviour import Situation, Subject, subject_of
 from jauspy.conformance.walk.explorer import CLIENTS, MEDIC, OBSERVER, PILOT, RIVAL, SENDER, SETTER, Stimulus
-from jauspy.conformance.walk.neutral import neutral, presence_fields
 from jauspy.conformance.walk.recipes import RECIPES, SPONTANEOUS
 from jauspy.conformance.walk.routes import Path, Routes
+from jauspy.conformance.walk.sample_messages import neutral, presence_fields
 from jauspy.conformance.walk.trial import Trial
 from jauspy.conformance.walk.untried import skip, untried
 from jauspy.errors import ConfigError
@@ -99,7 +99,7 @@ class Planner:
             return known
         if not presence_fields(kind):
             return [Stimulus(name, lambda _: neutral(kind))]
-        return presence.variants(kind, self.subject.kind(name.replace("Query", "Report", 1)))
+        return sample_messages.variants(kind, self.subject.kind(name.replace("Query", "Report", 1)))
 
     def _spontaneous(self) -> Iterator[Stimulus]:
         """Internal events of these services that can be brought about."""
