@@ -10,10 +10,9 @@ from jauspy.conformance.offers import ALL_SERVICES
 from jauspy.conformance.walk.access import ACCESS, SILENT_CLIENT
 from jauspy.conformance.walk.arms import ARMS
 from jauspy.conformance.walk.clock import CLOCKS
-from jauspy.conformance.walk.commands import COMMANDS, EXPIRED
 from jauspy.conformance.walk.driving import DRIVING
 from jauspy.conformance.walk.effects import EFFECTS
-from jauspy.conformance.walk.events import DUE, EVENTS, NOT_RENEWED
+from jauspy.conformance.walk.events import COMMANDS, DUE, EVENTS, EXPIRED, NOT_RENEWED
 from jauspy.conformance.walk.explorer import STOP, Stimulus
 from jauspy.conformance.walk.lists import LISTS
 from jauspy.conformance.walk.mirrors import MIRRORS
