@@ -21,7 +21,7 @@ from jauspy.codec.items import Composite
 from jauspy.conformance import Bench, Part
 from jauspy.conformance.walk import sample_messages
 from jauspy.conformance.walk.explorer import AUTHORITY, CLIENTS, OBSERVER
-from jauspy.conformance.walk.pictures import PATIENCE as PICTURE_PATIENCE
+from jauspy.conformance.walk.sensors import PATIENCE as PICTURE_PATIENCE
 from jauspy.conformance.walk.trial import Trial
 from jauspy.ids import JausID
 from jauspy.messages import core, registry

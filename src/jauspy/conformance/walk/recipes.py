@@ -16,8 +16,7 @@ from jauspy.conformance.walk.events import COMMANDS, DUE, EVENTS, EXPIRED, NOT_R
 from jauspy.conformance.walk.explorer import STOP, Stimulus
 from jauspy.conformance.walk.lists import LISTS
 from jauspy.conformance.walk.mirrors import MIRRORS
-from jauspy.conformance.walk.pictures import PICTURES
-from jauspy.conformance.walk.sensors import SENSORS
+from jauspy.conformance.walk.sensors import PICTURES, SENSORS
 from jauspy.messages.core import ClearEmergency, QueryConfiguration, QueryIdentification, SetEmergency
 
 
