@@ -9,14 +9,13 @@ from jauspy.conformance.checks import has
 from jauspy.conformance.offers import ALL_SERVICES
 from jauspy.conformance.walk.access import ACCESS, SILENT_CLIENT
 from jauspy.conformance.walk.arms import ARMS
-from jauspy.conformance.walk.clock import CLOCKS
 from jauspy.conformance.walk.driving import DRIVING
 from jauspy.conformance.walk.effects import EFFECTS
 from jauspy.conformance.walk.events import COMMANDS, DUE, EVENTS, EXPIRED, NOT_RENEWED
 from jauspy.conformance.walk.explorer import STOP, Stimulus
 from jauspy.conformance.walk.lists import LISTS
-from jauspy.conformance.walk.mirrors import MIRRORS
 from jauspy.conformance.walk.sensors import PICTURES, SENSORS
+from jauspy.conformance.walk.settings import CLOCKS, MIRRORS
 from jauspy.messages.core import ClearEmergency, QueryConfiguration, QueryIdentification, SetEmergency
 
 
