@@ -2,23 +2,180 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections import deque
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import Final
+from itertools import groupby
+from typing import Final, TypeAlias
 
-from jauspy.conformance.offers import Offers, ServiceKey
+from jauspy.codec.base import Message
+from jauspy.conformance.checks import has
+from jauspy.conformance.offers import ALL_SERVICES, Offers, ServiceKey
 from jauspy.conformance.profile import Profile, Step
+from jauspy.conformance.results import Skipped
+from jauspy.conformance.tester import Tester
 from jauspy.conformance.walk import sample_messages
-from jauspy.conformance.walk.behaviour import Situation, Subject, subject_of
-from jauspy.conformance.walk.explorer import CLIENTS, MEDIC, OBSERVER, PILOT, RIVAL, SENDER, SETTER, Stimulus
-from jauspy.conformance.walk.recipes import RECIPES, SPONTANEOUS
-from jauspy.conformance.walk.routes import Path, Routes
+from jauspy.conformance.walk.access import ACCESS, SILENT_CLIENT
+from jauspy.conformance.walk.arms import ARMS
+from jauspy.conformance.walk.behaviour import Machine, Prediction, Rule, Situation, Subject, subject_of
+from jauspy.conformance.walk.driving import DRIVING
+from jauspy.conformance.walk.effects import EFFECTS
+from jauspy.conformance.walk.events import COMMANDS, DUE, EVENTS, EXPIRED, NOT_RENEWED
+from jauspy.conformance.walk.explorer import (
+    CLIENTS,
+    MEDIC,
+    OBSERVER,
+    PILOT,
+    RIVAL,
+    SENDER,
+    SETTER,
+    STEERING,
+    STOP,
+    Stimulus,
+)
+from jauspy.conformance.walk.lists import LISTS
 from jauspy.conformance.walk.sample_messages import neutral, presence_fields
+from jauspy.conformance.walk.sensors import PICTURES, SENSORS
+from jauspy.conformance.walk.settings import CLOCKS, MIRRORS
 from jauspy.conformance.walk.trial import Trial
-from jauspy.conformance.walk.untried import skip, untried
 from jauspy.errors import ConfigError
 from jauspy.messages import registry
+from jauspy.messages.core import ClearEmergency, QueryConfiguration, QueryIdentification, SetEmergency
 from jauspy.schema import guards
+
+
+def untried(
+    subject: Subject, services: Collection[ServiceKey], steps: Iterable[Step], situations: Collection[Situation]
+) -> Iterator[Step]:
+    """A step for each trigger and state; `services` are those whose transitions are of interest."""
+    tried = {name for step in steps for name in step.transitions}
+    left = [
+        rule
+        for rule in subject.machine.rules
+        if rule.owner.key in services and subject.transition(rule.name) not in tried
+    ]
+    for id, rules in groupby(sorted(left, key=_id), key=_id):
+        first, *others = rules
+        names = tuple(subject.transition(rule.name) for rule in (first, *others))
+        reason = _reason(subject.machine, first, situations)
+        yield Step(id, f"the transition {first.name}", skip(reason), transitions=names)
+
+
+def _id(rule: Rule) -> str:
+    return f"untried/{'.'.join(rule.node.path[2:]) or 'Ready'}/{rule.trigger}"
+
+
+def _reason(machine: Machine, rule: Rule, situations: Collection[Situation]) -> str:
+    inside = [each for each in situations if each.state[: len(rule.node.path)] == rule.node.path]
+    if not inside:
+        return f"no input leads to {rule.node}"
+    if not any(rule.name == each.rule for here in inside for each in _outcomes(machine, here, rule.trigger)):
+        return f"{rule.trigger} never gets that far: an inner state takes it first"
+    if rule.is_input:
+        return f"no {rule.trigger} is known of which this holds: {rule.transition.guard}"
+    return f"{rule.trigger} comes from inside of the component, and cannot be brought about there from outside"
+
+
+def _outcomes(machine: Machine, situation: Situation, trigger: str) -> Iterable[Prediction]:
+    return machine.predict(situation, trigger, "", lambda *_: None)
+
+
+def skip(reason: str) -> Callable[[Tester], None]:
+    """An action that is not tried."""
+
+    def action(tester: Tester) -> None:  # noqa: ARG001 - nothing is tried
+        raise Skipped(reason)
+
+    return action
+
+
+Path: TypeAlias = tuple[tuple[str, str], ...]
+"""Inputs, each with the role that sends it."""
+
+_STEERED: Final = {
+    each.message: each for each in ACCESS if (each.message, each.variant) == ("RequestControl", "the same authority")
+}
+
+
+@dataclass(frozen=True)
+class Routes:
+    """By the inputs of `STEERING` alone."""
+
+    machine: Machine
+
+    def ways(self) -> dict[Situation, Path]:
+        """One situation for each state that can be reached, and the inputs that lead there."""
+        machine = self.machine
+        found: dict[Situation, Path] = {machine.start: ()}
+        waiting: deque[tuple[Situation, Path]] = deque([(machine.start, ())])
+        states = {machine.start.state}
+        while waiting:
+            situation, path = waiting.popleft()
+            for after, step in self.moves(situation):
+                if after.state not in states:
+                    states.add(after.state)
+                    found[after] = (*path, step)
+                    waiting.append((after, (*path, step)))
+        return found
+
+    def moves(self, situation: Situation) -> Iterator[tuple[Situation, tuple[str, str]]]:
+        """Where single inputs lead, and which; those whose outcome is not known are left out."""
+        for message, role in STEERING:
+            stimulus = _STEERED.get(message) or Stimulus(message, None)
+            (first, *others) = self.machine.predict(situation, message, role, stimulus.judge(role))
+            after = self._settled(first.after)
+            if not others and after != situation:
+                yield after, (message, role)
+
+    def _settled(self, situation: Situation) -> Situation:
+        """Initialization is over by itself."""
+        done = Stimulus("Initialized", None)
+        (first, *_) = self.machine.predict(situation, done.message, "", done.judge(""))
+        return first.after
+
+    def returns(self, situation: Situation) -> bool:
+        """True when inputs lead from there to the start."""
+        seen, waiting = {situation}, [situation]
+        while waiting:
+            here = waiting.pop()
+            if here == self.machine.start:
+                return True
+            for after, _ in self.moves(here):
+                if after not in seen:
+                    seen.add(after)
+                    waiting.append(after)
+        return False
+
+
+def _one(message: Message, variant: str = "", **fields: object) -> Stimulus:
+    """A message with fields that matter; `fields` are what its report must say."""
+    checks = {message.NAME.replace("Query", "Report", 1): has(**fields)} if fields else {}
+    return Stimulus(message.NAME, lambda _: message, variant, checks=checks)
+
+
+RECIPES: Final[tuple[Stimulus, ...]] = (
+    *ACCESS,
+    *EVENTS,
+    *COMMANDS,
+    *LISTS,
+    *EFFECTS,
+    *DRIVING,
+    *ARMS,
+    *PICTURES,
+    *CLOCKS,
+    *SENSORS,
+    *MIRRORS,
+    _one(SetEmergency(STOP)),
+    _one(ClearEmergency(STOP)),
+    *(_one(QueryIdentification(level), f"level {level}", query_type=level) for level in (1, 2, 3, 4)),
+    *(_one(QueryConfiguration(level), f"level {level}") for level in (2, 3)),
+    _one(ALL_SERVICES, "everything"),
+)
+"""Of all other inputs the neutral message is sent; queries with presence vectors ask for all and for none."""
+
+SPONTANEOUS: Final[tuple[Stimulus, ...]] = (SILENT_CLIENT, NOT_RENEWED, DUE, EXPIRED)
+"""Internal events that can be brought about from outside."""
+
 
 STANDARD: Final = "urn:jaus:jss:"
 ROLES: Final = (
@@ -145,3 +302,12 @@ def _moves(trial: Trial) -> bool:
 
 def _skipped(step: Step, instead: Step) -> Step:
     return replace(step, run=skip(f"it would end the component; {instead.id} is tried, at the end"))
+
+
+CORE: Final = profile_of("core-1.1", "core services 1.1: every transition; shuts the target down", "core", "1.1")
+MOBILITY: Final = profile_of("mobility-1.1", "mobility services 1.1: every transition", "mobility", "1.1")
+MANIPULATOR: Final = profile_of("manipulator-2.0", "manipulator services 2.0: every transition", "manipulator", "2.0")
+SENSING: Final = profile_of(
+    "sensing-2.0", "environment sensing services 2.0: every transition", "environmentSensing", "2.0"
+)
+UGV: Final = profile_of("ugv-1.0", "UGV services 1.0: every transition", "ugv", "1.0")
