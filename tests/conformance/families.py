@@ -22,7 +22,7 @@ from jauspy.conformance import Bench, Part
 from jauspy.conformance.walk import sample_messages
 from jauspy.conformance.walk.explorer import AUTHORITY, CLIENTS, OBSERVER
 from jauspy.conformance.walk.sensors import PATIENCE as PICTURE_PATIENCE
-from jauspy.conformance.walk.trial import Trial
+from jauspy.conformance.walk.state_test import Trial
 from jauspy.ids import JausID
 from jauspy.messages import core, registry
 from jauspy.messages.environment_sensing.v2_0.range_sensor import ConfirmSensorConfiguration

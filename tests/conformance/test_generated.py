@@ -16,7 +16,7 @@ from jauspy.conformance.trace import Direction
 from jauspy.conformance.walk.behaviour import subject_of
 from jauspy.conformance.walk.plan import Planner
 from jauspy.conformance.walk.sample_messages import neutral
-from jauspy.conformance.walk.trial import Trial
+from jauspy.conformance.walk.state_test import Trial
 from jauspy.ids import JausID
 from jauspy.messages import core, registry
 from jauspy.messages.core import RegisterServices, ServiceRec

@@ -37,7 +37,7 @@ from jauspy.conformance.walk.lists import LISTS
 from jauspy.conformance.walk.sample_messages import neutral, presence_fields
 from jauspy.conformance.walk.sensors import PICTURES, SENSORS
 from jauspy.conformance.walk.settings import CLOCKS, MIRRORS
-from jauspy.conformance.walk.trial import Trial
+from jauspy.conformance.walk.state_test import Trial
 from jauspy.errors import ConfigError
 from jauspy.messages import registry
 from jauspy.messages.core import ClearEmergency, QueryConfiguration, QueryIdentification, SetEmergency
