@@ -15,7 +15,7 @@ from jauspy.conformance.profile import Profile, Step
 from jauspy.conformance.results import Skipped
 from jauspy.conformance.tester import Tester
 from jauspy.conformance.walk import sample_messages
-from jauspy.conformance.walk.access import ACCESS, SILENT_CLIENT
+from jauspy.conformance.walk.access_control import ACCESS, SILENT_CLIENT
 from jauspy.conformance.walk.arms import ARMS
 from jauspy.conformance.walk.behaviour import Machine, Prediction, Rule, Situation, Subject, subject_of
 from jauspy.conformance.walk.driving import DRIVING
