@@ -19,10 +19,10 @@ from tests.conformance.mistakes import goes_on, stuck, wrong_report
 from jauspy.codec.base import Message, Struct
 from jauspy.codec.items import Composite
 from jauspy.conformance import Bench, Part
-from jauspy.conformance.walk import sample_messages
-from jauspy.conformance.walk.explorer import AUTHORITY, CLIENTS, OBSERVER
-from jauspy.conformance.walk.sensors import PATIENCE as PICTURE_PATIENCE
-from jauspy.conformance.walk.state_test import Trial
+from jauspy.conformance.state_tests import sample_messages
+from jauspy.conformance.state_tests.explorer import AUTHORITY, CLIENTS, OBSERVER
+from jauspy.conformance.state_tests.sensors import PATIENCE as PICTURE_PATIENCE
+from jauspy.conformance.state_tests.state_test import Trial
 from jauspy.ids import JausID
 from jauspy.messages import core, registry
 from jauspy.messages.environment_sensing.v2_0.range_sensor import ConfirmSensorConfiguration

@@ -10,8 +10,8 @@ from typing import Final, TypeAlias
 from jauspy.codec.base import Message
 from jauspy.conformance.checks import Check
 from jauspy.conformance.results import Failed, Outcome, Silent, Skipped
+from jauspy.conformance.state_tests.behaviour import Judge, Prediction, Situation, Truth
 from jauspy.conformance.tester import Client, Tester
-from jauspy.conformance.walk.behaviour import Judge, Prediction, Situation, Truth
 from jauspy.ids import JausID
 from jauspy.messages.core import (
     AllEventsRec,

@@ -6,10 +6,10 @@ from typing import Final
 
 from jauspy.codec.base import Message
 from jauspy.conformance.results import Outcome, Skipped
-from jauspy.conformance.walk import lists
-from jauspy.conformance.walk.events import UNKNOWN_ID
-from jauspy.conformance.walk.explorer import OBSERVER, PILOT, Prepare, Stimulus, Walker
-from jauspy.conformance.walk.sample_messages import neutral
+from jauspy.conformance.state_tests import lists
+from jauspy.conformance.state_tests.events import UNKNOWN_ID
+from jauspy.conformance.state_tests.explorer import OBSERVER, PILOT, Prepare, Stimulus, Walker
+from jauspy.conformance.state_tests.sample_messages import neutral
 from jauspy.messages.manipulator import (
     ExecuteList,
     QueryCommandedJointPositions,

@@ -13,15 +13,14 @@ from jauspy.conformance.checks import has
 from jauspy.conformance.offers import ALL_SERVICES, Offers, ServiceKey
 from jauspy.conformance.profile import Profile, Step
 from jauspy.conformance.results import Skipped
-from jauspy.conformance.tester import Tester
-from jauspy.conformance.walk import sample_messages
-from jauspy.conformance.walk.access_control import ACCESS, SILENT_CLIENT
-from jauspy.conformance.walk.arms import ARMS
-from jauspy.conformance.walk.behaviour import Machine, Prediction, Rule, Situation, Subject, subject_of
-from jauspy.conformance.walk.driving import DRIVING
-from jauspy.conformance.walk.effects import EFFECTS
-from jauspy.conformance.walk.events import COMMANDS, DUE, EVENTS, EXPIRED, NOT_RENEWED
-from jauspy.conformance.walk.explorer import (
+from jauspy.conformance.state_tests import sample_messages
+from jauspy.conformance.state_tests.access_control import ACCESS, SILENT_CLIENT
+from jauspy.conformance.state_tests.arms import ARMS
+from jauspy.conformance.state_tests.behaviour import Machine, Prediction, Rule, Situation, Subject, subject_of
+from jauspy.conformance.state_tests.driving import DRIVING
+from jauspy.conformance.state_tests.effects import EFFECTS
+from jauspy.conformance.state_tests.events import COMMANDS, DUE, EVENTS, EXPIRED, NOT_RENEWED
+from jauspy.conformance.state_tests.explorer import (
     CLIENTS,
     MEDIC,
     OBSERVER,
@@ -33,11 +32,11 @@ from jauspy.conformance.walk.explorer import (
     STOP,
     Stimulus,
 )
-from jauspy.conformance.walk.lists import LISTS
-from jauspy.conformance.walk.sample_messages import neutral, presence_fields
-from jauspy.conformance.walk.sensors import PICTURES, SENSORS
-from jauspy.conformance.walk.settings import CLOCKS, MIRRORS
-from jauspy.conformance.walk.state_test import Trial
+from jauspy.conformance.state_tests.lists import LISTS
+from jauspy.conformance.state_tests.sample_messages import neutral, presence_fields
+from jauspy.conformance.state_tests.sensors import CLOCKS, MIRRORS, PICTURES, SENSORS
+from jauspy.conformance.state_tests.state_test import Trial
+from jauspy.conformance.tester import Tester
 from jauspy.errors import ConfigError
 from jauspy.messages import registry
 from jauspy.messages.core import ClearEmergency, QueryConfiguration, QueryIdentification, SetEmergency

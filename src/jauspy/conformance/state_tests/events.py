@@ -8,8 +8,8 @@ from jauspy.codec.base import Message
 from jauspy.conformance import streams
 from jauspy.conformance.checks import has, that
 from jauspy.conformance.results import Outcome, Skipped
+from jauspy.conformance.state_tests.explorer import EARLIEST, LONGEST, OBSERVER, Aftermath, Stimulus, Walker
 from jauspy.conformance.streams import ONE_HERTZ
-from jauspy.conformance.walk.explorer import EARLIEST, LONGEST, OBSERVER, Aftermath, Stimulus, Walker
 from jauspy.messages.core import (
     AllEventsRec,
     CancelEvent,

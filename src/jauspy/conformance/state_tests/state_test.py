@@ -9,10 +9,10 @@ from functools import cached_property
 from jauspy.codec.base import Message
 from jauspy.conformance.checks import Check, has
 from jauspy.conformance.results import Late, Malformed, Silent
+from jauspy.conformance.state_tests.behaviour import Output, Prediction, Situation, Subject
+from jauspy.conformance.state_tests.explorer import CLIENTS, STATUS, Aftermath, Seen, Stimulus, Walker
 from jauspy.conformance.tester import EVENTS, Tester
 from jauspy.conformance.trace import Heard, named
-from jauspy.conformance.walk.behaviour import Output, Prediction, Situation, Subject
-from jauspy.conformance.walk.explorer import CLIENTS, STATUS, Aftermath, Seen, Stimulus, Walker
 from jauspy.errors import DecodeError
 
 INIT, INITIALIZED = "Init", "Initialized"

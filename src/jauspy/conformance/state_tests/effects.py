@@ -9,8 +9,8 @@ from typing import Any, Final
 from jauspy.codec.base import Message
 from jauspy.conformance.checks import near, value_of
 from jauspy.conformance.results import Skipped
-from jauspy.conformance.walk.behaviour import Truth
-from jauspy.conformance.walk.explorer import OBSERVER, Aftermath, Prepare, Stimulus, Walker, nothing
+from jauspy.conformance.state_tests.behaviour import Truth
+from jauspy.conformance.state_tests.explorer import OBSERVER, Aftermath, Prepare, Stimulus, Walker, nothing
 from jauspy.messages.manipulator import (
     QueryEndEffectorEffort,
     QueryToolOffset,

@@ -8,9 +8,9 @@ from typing import Final
 from jauspy.codec.base import Message
 from jauspy.conformance.checks import has, that
 from jauspy.conformance.results import Failed, Skipped
-from jauspy.conformance.walk.events import CREATE, UNKNOWN_ID
-from jauspy.conformance.walk.explorer import OBSERVER, PILOT, Aftermath, Stimulus, Walker
-from jauspy.conformance.walk.sample_messages import neutral
+from jauspy.conformance.state_tests.events import CREATE, UNKNOWN_ID
+from jauspy.conformance.state_tests.explorer import OBSERVER, PILOT, Aftermath, Stimulus, Walker
+from jauspy.conformance.state_tests.sample_messages import neutral
 from jauspy.messages import registry
 from jauspy.messages.core import (
     ConfirmElementRequest,

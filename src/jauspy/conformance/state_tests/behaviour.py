@@ -16,8 +16,8 @@ from typing import Final, NamedTuple, TypeAlias
 from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
 from jauspy.conformance.offers import ServiceKey
+from jauspy.conformance.state_tests.explorer import Walker
 from jauspy.conformance.tester import Tester
-from jauspy.conformance.walk.explorer import Walker
 from jauspy.ids import JausID
 from jauspy.messages import registry
 from jauspy.schema import guards, model

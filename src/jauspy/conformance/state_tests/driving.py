@@ -9,10 +9,10 @@ from typing import Any, Final
 
 from jauspy.codec.base import Message
 from jauspy.conformance.checks import Check, has, near
-from jauspy.conformance.walk import lists, sample_messages
-from jauspy.conformance.walk.effects import SLOW, effect, over_ground
-from jauspy.conformance.walk.events import UNKNOWN_ID
-from jauspy.conformance.walk.explorer import OBSERVER, PILOT, Aftermath, Prepare, Stimulus, Walker
+from jauspy.conformance.state_tests import lists, sample_messages
+from jauspy.conformance.state_tests.effects import SLOW, effect, over_ground
+from jauspy.conformance.state_tests.events import UNKNOWN_ID
+from jauspy.conformance.state_tests.explorer import OBSERVER, PILOT, Aftermath, Prepare, Stimulus, Walker
 from jauspy.messages.core import Standby
 from jauspy.messages.mobility import (
     ExecuteList,

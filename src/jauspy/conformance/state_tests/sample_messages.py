@@ -27,7 +27,7 @@ from jauspy.codec.items import (
 from jauspy.codec.layout import Composite, Slot
 from jauspy.codec.wire import FLOATS, limits
 from jauspy.conformance.checks import Check
-from jauspy.conformance.walk.explorer import OBSERVER, Aftermath, Stimulus
+from jauspy.conformance.state_tests.explorer import OBSERVER, Aftermath, Stimulus
 
 PRESENCE: Final = "presence_vector"
 
