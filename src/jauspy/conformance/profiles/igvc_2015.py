@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import Final
 
 from jauspy.codec.base import Message
-from jauspy.conformance import drive, streams
+from jauspy.conformance import drive, event_streams
 from jauspy.conformance.checks import Check, carries, carries_only, has, near, that
 from jauspy.conformance.offers import ALL_SERVICES
 from jauspy.conformance.profile import Action, Profile, Step, ask, tell
@@ -193,16 +193,16 @@ EVENT: Final = "event of step 4"
 PERIODIC: Final = CreateEvent.EventType.PERIODIC
 A_REPORT: Final = bytes.fromhex("02440000")
 """A report where a query should be."""
-UNSUPPORTED: Final = CreateEvent(3, PERIODIC, streams.HALF_HERTZ, A_REPORT)
+UNSUPPORTED: Final = CreateEvent(3, PERIODIC, event_streams.HALF_HERTZ, A_REPORT)
 NOT_A_QUERY: Final = has(request_id=3, response_code=RejectEventRequest.ResponseCode.MESSAGE_NOT_SUPPORTED)
 
 
 def create_event(tester: Tester) -> None:
     """Step 4."""
     judge = tester.client(COP)
-    confirmed = streams.subscribe(judge, 1, QueryHeartbeatPulse())
+    confirmed = event_streams.subscribe(judge, 1, QueryHeartbeatPulse())
     tester.memory[EVENT] = confirmed.event_id
-    streams.watch(judge, confirmed.event_id, streams.ONE_HERTZ, ReportHeartbeatPulse)
+    event_streams.watch(judge, confirmed.event_id, event_streams.ONE_HERTZ, ReportHeartbeatPulse)
 
 
 def the_event(tester: Tester) -> int:
@@ -214,18 +214,18 @@ def the_event(tester: Tester) -> int:
 def update_event(tester: Tester) -> None:
     """Step 8."""
     judge, event = tester.client(COP), the_event(tester)
-    wanted = UpdateEvent(4, UpdateEvent.EventType.PERIODIC, streams.HALF_HERTZ, event, QueryHeartbeatPulse())
+    wanted = UpdateEvent(4, UpdateEvent.EventType.PERIODIC, event_streams.HALF_HERTZ, event, QueryHeartbeatPulse())
     half = near(0.01, confirmed_periodic_rate=0.5)
     judge.ask(wanted, ConfirmEventRequest, has(request_id=4, event_id=event), half)
     tester.wait(0.1)
-    streams.watch(judge, event, streams.HALF_HERTZ, ReportHeartbeatPulse)
+    event_streams.watch(judge, event, event_streams.HALF_HERTZ, ReportHeartbeatPulse)
 
 
 def cancel_event(tester: Tester) -> None:
     """Step 9."""
     judge, event = tester.client(COP), the_event(tester)
-    streams.cancel(judge, 7, event)
-    streams.stopped(judge, event, 2.5 / streams.HALF_HERTZ)
+    event_streams.cancel(judge, 7, event)
+    event_streams.stopped(judge, event, 2.5 / event_streams.HALF_HERTZ)
 
 
 def events_are(*, listed: bool) -> Action:
@@ -256,9 +256,9 @@ def stream(request: int, query: Message, report: type[Message]) -> Action:
 
     def action(tester: Tester) -> None:
         judge = tester.client(COP)
-        confirmed = streams.subscribe(judge, request, query, to=tester.component)
+        confirmed = event_streams.subscribe(judge, request, query, to=tester.component)
         tester.memory[f"stream {request}"] = confirmed.event_id
-        streams.watch(judge, confirmed.event_id, streams.ONE_HERTZ, report)
+        event_streams.watch(judge, confirmed.event_id, event_streams.ONE_HERTZ, report)
 
     return action
 
@@ -267,8 +267,8 @@ def end_and_drive(tester: Tester) -> None:
     """Step 80: the first stream ends, and the robot drives; the other streams go on meanwhile."""
     judge = tester.client(COP)
     event = tester.recall("stream 1", "step 75 got no event")
-    streams.cancel(judge, 1, event, to=tester.component)
-    streams.stopped(judge, event, 2.5)
+    event_streams.cancel(judge, 1, event, to=tester.component)
+    event_streams.stopped(judge, event, 2.5)
     drive.square(judge, tester.component)
     for request in (2, 3, 4, 5):
         if (other := tester.memory.get(f"stream {request}")) is not None:

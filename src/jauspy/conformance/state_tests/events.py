@@ -5,11 +5,11 @@ from __future__ import annotations
 from typing import Final
 
 from jauspy.codec.base import Message
-from jauspy.conformance import streams
+from jauspy.conformance import event_streams
 from jauspy.conformance.checks import has, that
+from jauspy.conformance.event_streams import ONE_HERTZ
 from jauspy.conformance.results import Outcome, Skipped
 from jauspy.conformance.state_tests.explorer import EARLIEST, LONGEST, OBSERVER, Aftermath, Stimulus, Walker
-from jauspy.conformance.streams import ONE_HERTZ
 from jauspy.messages.core import (
     AllEventsRec,
     CancelEvent,
@@ -114,12 +114,12 @@ def _is_changed(then: Aftermath) -> None:
     same = confirmation.event_id == id
     walker.tester.check("the event keeps its id", "" if same else f"{id} has become {confirmation.event_id}")
     _known(then, id, PERIODIC)
-    streams.look(walker.client(then.role), id, confirmation.confirmed_periodic_rate, ReportEventTimeout)
+    event_streams.look(walker.client(then.role), id, confirmation.confirmed_periodic_rate, ReportEventTimeout)
 
 
 def _is_gone(then: Aftermath) -> None:
     _known(then, held(then.walker), None)
-    streams.stopped(then.walker.client(then.role), held(then.walker), PAUSE * then.walker.tester.timeout)
+    event_streams.stopped(then.walker.client(then.role), held(then.walker), PAUSE * then.walker.tester.timeout)
 
 
 def _changes_are_told(then: Aftermath) -> None:
@@ -239,7 +239,7 @@ EVENTS: Final = (
 
 def _stream_is_right(then: Aftermath) -> None:
     walker = then.walker
-    streams.look(walker.client(then.role), held(walker), walker.tester.memory["rate"], ReportEventTimeout)
+    event_streams.look(walker.client(then.role), held(walker), walker.tester.memory["rate"], ReportEventTimeout)
 
 
 def event_time(walker: Walker) -> float:
