@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import Final
 
 from jauspy.codec.base import Message
-from jauspy.conformance import drive, event_streams
+from jauspy.conformance import event_streams, waypoint_drive
 from jauspy.conformance.checks import Check, carries, carries_only, has, near, that
 from jauspy.conformance.offers import ALL_SERVICES
 from jauspy.conformance.profile import Action, Profile, Step, ask, tell
@@ -269,7 +269,7 @@ def end_and_drive(tester: Tester) -> None:
     event = tester.recall("stream 1", "step 75 got no event")
     event_streams.cancel(judge, 1, event, to=tester.component)
     event_streams.stopped(judge, event, 2.5)
-    drive.square(judge, tester.component)
+    waypoint_drive.square(judge, tester.component)
     for request in (2, 3, 4, 5):
         if (other := tester.memory.get(f"stream {request}")) is not None:
             judge.send(CancelEvent(request, other), to=tester.component)
