@@ -10,8 +10,8 @@ import pytest
 from jauspy.codec.base import Message
 from jauspy.codec.wire import SIZES
 from jauspy.errors import ConfigError, DecodeError
-from jauspy.fuzz.agreement import difference
 from jauspy.fuzz.campaign import Plan, fuzzer, run
+from jauspy.fuzz.checks import difference
 from jauspy.fuzz.making import Maker, Style
 from jauspy.fuzz.minimise import minimise
 from jauspy.fuzz.mutation import LARGEST, mutate

@@ -9,8 +9,7 @@ from typing import Final
 
 from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
-from jauspy.fuzz.checks import MEMORY_EVERY, Checks
-from jauspy.fuzz.effort import Effort
+from jauspy.fuzz.checks import MEMORY_EVERY, Checks, Effort
 from jauspy.fuzz.findings import Finding, Problem
 from jauspy.fuzz.making import Maker, Style
 from jauspy.fuzz.minimise import MOST_TRIES, minimise
