@@ -10,9 +10,8 @@ from typing import Final
 from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
 from jauspy.fuzz.checks import MEMORY_EVERY, Checks, Effort
-from jauspy.fuzz.findings import Finding, Problem
+from jauspy.fuzz.findings import MOST_TRIES, Finding, Problem, minimise
 from jauspy.fuzz.making import Maker, Style
-from jauspy.fuzz.minimise import MOST_TRIES, minimise
 from jauspy.fuzz.mutation import mutate
 from jauspy.fuzz.seeds import Seed, from_payloads, from_schemas
 from jauspy.fuzz.spots import spots_of
