@@ -11,11 +11,10 @@ from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
 from jauspy.fuzz.checks import MEMORY_EVERY, Checks, Effort
 from jauspy.fuzz.findings import MOST_TRIES, Finding, Problem, minimise
-from jauspy.fuzz.making import Maker, Style
+from jauspy.fuzz.messages import Maker, Style, Target, targets
 from jauspy.fuzz.mutation import mutate
 from jauspy.fuzz.seeds import Seed, from_payloads, from_schemas
 from jauspy.fuzz.spots import spots_of
-from jauspy.fuzz.targets import Target, targets
 from jauspy.schema.model import Schema
 
 SLOW_TRIES: Final = 60

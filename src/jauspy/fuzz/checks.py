@@ -20,8 +20,8 @@ from jauspy.codec.base import Deviation, Message
 from jauspy.codec.items import Bits, Blob, Choice, Composite, Formatted, Grid, Item, Number, Real, Repeat, Union
 from jauspy.errors import DecodeError, EncodeError
 from jauspy.fuzz.findings import Problem
+from jauspy.fuzz.messages import Target
 from jauspy.fuzz.seeds import Seed
-from jauspy.fuzz.targets import Target
 
 
 def difference(item: Item, ours: Any, theirs: Any) -> str | None:

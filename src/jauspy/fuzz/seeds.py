@@ -11,9 +11,8 @@ from jauspy.capture.dissect import dissect
 from jauspy.capture.hextext import from_lines
 from jauspy.capture.reader import CaptureReader, is_capture
 from jauspy.errors import ConfigError
-from jauspy.fuzz.making import Maker, Style
+from jauspy.fuzz.messages import Maker, Style, Target
 from jauspy.fuzz.spots import Spot, spots_of
-from jauspy.fuzz.targets import Target
 from jauspy.messages import registry
 
 ANY_PER_MESSAGE = 3

@@ -1,14 +1,16 @@
-"""Valid messages, made along their layouts: the shortest, one with everything, or any."""
+"""The messages that are tested: for each its generated class, and the model that the reference codec goes by."""
 
 from __future__ import annotations
 
 import math
 import struct
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from enum import Enum
 from random import Random
 from typing import Final
 
+from jauspy.codec.base import Message
 from jauspy.codec.items import (
     Bits,
     Blob,
@@ -25,8 +27,47 @@ from jauspy.codec.items import (
     Union,
     Values,
 )
+from jauspy.codec.registry import Registry
 from jauspy.codec.wire import FLOATS, SIZES, limits
-from jauspy.fuzz.targets import Target
+from jauspy.errors import ConfigError
+from jauspy.schema import model as m
+
+
+@dataclass(frozen=True, slots=True)
+class Target:
+    """One message of one service version."""
+
+    cls: type[Message]
+    model: m.Message
+    layout: Composite
+
+    @property
+    def id(self) -> bytes:
+        """The two bytes every message of this kind starts with."""
+        return self.cls.CODE.to_bytes(2, "little")
+
+    @property
+    def title(self) -> str:
+        """Service and name, as in `core:Discovery 1.1 ReportServices`."""
+        return f"{self.cls.SERVICE.removeprefix('urn:jaus:jss:')} {self.cls.VERSION} {self.cls.NAME}"
+
+
+def targets(registry: Registry, schema: m.Schema, names: Iterable[str] = ()) -> tuple[Target, ...]:
+    """All messages of a registry that the schema has, or those of these names; `ConfigError` for an unknown name."""
+    wanted = {registry.by_name(name).NAME for name in names}
+    found = []
+    models = {(s.id, s.version, msg.name): msg for s in schema.services for msg in s.messages}
+    for entry in registry.entries:
+        model = models.get((entry.service, entry.version, entry.name))
+        if model is not None and (not wanted or entry.name in wanted):
+            cls = entry.load()
+            layout = cls.layout()
+            assert isinstance(layout, Composite)
+            found.append(Target(cls, model, layout))
+    if not found:
+        raise ConfigError("there is no message to test")
+    return tuple(found)
+
 
 DEEPEST: Final = 3
 """Levels of messages inside messages that are made."""
