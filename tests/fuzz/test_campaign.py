@@ -14,8 +14,7 @@ from jauspy.fuzz.campaign import Plan, fuzzer, run
 from jauspy.fuzz.checks import difference
 from jauspy.fuzz.findings import minimise
 from jauspy.fuzz.messages import Maker, Style
-from jauspy.fuzz.mutation import LARGEST, mutate
-from jauspy.fuzz.seeds import file_payloads
+from jauspy.fuzz.mutation import LARGEST, file_payloads, mutate
 from jauspy.fuzz.spots import spots_of
 from jauspy.messages import registry
 

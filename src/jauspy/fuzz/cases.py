@@ -12,8 +12,7 @@ from jauspy.errors import ConfigError
 from jauspy.fuzz.checks import MEMORY_EVERY, Checks, Effort
 from jauspy.fuzz.findings import MOST_TRIES, Finding, Problem, minimise
 from jauspy.fuzz.messages import Maker, Style, Target, targets
-from jauspy.fuzz.mutation import mutate
-from jauspy.fuzz.seeds import Seed, from_payloads, from_schemas
+from jauspy.fuzz.mutation import Seed, from_payloads, from_schemas, mutate
 from jauspy.fuzz.spots import spots_of
 from jauspy.schema.model import Schema
 

@@ -21,7 +21,7 @@ from jauspy.codec.items import Bits, Blob, Choice, Composite, Formatted, Grid, I
 from jauspy.errors import DecodeError, EncodeError
 from jauspy.fuzz.findings import Problem
 from jauspy.fuzz.messages import Target
-from jauspy.fuzz.seeds import Seed
+from jauspy.fuzz.mutation import Seed
 
 
 def difference(item: Item, ours: Any, theirs: Any) -> str | None:
