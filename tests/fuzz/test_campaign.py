@@ -15,7 +15,7 @@ from jauspy.fuzz.checks import difference
 from jauspy.fuzz.findings import minimise
 from jauspy.fuzz.messages import Maker, Style
 from jauspy.fuzz.mutation import LARGEST, file_payloads, mutate
-from jauspy.fuzz.spots import spots_of
+from jauspy.fuzz.offsets import spots_of
 from jauspy.messages import registry
 
 CAPTURE = Path(__file__).parents[1] / "golden" / "sae_management.hex"

@@ -17,7 +17,7 @@ from jauspy.fuzz.checks import MEMORY_EVERY, Checks, Effort
 from jauspy.fuzz.findings import MOST_TRIES, Finding, Problem, minimise
 from jauspy.fuzz.messages import Maker, Style, Target, targets
 from jauspy.fuzz.mutation import Seed, from_payloads, from_schemas, mutate
-from jauspy.fuzz.spots import spots_of
+from jauspy.fuzz.offsets import spots_of
 from jauspy.messages import registry
 from jauspy.schema import load_builtin
 from jauspy.schema.model import Schema

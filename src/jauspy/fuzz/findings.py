@@ -11,7 +11,7 @@ from typing import Final
 
 from jauspy.codec.items import Item, Repeat
 from jauspy.errors import ConfigError
-from jauspy.fuzz.spots import Spot, spots_of
+from jauspy.fuzz.offsets import Spot, spots_of
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,7 +15,7 @@ from jauspy.codec.items import Choice, Composite, Formatted, Number, Repeat, Uni
 from jauspy.codec.wire import FLOATS
 from jauspy.errors import ConfigError
 from jauspy.fuzz.messages import Maker, Style, Target
-from jauspy.fuzz.spots import Spot, spots_of
+from jauspy.fuzz.offsets import Spot, spots_of
 from jauspy.messages import registry
 
 ANY_PER_MESSAGE = 3
