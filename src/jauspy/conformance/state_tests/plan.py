@@ -34,7 +34,8 @@ from jauspy.conformance.state_tests.explorer import (
 )
 from jauspy.conformance.state_tests.lists import LISTS
 from jauspy.conformance.state_tests.sample_messages import neutral, presence_fields
-from jauspy.conformance.state_tests.sensors import CLOCKS, MIRRORS, PICTURES, SENSORS
+from jauspy.conformance.state_tests.sensors import PICTURES, SENSORS
+from jauspy.conformance.state_tests.settings import CLOCKS, MIRRORS
 from jauspy.conformance.state_tests.state_test import Trial
 from jauspy.conformance.tester import Tester
 from jauspy.errors import ConfigError

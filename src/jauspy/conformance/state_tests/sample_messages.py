@@ -24,7 +24,7 @@ from jauspy.codec.items import (
     Union,
     Values,
 )
-from jauspy.codec.layout import Composite, Slot
+from jauspy.codec.layout import Slot
 from jauspy.codec.wire import FLOATS, limits
 from jauspy.conformance.checks import Check
 from jauspy.conformance.state_tests.explorer import OBSERVER, Aftermath, Stimulus
