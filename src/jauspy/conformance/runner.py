@@ -12,9 +12,8 @@ from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
 from jauspy.conformance.offers import Offers, discover
 from jauspy.conformance.profile import Profile, Step
-from jauspy.conformance.profiles.raw_packets import PINGS
 from jauspy.conformance.results import Outcome, Report, Result, Verdict
-from jauspy.conformance.tester import TIMEOUT, Tester
+from jauspy.conformance.tester import HARMLESS_QUERIES, TIMEOUT, Tester
 from jauspy.conformance.wire import Wire
 from jauspy.errors import ConfigError, RequestError, TransportError
 from jauspy.ids import JausID
@@ -70,7 +69,7 @@ class Pulse:
         asking = tester.client(f"42.9.{self._asked}")
         asking.pending.clear()
         for to in {tester.target, tester.memory.get("component", tester.target)}:
-            for ping in PINGS:
+            for ping in HARMLESS_QUERIES:
                 asking.send(ping, to=to)
         return tester.pump(
             tester.now + tester.timeout,

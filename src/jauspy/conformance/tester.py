@@ -14,13 +14,34 @@ from jauspy.conformance.trace import Direction, Entry, Heard, Record, named
 from jauspy.conformance.wire import Arrival, Wire
 from jauspy.errors import ConfigError, DecodeError, TransportError
 from jauspy.ids import EVERYONE, JausID
-from jauspy.messages.core import CommandEvent, ConfirmControl, ConfirmEventRequest, Event, RejectControl
+from jauspy.messages.core import (
+    AllEventsRec,
+    CommandEvent,
+    ConfirmControl,
+    ConfirmEventRequest,
+    Event,
+    QueryControl,
+    QueryEvents,
+    QueryHeartbeatPulse,
+    QueryIdentification,
+    QueryStatus,
+    RejectControl,
+)
 from jauspy.messages.environment_sensing.v2_0.range_sensor import ConfirmSensorConfiguration
 from jauspy.protocol import judp
 from jauspy.protocol.endpoint import Endpoint
 from jauspy.protocol.header import Ack, Packet
 
 M = TypeVar("M", bound=Message)
+
+HARMLESS_QUERIES: Final[tuple[Message, ...]] = (
+    QueryEvents(AllEventsRec(0)),
+    QueryHeartbeatPulse(),
+    QueryStatus(),
+    QueryControl(),
+    QueryIdentification(4),
+)
+"""Queries that change nothing, to find out whether a target answers. Nearly every component has Events."""
 
 
 class Expectation(Generic[M]):

@@ -7,31 +7,14 @@ from dataclasses import replace
 from functools import partial
 from typing import Any, Final
 
-from jauspy.codec.base import Message
 from jauspy.conformance.profile import Action, Step
 from jauspy.conformance.results import Late, Silent
-from jauspy.conformance.tester import Client, Tester, is_answer
+from jauspy.conformance.tester import HARMLESS_QUERIES, Client, Tester, is_answer
 from jauspy.ids import JausID
-from jauspy.messages.core import (
-    AllEventsRec,
-    QueryControl,
-    QueryEvents,
-    QueryHeartbeatPulse,
-    QueryIdentification,
-    QueryStatus,
-)
 from jauspy.ocu.answers import REPORT_OFFSET
 from jauspy.protocol import header
 from jauspy.protocol.header import Ack, DataFlag, Packet
 
-PINGS: Final[tuple[Message, ...]] = (
-    QueryEvents(AllEventsRec(0)),
-    QueryHeartbeatPulse(),
-    QueryStatus(),
-    QueryControl(),
-    QueryIdentification(4),
-)
-"""Queries that change nothing; the first that a target answers is used for all steps. Nearly all have Events."""
 FIRST_NUMBER: Final = 0x8000
 """Of packets by hand; far from the numbers of the clients' endpoints."""
 MAX_ARRIVALS: Final = 1024
@@ -146,7 +129,7 @@ def alive(tester: Tester) -> None:
 def find_ping(tester: Tester) -> None:
     """The first query that the target answers."""
     client = tester.client("42.1.1")
-    for ping in PINGS:
+    for ping in HARMLESS_QUERIES:
         client.send(ping)
         report = ping.CODE + REPORT_OFFSET
         if tester.pump(tester.now + tester.timeout, partial(_has, client, report)):
@@ -154,7 +137,7 @@ def find_ping(tester: Tester) -> None:
             tester.look("a query is answered")
             return
     tester.look("a query is answered", "none is")
-    raise Silent(f"none of {', '.join(each.NAME for each in PINGS)} was answered")
+    raise Silent(f"none of {', '.join(each.NAME for each in HARMLESS_QUERIES)} was answered")
 
 
 def _has(client: Client, code: int) -> bool:

@@ -16,8 +16,6 @@ from typing import Final, NamedTuple, TypeAlias
 from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
 from jauspy.conformance.offers import ServiceKey
-from jauspy.conformance.state_tests.explorer import Walker
-from jauspy.conformance.tester import Tester
 from jauspy.ids import JausID
 from jauspy.messages import registry
 from jauspy.schema import guards, model
@@ -281,14 +279,6 @@ class Subject:
     definitions: tuple[model.Service, ...]
     machine: Machine
     registry: Registry
-
-    def walker(self, tester: Tester) -> Walker:
-        """The one walker of this component in this run."""
-        known: dict[JausID, Walker] = tester.memory.setdefault("walkers", {})
-        if self.component not in known:
-            services = frozenset(each.id for each in self.definitions)
-            known[self.component] = Walker(tester, self.component, services, self.machine.start)
-        return known[self.component]
 
     def transition(self, rule: str) -> str:
         """A transition of this component, as reports name it."""

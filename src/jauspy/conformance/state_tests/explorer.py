@@ -10,7 +10,7 @@ from typing import Final, TypeAlias
 from jauspy.codec.base import Message
 from jauspy.conformance.checks import Check
 from jauspy.conformance.results import Failed, Outcome, Silent, Skipped
-from jauspy.conformance.state_tests.behaviour import Judge, Prediction, Situation, Truth
+from jauspy.conformance.state_tests.behaviour import Judge, Prediction, Situation, Subject, Truth
 from jauspy.conformance.tester import Client, Tester
 from jauspy.ids import JausID
 from jauspy.messages.core import (
@@ -253,6 +253,15 @@ class Walker:
         self.default_authority = observer.ask(QueryAuthority(), ReportAuthority, to=self.component).authority_code
         self.timeout = int(observer.ask(QueryTimeout(), ReportTimeout, to=self.component).timeout)
         self._measured = True
+
+
+def walker_of(subject: Subject, tester: Tester) -> Walker:
+    """The one walker of this component in this run."""
+    known: dict[JausID, Walker] = tester.memory.setdefault("walkers", {})
+    if subject.component not in known:
+        services = frozenset(each.id for each in subject.definitions)
+        known[subject.component] = Walker(tester, subject.component, services, subject.machine.start)
+    return known[subject.component]
 
 
 def status_of(situation: Situation) -> ReportStatus.Status | None:

@@ -10,7 +10,7 @@ from jauspy.codec.base import Message
 from jauspy.conformance.checks import Check, has
 from jauspy.conformance.results import Late, Malformed, Silent
 from jauspy.conformance.state_tests.behaviour import Output, Prediction, Situation, Subject
-from jauspy.conformance.state_tests.explorer import CLIENTS, STATUS, Aftermath, Seen, Stimulus, Walker
+from jauspy.conformance.state_tests.explorer import CLIENTS, STATUS, Aftermath, Seen, Stimulus, Walker, walker_of
 from jauspy.conformance.tester import EVENTS, Tester
 from jauspy.conformance.trace import Heard, named
 from jauspy.errors import DecodeError
@@ -55,7 +55,7 @@ class Trial:
 
     def __call__(self, tester: Tester) -> None:
         """Bring the component there, send, and look."""
-        walker = self.subject.walker(tester)
+        walker = walker_of(self.subject, tester)
         walker.reach(self.situation, self.path)
         try:
             self.stimulus.before(walker, self.role)
