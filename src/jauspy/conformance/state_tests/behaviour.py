@@ -19,8 +19,9 @@ from jauspy.conformance.offers import ServiceKey
 from jauspy.ids import JausID
 from jauspy.messages import registry
 from jauspy.schema import guards, model
+from jauspy.schema.inheritance import most_derived_first, parents_among
 from jauspy.schema.needed import load_needed
-from jauspy.services.tree import Owned, StateNode, merge, start_of
+from jauspy.schema.state_tree import MergedState, Owned, merge_machines
 
 MACHINE: Final = "ReceiveFSM"
 ANYTHING: Final = "Receive"
@@ -71,7 +72,7 @@ class Rule(NamedTuple):
     name: str
     transition: model.Transition
     owner: model.Service
-    node: StateNode
+    node: MergedState
 
     @property
     def trigger(self) -> str:
@@ -84,7 +85,7 @@ class Rule(NamedTuple):
         return _is_message(self.transition) and bool(self.transition.parameters)
 
 
-Way: TypeAlias = tuple[StateNode, Owned[model.Transition]]
+Way: TypeAlias = tuple[MergedState, Owned[model.Transition]]
 """A transition, and the state that has it."""
 Judge: TypeAlias = Callable[[guards.Call, Situation], Truth]
 """Decides a predicate for the input that is looked at."""
@@ -94,9 +95,10 @@ class Machine:
     """The merged machine of some definitions, most derived first."""
 
     def __init__(self, definitions: Sequence[model.Service]) -> None:
-        self.root = merge(list(definitions))[MACHINE]
+        merged = merge_machines(definitions)[MACHINE]
+        self.root = merged.root
         self._outputs = {message.name for each in definitions for message in each.outputs}
-        self.start = Situation(start_of(self.root, MACHINE, list(definitions)).path)
+        self.start = Situation(merged.start().path)
         self._names = _named(self.root)
         self.rules = tuple(self._rules())
         """Every transition; those of several services that cannot be told apart have one name."""
@@ -108,7 +110,7 @@ class Machine:
             for owned in (*node.transitions, *node.defaults):
                 yield Rule(self._name(owned, node), owned.item, owned.owner, node)
 
-    def _name(self, owned: Owned[model.Transition], node: StateNode) -> str:
+    def _name(self, owned: Owned[model.Transition], node: MergedState) -> str:
         return self._names[_looks(owned.item, node)]
 
     def predict(self, situation: Situation, trigger: str, role: str, judge: Judge) -> tuple[Prediction, ...]:
@@ -133,13 +135,13 @@ class Machine:
             for owned in (*first, *second) if node is active else (*second, *first):
                 yield node, owned
 
-    def _node(self, path: Iterable[str]) -> StateNode:
+    def _node(self, path: Iterable[str]) -> MergedState:
         node = self.root
         for name in path:
             node = node.children[name]
         return node
 
-    def _apply(self, owned: Owned[model.Transition], node: StateNode, before: Situation, role: str) -> Prediction:
+    def _apply(self, owned: Owned[model.Transition], node: MergedState, before: Situation, role: str) -> Prediction:
         outputs: list[Output] = []
         after = before
         for action in owned.item.actions:
@@ -189,13 +191,13 @@ class Machine:
         return replace(situation, state=path)
 
 
-def _looks(transition: model.Transition, node: StateNode) -> str:
+def _looks(transition: model.Transition, node: MergedState) -> str:
     """`Receiving.Ready: SetEmergency [guard]`: where it is, what it takes and when."""
     guard = " ".join(re.sub(r"(\w+\.)+", "", transition.guard).split())
     return f"{node}: {trigger_of(transition)}" + (f" [{guard}]" if guard else "")
 
 
-def _named(root: StateNode) -> dict[str, str]:
+def _named(root: MergedState) -> dict[str, str]:
     """The names of transitions by their looks: behind those of all services that have one like it."""
     owners: dict[str, dict[str, None]] = {}
     for node in root.all():
@@ -299,18 +301,6 @@ def subject_of(id: JausID, offered: frozenset[ServiceKey]) -> Subject:
     """The component with everything known that it offers, most derived first."""
     known = {(each.service, each.version) for each in registry.entries} | {(TRANSPORT, "1.0"), (TRANSPORT, "1.1")}
     schema = load_needed(frozenset(offered & known))
-    found: dict[str, tuple[int, model.Service]] = {}
-    for urn, version in sorted(offered & known):
-        line = list(_line(schema, schema.service(urn, version)))
-        for depth, each in enumerate(reversed(line)):
-            found.setdefault(each.id, (depth, each))
-    ordered = tuple(each for _, each in sorted(found.values(), key=lambda pair: -pair[0]))
+    services = [schema.service(*key) for key in sorted(offered & known)]
+    ordered = most_derived_first(services, parents_among(schema.services))
     return Subject(id, ordered, Machine(ordered), registry)
-
-
-def _line(schema: model.Schema, definition: model.Service) -> Iterator[model.Service]:
-    while True:
-        yield definition
-        if definition.inherits_from is None:
-            return
-        definition = schema.service(*definition.inherits_from.key)
