@@ -12,6 +12,7 @@ import pytest
 from tests.modules.workcell import BACKENDS, OTHER, Workcell, told
 
 from jauspy.codec.base import Message
+from jauspy.geometry.vectors import Transform, Vector
 from jauspy.messages import manipulator as m
 from jauspy.messages.core import (
     ConfirmElementRequest,
@@ -24,7 +25,6 @@ from jauspy.messages.core import (
     SetEmergency,
     Standby,
 )
-from jauspy.platform.vectors import Transform, Vector
 from jauspy.services.manipulator import Arm, EndEffectorVelocityStateDriver
 from jauspy.services.manipulator.kinematics import stance, turn_between
 from jauspy.services.manipulator.quaternion import quaternion, rotation

@@ -11,6 +11,7 @@ import pytest
 from tests.modules.workcell import BACKENDS, OTHER, Workcell, told
 
 from jauspy.codec.base import Message
+from jauspy.geometry.vectors import Transform, Vector, X, Z, about
 from jauspy.ids import JausID
 from jauspy.messages import manipulator as m
 from jauspy.messages.core import (
@@ -24,7 +25,6 @@ from jauspy.messages.core import (
     SetEmergency,
     Standby,
 )
-from jauspy.platform.vectors import Transform, Vector, X, Z, about
 from jauspy.services.manipulator.quaternion import rotation
 from jauspy.services.manipulator.values import percents
 

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from typing import Final
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.vectors import Transform, about, scaled
 from jauspy.platform.description import Description, Joint, JointKind
 from jauspy.platform.joints import JointGroup
-from jauspy.platform.vectors import Transform, about, scaled
 
 NEUTRAL: Final[Mapping[str, float]] = {}
 """All joints at zero."""

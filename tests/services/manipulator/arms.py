@@ -5,10 +5,10 @@ from __future__ import annotations
 import random
 from dataclasses import replace
 
+from jauspy.geometry.vectors import Transform
 from jauspy.modules.description import robot_model
 from jauspy.modules.robots import load
 from jauspy.platform.kinematic_joints import KinematicJoints
-from jauspy.platform.vectors import Transform
 from jauspy.services.manipulator.arm import Arm
 from jauspy.services.manipulator.kinematics import stance
 from jauspy.services.manipulator.pose_search import Found, PoseSearch

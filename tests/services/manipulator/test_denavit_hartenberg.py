@@ -4,11 +4,11 @@ import random
 
 import pytest
 
+from jauspy.geometry.vectors import Transform, Vector, about, scaled
 from jauspy.modules.description import robot_model
 from jauspy.modules.robots import load
 from jauspy.platform.contract import Pose
 from jauspy.platform.description import Joint, JointKind
-from jauspy.platform.vectors import Transform, Vector, about, scaled
 from jauspy.services.manipulator.denavit_hartenberg import geometry
 
 

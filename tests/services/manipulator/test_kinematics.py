@@ -6,7 +6,7 @@ import random
 import pytest
 from tests.services.manipulator.test_denavit_hartenberg import random_chain
 
-from jauspy.platform.vectors import Transform, X, Y, Z, about, difference
+from jauspy.geometry.vectors import Transform, X, Y, Z, about, difference
 from jauspy.services.manipulator.denavit_hartenberg import geometry
 from jauspy.services.manipulator.kinematics import stance, turn_between
 

@@ -6,8 +6,8 @@ import math
 from collections.abc import Sequence
 
 from jauspy.errors import RequestError
+from jauspy.geometry.vectors import Vector
 from jauspy.platform.description import JointKind, RobotModel
-from jauspy.platform.vectors import Vector
 from jauspy.services.manipulator.denavit_hartenberg import geometry
 
 

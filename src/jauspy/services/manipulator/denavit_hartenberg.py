@@ -13,8 +13,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from jauspy.platform.description import Joint, JointKind
-from jauspy.platform.vectors import (
+from jauspy.geometry.vectors import (
     Rotation,
     Transform,
     Vector,
@@ -29,6 +28,7 @@ from jauspy.platform.vectors import (
     scaled,
     transposed,
 )
+from jauspy.platform.description import Joint, JointKind
 
 PARALLEL: Final = 1e-9
 """Sine of the angle between two axes below which they count as parallel."""

@@ -12,7 +12,7 @@ from collections.abc import Generator, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from jauspy.platform.vectors import Transform, Vector, difference, scaled
+from jauspy.geometry.vectors import Transform, Vector, difference, scaled
 from jauspy.services.manipulator.denavit_hartenberg import Link
 from jauspy.services.manipulator.kinematics import Stance, stance, turn_between
 from jauspy.services.manipulator.least_squares import bounded

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from jauspy.platform.vectors import Rotation, transposed
+from jauspy.geometry.vectors import Rotation, transposed
 
 
 def quaternion(rotation: Rotation) -> tuple[float, float, float, float]:

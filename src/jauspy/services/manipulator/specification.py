@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from jauspy.geometry.vectors import Transform
 from jauspy.messages.manipulator import ManipulatorCoordinateSystemRec, ReportManipulatorSpecifications
-from jauspy.platform.vectors import Transform
 from jauspy.services.axes import JAUS_FROM_REP_103
 from jauspy.services.manipulator.arm import Arm
 from jauspy.services.manipulator.denavit_hartenberg import Link

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from typing import Final
 
-from jauspy.platform.vectors import Rotation, Transform, Vector, about, add, difference, dot, scaled
+from jauspy.geometry.vectors import Rotation, Transform, Vector, about, add, difference, dot, scaled
 from jauspy.services.manipulator.kinematics import Stance, turn_between
 
 ARM_LENGTH: Final = 0.3

@@ -11,7 +11,7 @@ import math
 from operator import mul
 from typing import TYPE_CHECKING, Final
 
-from jauspy.platform.vectors import Vector, scaled
+from jauspy.geometry.vectors import Vector, scaled
 from jauspy.services.manipulator.kinematics import Stance, stance
 from jauspy.services.manipulator.least_squares import bounded
 from jauspy.services.manipulator.pace import brakeable, ramped, slowed

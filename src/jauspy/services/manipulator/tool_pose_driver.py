@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from typing import Final
 
+from jauspy.geometry.vectors import Transform
 from jauspy.messages.manipulator import ReportCommandedEndEffectorPose, SetEndEffectorPose
-from jauspy.platform.vectors import Transform
 from jauspy.services.manipulator.arm import Arm
 from jauspy.services.manipulator.driver import ArmDriver
 from jauspy.services.manipulator.kinematics import turn_between

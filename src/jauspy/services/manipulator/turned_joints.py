@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from jauspy.geometry.vectors import scaled
 from jauspy.platform.description import Joint
 from jauspy.platform.joints import JointGroup, JointState, Target
-from jauspy.platform.vectors import scaled
 
 
 class TurnedJoints:
