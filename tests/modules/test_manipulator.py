@@ -11,7 +11,7 @@ import pytest
 from tests.modules.workcell import BACKENDS, OTHER, Workcell, told
 
 from jauspy.codec.base import Message
-from jauspy.geometry.vectors import Transform, Vector, X, Z, about
+from jauspy.geometry.vectors import Transform, Vector, X, Z, about, rotation
 from jauspy.ids import JausID
 from jauspy.messages import manipulator as m
 from jauspy.messages.core import (
@@ -25,7 +25,6 @@ from jauspy.messages.core import (
     SetEmergency,
     Standby,
 )
-from jauspy.services.manipulator.quaternion import rotation
 from jauspy.services.manipulator.values import percents
 
 GOAL = (0.4, 1.2, -0.9, 0.3, -0.5)

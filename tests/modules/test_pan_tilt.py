@@ -10,7 +10,7 @@ from tests.modules.workcell import BACKENDS, OTHER, Workcell
 
 from jauspy.codec.base import Message
 from jauspy.errors import ConfigError
-from jauspy.geometry.vectors import Transform, X
+from jauspy.geometry.vectors import Transform, X, rotation
 from jauspy.messages import manipulator as m
 from jauspy.messages.core import (
     CommandEvent,
@@ -25,7 +25,6 @@ from jauspy.modules import robots
 from jauspy.modules.description import robot_model
 from jauspy.platform.transforms import FrameTree, joint_positions
 from jauspy.services.axes import jaus_frame
-from jauspy.services.manipulator.quaternion import rotation
 
 
 class Head(Workcell):

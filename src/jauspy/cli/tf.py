@@ -75,7 +75,7 @@ async def _look(
 
 
 def _row(frame: str, parent: str, pose: Transform) -> dict[str, Any]:
-    from jauspy.services.manipulator.quaternion import quaternion
+    from jauspy.geometry.vectors import quaternion
 
     angles = pose.pose()
     return {

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from jauspy.geometry.vectors import quaternion
 from jauspy.messages.manipulator import ReportEndEffectorPose, ReportEndEffectorVelocityState
 from jauspy.services.manipulator.arm import Arm
-from jauspy.services.manipulator.quaternion import quaternion
 from jauspy.services.service import Service
 
 

@@ -9,9 +9,19 @@ from dataclasses import dataclass
 from itertools import accumulate
 from typing import Final
 
-from jauspy.geometry.vectors import Rotation, Transform, Vector, Z, add, cross, difference, scaled, transposed
+from jauspy.geometry.vectors import (
+    Rotation,
+    Transform,
+    Vector,
+    Z,
+    add,
+    cross,
+    difference,
+    quaternion,
+    scaled,
+    transposed,
+)
 from jauspy.services.manipulator.denavit_hartenberg import Link
-from jauspy.services.manipulator.quaternion import quaternion
 
 _STILL: Final[Vector] = (0.0, 0.0, 0.0)
 

@@ -5,13 +5,12 @@ from __future__ import annotations
 import math
 from typing import Final
 
-from jauspy.geometry.vectors import Transform
+from jauspy.geometry.vectors import Transform, quaternion, rotation
 from jauspy.messages.manipulator import ReportCommandedEndEffectorPose, SetEndEffectorPose
 from jauspy.services.manipulator.arm import Arm
 from jauspy.services.manipulator.driver import ArmDriver
 from jauspy.services.manipulator.kinematics import turn_between
 from jauspy.services.manipulator.pose_search import Found, PoseSearch
-from jauspy.services.manipulator.quaternion import quaternion, rotation
 
 STEPS_AT_ONCE: Final = 10
 """Steps of a search after which others have their turn: about two milliseconds for five joints."""
