@@ -9,14 +9,14 @@ from operator import matmul
 import pytest
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.denavit_hartenberg import geometry
+from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.vectors import Transform, X, Z, about
 from jauspy.modules.carriers import carrier_of
 from jauspy.modules.description import robot_model
 from jauspy.modules.robots import load
-from jauspy.platform.transforms import FrameTree
 from jauspy.services.axes import JAUS_FROM_REP_103, jaus_frame
 from jauspy.services.environment_sensing import OnJoint
-from jauspy.services.manipulator.denavit_hartenberg import geometry
 
 
 def carrier(robot: str, link: str) -> OnJoint:

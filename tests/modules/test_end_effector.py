@@ -12,6 +12,7 @@ import pytest
 from tests.modules.workcell import BACKENDS, OTHER, Workcell, told
 
 from jauspy.codec.base import Message
+from jauspy.geometry.kinematics import stance, turn_between
 from jauspy.geometry.vectors import Transform, Vector, quaternion, rotation
 from jauspy.messages import manipulator as m
 from jauspy.messages.core import (
@@ -26,7 +27,6 @@ from jauspy.messages.core import (
     Standby,
 )
 from jauspy.services.manipulator import Arm, EndEffectorVelocityStateDriver
-from jauspy.services.manipulator.kinematics import stance, turn_between
 
 MILLIMETRE, HALF_A_DEGREE = 0.001, math.radians(0.5)
 STARTS = {"inc1": (0.4, 1.2, -0.9, 0.3, -0.5), "inc1_pprm": (0.3, 0.2, -0.7, 0.4)}

@@ -10,6 +10,7 @@ from tests.modules.workcell import BACKENDS, OTHER, Workcell
 
 from jauspy.codec.base import Message
 from jauspy.errors import ConfigError
+from jauspy.geometry.frames import FrameTree, joint_positions
 from jauspy.geometry.vectors import Transform, X, rotation
 from jauspy.messages import manipulator as m
 from jauspy.messages.core import (
@@ -23,7 +24,6 @@ from jauspy.messages.core import (
 from jauspy.messages.environment_sensing import QueryVisualSensorConfiguration
 from jauspy.modules import robots
 from jauspy.modules.description import robot_model
-from jauspy.platform.transforms import FrameTree, joint_positions
 from jauspy.services.axes import jaus_frame
 
 

@@ -8,6 +8,7 @@ import pytest
 from tests.modules.world import CLIENT, ORIGIN, OTHER, World
 
 from jauspy.codec.base import Message
+from jauspy.geometry.geodesy import Geodetic, offset
 from jauspy.ids import JausID
 from jauspy.messages.core import (
     CommandEvent,
@@ -35,7 +36,6 @@ from jauspy.messages.mobility import (
     SetWrenchEffort,
     Speed,
 )
-from jauspy.services.mobility.guidance.geodesy import Geodetic, offset
 
 SQUARE = [(4.0, 0.0), (4.0, 4.0), (0.0, 4.0), (0.0, 0.0)]
 ALL = 0xFF

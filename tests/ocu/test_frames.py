@@ -10,6 +10,7 @@ from contextlib import AsyncExitStack
 import pytest
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.vectors import Transform
 from jauspy.messages.manipulator import (
     JointPositionRec,
@@ -25,7 +26,6 @@ from jauspy.modules.robot import RobotRunner
 from jauspy.modules.robots import load
 from jauspy.ocu import OCU, Robot
 from jauspy.ocu.frames import RobotFrames
-from jauspy.platform.transforms import FrameTree
 
 CONFIG = load("inc1")
 MODEL = robot_model(CONFIG)

@@ -8,6 +8,7 @@ from importlib.util import find_spec
 import pytest
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.frames import FrameTree, joint_frame, joint_positions
 from jauspy.geometry.vectors import Transform
 from jauspy.modules.description import robot_model
 from jauspy.modules.robots import load
@@ -15,7 +16,6 @@ from jauspy.platform.contract import Pose
 from jauspy.platform.description import Joint, JointKind
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.platform.kinematic import KinematicBackend
-from jauspy.platform.transforms import FrameTree, joint_frame, joint_positions
 
 INC1 = robot_model(load("inc1"))
 

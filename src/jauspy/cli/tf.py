@@ -11,9 +11,9 @@ from jauspy.cli.options import Connect, Json, OwnId, Timeout
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from jauspy.geometry.frames import Frames
     from jauspy.geometry.vectors import Transform
     from jauspy.modules.config import RobotConfig
-    from jauspy.platform.transforms import Frames
 
 
 def tf(

@@ -5,13 +5,13 @@ from __future__ import annotations
 from functools import reduce
 from operator import matmul
 
+from jauspy.geometry.denavit_hartenberg import geometry
+from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.vectors import Transform
 from jauspy.modules.config import ModuleConfig, RobotConfig
 from jauspy.platform.description import GroupSetup, JointKind, RobotModel
-from jauspy.platform.transforms import FrameTree
 from jauspy.services.axes import JAUS_FROM_REP_103
 from jauspy.services.environment_sensing import OnJoint
-from jauspy.services.manipulator.denavit_hartenberg import geometry
 from jauspy.services.manipulator.pan_tilt import frame_at_zero
 
 

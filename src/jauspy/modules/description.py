@@ -8,11 +8,11 @@ from typing import Final
 import xacro
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.urdf import parse
 from jauspy.geometry.vectors import Transform, dot
 from jauspy.modules.config import RobotConfig
 from jauspy.modules.config_joints import GroupConfig, JointConfig
 from jauspy.platform.description import Description, JointKind, RobotModel
-from jauspy.platform.urdf import parse
 
 SQUARE: Final = 1e-3
 """Cosine of an angle that counts as a right one."""

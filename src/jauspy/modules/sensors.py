@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import Protocol, Self
 
+from jauspy.geometry.frames import FrameTree, joint_positions
 from jauspy.geometry.vectors import Transform
 from jauspy.ids import JausID
 from jauspy.modules.capability import capability
@@ -16,7 +17,6 @@ from jauspy.platform.description import RobotModel
 from jauspy.platform.force_torque import ForceTorqueSensor as Gauge
 from jauspy.platform.joints import JointGroup
 from jauspy.platform.ranging import RangeFinder
-from jauspy.platform.transforms import FrameTree, joint_positions
 from jauspy.services.core import Identity
 from jauspy.services.environment_sensing import ForceTorqueSensor, Mounted, MountedGauge, RangeSensor
 from jauspy.services.host import Host

@@ -6,13 +6,13 @@ import struct
 from collections.abc import Mapping
 from itertools import chain
 
+from jauspy.geometry.frames import FrameTree, joint_positions
 from jauspy.geometry.vectors import Transform
 from jauspy.platform.contract import DriveBase
 from jauspy.platform.description import RobotModel
 from jauspy.platform.joints import JointGroup
 from jauspy.platform.kinematic_camera import NUMBERS, FloorCamera
 from jauspy.platform.shared_state import StateWriter
-from jauspy.platform.transforms import FrameTree, joint_positions
 
 
 class KinematicCameras:

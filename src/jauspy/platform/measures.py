@@ -6,10 +6,10 @@ import itertools
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from jauspy.geometry.frames import FrameTree
+from jauspy.geometry.urdf import Inertial, Shape, inertials, shapes
 from jauspy.geometry.vectors import Transform, Vector
 from jauspy.platform.description import RobotModel
-from jauspy.platform.transforms import FrameTree
-from jauspy.platform.urdf import Inertial, Shape, inertials, shapes
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Final
 
+from jauspy.geometry.frames import FrameTree
+from jauspy.geometry.urdf import inertials
 from jauspy.geometry.vectors import Transform, Vector, add, cross, scaled, transposed, turned
 from jauspy.platform.description import Description
-from jauspy.platform.transforms import FrameTree
-from jauspy.platform.urdf import inertials
 
 GRAVITY: Final[Vector] = (0.0, 0.0, -9.81)
 """m/s^2, of a robot that stands level."""

@@ -4,12 +4,12 @@ import random
 
 import pytest
 
+from jauspy.geometry.denavit_hartenberg import geometry
 from jauspy.geometry.vectors import Transform, Vector, about, scaled
 from jauspy.modules.description import robot_model
 from jauspy.modules.robots import load
 from jauspy.platform.contract import Pose
 from jauspy.platform.description import Joint, JointKind
-from jauspy.services.manipulator.denavit_hartenberg import geometry
 
 
 def tool_point(chain: tuple[Joint, ...], positions: list[float]) -> Vector:

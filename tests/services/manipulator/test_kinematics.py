@@ -6,9 +6,9 @@ import random
 import pytest
 from tests.services.manipulator.test_denavit_hartenberg import random_chain
 
+from jauspy.geometry.denavit_hartenberg import geometry
+from jauspy.geometry.kinematics import stance, turn_between
 from jauspy.geometry.vectors import Transform, X, Y, Z, about, difference
-from jauspy.services.manipulator.denavit_hartenberg import geometry
-from jauspy.services.manipulator.kinematics import stance, turn_between
 
 SMALL = 1e-6
 

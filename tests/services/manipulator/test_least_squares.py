@@ -4,7 +4,7 @@ import random
 
 import pytest
 
-from jauspy.services.manipulator.least_squares import bounded
+from jauspy.geometry.least_squares import bounded
 
 
 def slope(rows, wanted, damping, x) -> list[float]:

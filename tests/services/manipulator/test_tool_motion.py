@@ -7,10 +7,10 @@ from dataclasses import dataclass, field
 import pytest
 from tests.services.manipulator.arms import arm_of
 
+from jauspy.geometry.kinematics import turn_between
 from jauspy.geometry.vectors import Vector, difference, dot, scaled
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.services.manipulator.arm import Arm, Profile
-from jauspy.services.manipulator.kinematics import turn_between
 from jauspy.services.manipulator.tool_motion import STILL, ToolMotion
 
 PERIOD = 0.02

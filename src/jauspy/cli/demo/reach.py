@@ -6,9 +6,9 @@ import math
 from collections.abc import Sequence
 
 from jauspy.errors import RequestError
+from jauspy.geometry.denavit_hartenberg import geometry
 from jauspy.geometry.vectors import Vector
 from jauspy.platform.description import JointKind, RobotModel
-from jauspy.services.manipulator.denavit_hartenberg import geometry
 
 
 class Hand:

@@ -6,11 +6,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Final
 
+from jauspy.geometry.denavit_hartenberg import Link, geometry
+from jauspy.geometry.kinematics import Stance, stance
 from jauspy.platform.description import Joint
 from jauspy.platform.joints import ControlMode, JointGroup, JointState, Target
 from jauspy.platform.motion import ACCELERATION_TIME
-from jauspy.services.manipulator.denavit_hartenberg import Link, geometry
-from jauspy.services.manipulator.kinematics import Stance, stance
 
 if TYPE_CHECKING:
     from jauspy.services.manipulator.driver import ArmDriver

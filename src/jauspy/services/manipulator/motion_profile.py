@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from jauspy.geometry.denavit_hartenberg import Link
 from jauspy.messages.manipulator import ReportJointMotionProfile, SetJointMotionProfile
 from jauspy.services.manipulator.arm import Arm, Profile
-from jauspy.services.manipulator.denavit_hartenberg import Link
 from jauspy.services.service import Service
 
 

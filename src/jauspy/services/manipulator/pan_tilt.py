@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
+from jauspy.geometry.denavit_hartenberg import geometry
+from jauspy.geometry.frames import joint_frame
 from jauspy.geometry.vectors import Transform, Vector, Y, Z, cross, dot, transposed
 from jauspy.platform.description import Joint, JointKind
 from jauspy.platform.joints import JointGroup
-from jauspy.platform.transforms import joint_frame
 from jauspy.services.axes import JAUS_FROM_REP_103
 from jauspy.services.manipulator.arm import Arm
-from jauspy.services.manipulator.denavit_hartenberg import geometry
 from jauspy.services.manipulator.turned_joints import TurnedJoints, turned_joint
 
 

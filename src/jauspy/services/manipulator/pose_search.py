@@ -12,10 +12,10 @@ from collections.abc import Generator, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Final
 
+from jauspy.geometry.denavit_hartenberg import Link
+from jauspy.geometry.kinematics import Stance, stance, turn_between
+from jauspy.geometry.least_squares import bounded
 from jauspy.geometry.vectors import Transform, Vector, difference, scaled
-from jauspy.services.manipulator.denavit_hartenberg import Link
-from jauspy.services.manipulator.kinematics import Stance, stance, turn_between
-from jauspy.services.manipulator.least_squares import bounded
 from jauspy.services.manipulator.spread import spread
 
 NEAR: Final = 5e-4

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from jauspy.geometry.denavit_hartenberg import Link
 from jauspy.geometry.vectors import Transform, quaternion
 from jauspy.messages.manipulator import ManipulatorCoordinateSystemRec, ReportManipulatorSpecifications
 from jauspy.services.axes import JAUS_FROM_REP_103
 from jauspy.services.manipulator.arm import Arm
-from jauspy.services.manipulator.denavit_hartenberg import Link
 from jauspy.services.service import Service
 
 

@@ -11,9 +11,9 @@ import math
 from operator import mul
 from typing import TYPE_CHECKING, Final
 
+from jauspy.geometry.kinematics import Stance, stance
+from jauspy.geometry.least_squares import bounded
 from jauspy.geometry.vectors import Vector, scaled
-from jauspy.services.manipulator.kinematics import Stance, stance
-from jauspy.services.manipulator.least_squares import bounded
 from jauspy.services.manipulator.pace import brakeable, ramped, slowed
 from jauspy.services.manipulator.pose_search import PoseSearch
 from jauspy.services.manipulator.tool_line import ToolLine

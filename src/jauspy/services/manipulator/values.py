@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from jauspy.geometry.denavit_hartenberg import Link
 from jauspy.messages.manipulator import (
     ActuatorForceTorqueRec,
     JointEffortRec,
     JointPositionRec,
     JointVelocityRec,
 )
-from jauspy.services.manipulator.denavit_hartenberg import Link
 
 REVOLUTE, PRISMATIC = 1, 2
 """Which of the two kinds of value a field holds."""

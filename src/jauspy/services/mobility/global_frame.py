@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
+from jauspy.geometry.geodesy import Geodetic, convergence, moved, offset
 from jauspy.platform.contract import Pose
 from jauspy.services.mobility.frames import wrap
-from jauspy.services.mobility.guidance.geodesy import Geodetic, convergence, moved, offset
 from jauspy.services.mobility.guidance.leg import Point
 
 

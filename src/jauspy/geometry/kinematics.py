@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from itertools import accumulate
 from typing import Final
 
+from jauspy.geometry.denavit_hartenberg import Link
 from jauspy.geometry.vectors import (
     Rotation,
     Transform,
@@ -21,7 +22,6 @@ from jauspy.geometry.vectors import (
     scaled,
     transposed,
 )
-from jauspy.services.manipulator.denavit_hartenberg import Link
 
 _STILL: Final[Vector] = (0.0, 0.0, 0.0)
 
