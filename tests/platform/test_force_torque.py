@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import pytest
 
+from jauspy.geometry.frames import static_weight
 from jauspy.geometry.urdf import parse
 from jauspy.geometry.vectors import Vector
 from jauspy.modules.description import robot_model
@@ -14,7 +15,6 @@ from jauspy.modules.robots import load
 from jauspy.platform.backends import find
 from jauspy.platform.force_torque import ForceTorqueSetup, SampledForceTorque
 from jauspy.platform.joints import ControlMode, Target
-from jauspy.platform.static_weight import static_weight
 
 SETUP = ForceTorqueSetup("wrist", "hand", rate=10.0, force=50.0, torque=5.0)
 

@@ -10,13 +10,12 @@ import random
 import time
 from statistics import mean
 
-from jauspy.geometry.kinematics import stance
+from jauspy.geometry.kinematics import Found, PoseSearch, stance
 from jauspy.modules.description import robot_model
 from jauspy.modules.robots import load
 from jauspy.platform.kinematic_joints import KinematicJoints
 from jauspy.services.manipulator.arm import Arm
 from jauspy.services.manipulator.end_effector_velocity_state_driver import PERIOD
-from jauspy.services.manipulator.pose_search import Found, PoseSearch
 from jauspy.services.manipulator.tool_motion import ToolMotion
 from jauspy.services.manipulator.tool_pose_driver import STEPS_AT_ONCE
 

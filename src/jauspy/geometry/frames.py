@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Final
 
 from jauspy.errors import ConfigError
-from jauspy.geometry.vectors import Transform, about, scaled
+from jauspy.geometry.urdf import inertials
+from jauspy.geometry.vectors import Transform, Vector, about, add, cross, scaled, transposed, turned
 from jauspy.platform.description import Description, Joint, JointKind
 from jauspy.platform.joints import JointGroup
 
@@ -99,3 +100,42 @@ def _parents_first(description: Description) -> tuple[Joint, ...]:
         reached |= {joint.child for joint in ready}
         waiting = [joint for joint in waiting if joint.child not in reached]
     return tuple(ordered)
+
+
+GRAVITY: Final[Vector] = (0.0, 0.0, -9.81)
+"""m/s^2, of a robot that stands level."""
+
+
+def static_weight(
+    description: Description, link: str, positions: Callable[[], Mapping[str, float]]
+) -> Callable[[], tuple[Vector, Vector]]:
+    """Force and torque of what hangs on the joint above a link, in the link's frame, for joints as they are then.
+
+    `positions`: of joints, by name.
+    """
+    tree = FrameTree(description)
+    carried = _carried(tree, link)
+    bodies = [body for body in inertials(description.urdf) if body.link in carried]
+
+    def weigh() -> tuple[Vector, Vector]:
+        frames = tree.poses(positions())
+        here = frames[link]
+        down = turned(transposed(here.rotation), GRAVITY)
+        force = torque = (0.0, 0.0, 0.0)
+        for body in bodies:
+            weight = scaled(down, body.mass)
+            middle = here.inverse() @ frames[body.link] @ Transform.of(body.origin)
+            force = add(force, weight)
+            torque = add(torque, cross(middle.position, weight))
+        return force, torque
+
+    return weigh
+
+
+def _carried(tree: FrameTree, link: str) -> set[str]:
+    """A link and all that hang on it."""
+    found = {link}
+    for joint in tree.joints:
+        if joint.parent in found:
+            found.add(joint.child)
+    return found

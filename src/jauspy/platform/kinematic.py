@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from jauspy.errors import ConfigError
-from jauspy.geometry.frames import joint_positions
+from jauspy.geometry.frames import joint_positions, static_weight
 from jauspy.platform.acceleration import mean_acceleration
 from jauspy.platform.camera import Camera
 from jauspy.platform.contract import Acceleration, Pose, Twist
@@ -18,7 +18,6 @@ from jauspy.platform.kinematic_cameras import KinematicCameras
 from jauspy.platform.kinematic_joints import KinematicJoints
 from jauspy.platform.scanner import Scanner
 from jauspy.platform.skid_steer import mix
-from jauspy.platform.static_weight import static_weight
 
 MAX_STEP: Final = 0.005
 """Longest integration step, seconds."""

@@ -5,13 +5,12 @@ from __future__ import annotations
 import random
 from dataclasses import replace
 
-from jauspy.geometry.kinematics import stance
+from jauspy.geometry.kinematics import Found, PoseSearch, stance
 from jauspy.geometry.vectors import Transform
 from jauspy.modules.description import robot_model
 from jauspy.modules.robots import load
 from jauspy.platform.kinematic_joints import KinematicJoints
 from jauspy.services.manipulator.arm import Arm
-from jauspy.services.manipulator.pose_search import Found, PoseSearch
 
 ROBOTS = ("inc1", "inc1_pprm")
 

@@ -8,10 +8,9 @@ from tests.services.manipulator.arms import ROBOTS, arm_of, found_by, random_pos
 from tests.services.manipulator.test_denavit_hartenberg import random_chain
 
 from jauspy.geometry.denavit_hartenberg import geometry
-from jauspy.geometry.kinematics import stance, turn_between
+from jauspy.geometry.kinematics import PoseSearch, stance, turn_between
 from jauspy.geometry.vectors import Transform, about, add
 from jauspy.platform.description import JointKind
-from jauspy.services.manipulator.pose_search import PoseSearch
 
 MILLIMETRE, HALF_A_DEGREE = 0.001, math.radians(0.5)
 

@@ -11,11 +11,10 @@ import math
 from operator import mul
 from typing import TYPE_CHECKING, Final
 
-from jauspy.geometry.kinematics import Stance, stance
+from jauspy.geometry.kinematics import PoseSearch, Stance, stance
 from jauspy.geometry.least_squares import bounded
 from jauspy.geometry.vectors import Vector, scaled
 from jauspy.services.manipulator.pace import brakeable, ramped, slowed
-from jauspy.services.manipulator.pose_search import PoseSearch
 from jauspy.services.manipulator.tool_line import ToolLine
 
 if TYPE_CHECKING:

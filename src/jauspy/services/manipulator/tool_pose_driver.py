@@ -5,12 +5,11 @@ from __future__ import annotations
 import math
 from typing import Final
 
-from jauspy.geometry.kinematics import turn_between
+from jauspy.geometry.kinematics import Found, PoseSearch, turn_between
 from jauspy.geometry.vectors import Transform, quaternion, rotation
 from jauspy.messages.manipulator import ReportCommandedEndEffectorPose, SetEndEffectorPose
 from jauspy.services.manipulator.arm import Arm
 from jauspy.services.manipulator.driver import ArmDriver
-from jauspy.services.manipulator.pose_search import Found, PoseSearch
 
 STEPS_AT_ONCE: Final = 10
 """Steps of a search after which others have their turn: about two milliseconds for five joints."""
