@@ -8,7 +8,7 @@ import pytest
 from tests.modules.workcell import BACKENDS
 from tests.modules.world import World
 
-from jauspy.platform.contract import Acceleration, Pose, Twist
+from jauspy.geometry.poses import Acceleration, Pose, Twist
 from jauspy.platform.force_torque import ForceTorqueSensor
 from jauspy.platform.joints import JointGroup
 from jauspy.platform.ranging import RangeFinder

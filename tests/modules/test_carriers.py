@@ -11,7 +11,8 @@ import pytest
 from jauspy.errors import ConfigError
 from jauspy.geometry.denavit_hartenberg import geometry
 from jauspy.geometry.frames import FrameTree
-from jauspy.geometry.vectors import Transform, X, Z, about
+from jauspy.geometry.poses import Transform
+from jauspy.geometry.vectors import X, Z, about
 from jauspy.modules.carriers import carrier_of
 from jauspy.modules.description import robot_model
 from jauspy.modules.robots import load

@@ -13,7 +13,8 @@ from tests.modules.workcell import BACKENDS, OTHER, Workcell, told
 
 from jauspy.codec.base import Message
 from jauspy.geometry.kinematics import stance, turn_between
-from jauspy.geometry.vectors import Transform, Vector, quaternion, rotation
+from jauspy.geometry.poses import Transform
+from jauspy.geometry.vectors import Vector, quaternion, rotation
 from jauspy.messages import manipulator as m
 from jauspy.messages.core import (
     ConfirmElementRequest,

@@ -11,7 +11,8 @@ import pytest
 from tests.modules.workcell import BACKENDS, OTHER, Workcell, told
 
 from jauspy.codec.base import Message
-from jauspy.geometry.vectors import Transform, Vector, X, Z, about, rotation
+from jauspy.geometry.poses import Transform
+from jauspy.geometry.vectors import Vector, X, Z, about, rotation
 from jauspy.ids import JausID
 from jauspy.messages import manipulator as m
 from jauspy.messages.core import (

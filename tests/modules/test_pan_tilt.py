@@ -11,7 +11,8 @@ from tests.modules.workcell import BACKENDS, OTHER, Workcell
 from jauspy.codec.base import Message
 from jauspy.errors import ConfigError
 from jauspy.geometry.frames import FrameTree, joint_positions
-from jauspy.geometry.vectors import Transform, X, rotation
+from jauspy.geometry.poses import Transform
+from jauspy.geometry.vectors import X, rotation
 from jauspy.messages import manipulator as m
 from jauspy.messages.core import (
     CommandEvent,

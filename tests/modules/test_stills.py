@@ -8,7 +8,7 @@ from datetime import UTC, datetime
 import pytest
 from tests.modules.cameras import CLIENT, OTHER, FakeVideo, Module
 
-from jauspy.geometry.vectors import Transform
+from jauspy.geometry.poses import Transform
 from jauspy.messages import environment_sensing as m, registry
 from jauspy.messages.core import CreateEvent, TimeStamp
 from jauspy.messages.environment_sensing.v1_0.types import SensorIdRec, StillImageSensorErrorRec

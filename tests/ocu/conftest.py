@@ -15,9 +15,9 @@ import pytest
 from jauspy.codec.base import Message
 from jauspy.component import Component
 from jauspy.component.shell import loop_time
+from jauspy.geometry.poses import Pose, Twist
 from jauspy.ids import JausID
 from jauspy.ocu import OCU
-from jauspy.platform.contract import Pose, Twist
 from jauspy.protocol.judp import unpack_all
 from jauspy.services.core import AccessControl, Discovery, Events, Identity, Liveness
 from jauspy.services.mobility import LocalPoseSensor, PrimitiveDriver, Vehicle, VelocityStateSensor

@@ -11,7 +11,7 @@ import pytest
 
 from jauspy.errors import ConfigError
 from jauspy.geometry.frames import FrameTree
-from jauspy.geometry.vectors import Transform
+from jauspy.geometry.poses import Transform
 from jauspy.messages.manipulator import (
     JointPositionRec,
     JointVelocityRec,

@@ -12,7 +12,7 @@ from tests.modules.cameras import FakeVideo
 
 from jauspy.component import Shell
 from jauspy.errors import ConfigError, ControlRejected, RequestError, ResponseTimeout
-from jauspy.geometry.vectors import Transform
+from jauspy.geometry.poses import Transform
 from jauspy.ids import JausID
 from jauspy.messages import environment_sensing as m
 from jauspy.ocu import OCU

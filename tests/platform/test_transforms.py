@@ -9,10 +9,9 @@ import pytest
 
 from jauspy.errors import ConfigError
 from jauspy.geometry.frames import FrameTree, joint_frame, joint_positions
-from jauspy.geometry.vectors import Transform
+from jauspy.geometry.poses import Pose, Transform
 from jauspy.modules.description import robot_model
 from jauspy.modules.robots import load
-from jauspy.platform.contract import Pose
 from jauspy.platform.description import Joint, JointKind
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.platform.kinematic import KinematicBackend

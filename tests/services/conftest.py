@@ -8,9 +8,9 @@ from datetime import UTC, datetime, timedelta
 import pytest
 
 from jauspy.codec.base import Message
+from jauspy.geometry.poses import Acceleration, Pose, Twist
 from jauspy.ids import JausID
 from jauspy.messages import registry
-from jauspy.platform.contract import Acceleration, Pose, Twist
 from jauspy.services.core import AccessControl, Discovery, Events, Liveness, Management, Time
 from jauspy.services.host import Host
 from jauspy.services.mobility import LocalPoseSensor, PrimitiveDriver, Vehicle, VelocityStateSensor

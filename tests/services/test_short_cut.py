@@ -9,6 +9,7 @@ from hypothesis import given, settings, strategies as st
 from tests.services.conftest import FakeDrive, Rig
 
 from jauspy.errors import EncodeError
+from jauspy.geometry.poses import Pose, Twist
 from jauspy.messages.core import (
     CancelEvent,
     ClearEmergency,
@@ -35,7 +36,6 @@ from jauspy.messages.core import (
     UpdateEvent,
 )
 from jauspy.messages.mobility import QueryLocalPose, QueryVelocityState, QueryWrenchEffort, SetWrenchEffort
-from jauspy.platform.contract import Pose, Twist
 from jauspy.services.core import AccessControl, Events, Liveness, Management, Time
 from jauspy.services.machine import Machine
 from jauspy.services.mobility import LocalPoseSensor, PrimitiveDriver, Vehicle, VelocityStateSensor

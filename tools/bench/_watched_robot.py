@@ -13,12 +13,13 @@ import time
 from pathlib import Path
 from typing import NamedTuple
 
+from jauspy.geometry.poses import Twist
 from jauspy.ids import JausID
 from jauspy.modules import robots
 from jauspy.modules.realtime import RealTime
 from jauspy.modules.robot import RobotRunner
 from jauspy.modules.shared import Order, SharedDrive
-from jauspy.platform.contract import Robot, Twist
+from jauspy.platform.contract import Robot
 from jauspy.transport import LocalTransport
 
 

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from jauspy.geometry.frames import Frames
-    from jauspy.geometry.vectors import Transform
+    from jauspy.geometry.poses import Transform
     from jauspy.modules.config import RobotConfig
 
 

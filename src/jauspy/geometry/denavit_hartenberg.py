@@ -13,21 +13,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from jauspy.geometry.vectors import (
-    Rotation,
-    Transform,
-    Vector,
-    X,
-    Y,
-    Z,
-    about,
-    add,
-    cross,
-    difference,
-    dot,
-    scaled,
-    transposed,
-)
+from jauspy.geometry.poses import Transform
+from jauspy.geometry.vectors import Rotation, Vector, X, Y, Z, about, add, cross, difference, dot, scaled, transposed
 from jauspy.platform.description import Joint, JointKind
 
 PARALLEL: Final = 1e-9

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from typing import Final
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.poses import Transform
 from jauspy.geometry.urdf import inertials
-from jauspy.geometry.vectors import Transform, Vector, about, add, cross, scaled, transposed, turned
+from jauspy.geometry.vectors import Vector, about, add, cross, scaled, transposed, turned
 from jauspy.platform.description import Description, Joint, JointKind
 from jauspy.platform.joints import JointGroup
 

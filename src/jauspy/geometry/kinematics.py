@@ -11,18 +11,8 @@ from typing import Final
 
 from jauspy.geometry.denavit_hartenberg import Link
 from jauspy.geometry.least_squares import bounded
-from jauspy.geometry.vectors import (
-    Rotation,
-    Transform,
-    Vector,
-    Z,
-    add,
-    cross,
-    difference,
-    quaternion,
-    scaled,
-    transposed,
-)
+from jauspy.geometry.poses import Transform
+from jauspy.geometry.vectors import Rotation, Vector, Z, add, cross, difference, quaternion, scaled, transposed
 
 _STILL: Final[Vector] = (0.0, 0.0, 0.0)
 

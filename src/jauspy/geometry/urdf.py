@@ -9,7 +9,7 @@ from typing import TypeAlias
 from lxml import etree
 
 from jauspy.errors import ConfigError
-from jauspy.platform.contract import Pose
+from jauspy.geometry.poses import Pose
 from jauspy.platform.description import HERE, Description, Joint, JointKind
 
 Element: TypeAlias = etree._Element  # noqa: SLF001 - lxml gives its element no public name

@@ -3,10 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import Final, TypeAlias
-
-from jauspy.platform.contract import Pose
 
 Vector: TypeAlias = tuple[float, float, float]
 Rotation: TypeAlias = tuple[Vector, Vector, Vector]
@@ -63,48 +60,6 @@ def about(axis: Vector, angle: float) -> Rotation:
         (t * x * y + s * z, t * y * y + c, t * y * z - s * x),
         (t * x * z - s * y, t * y * z + s * x, t * z * z + c),
     )
-
-
-@dataclass(frozen=True, slots=True)
-class Transform:
-    """Where a frame is in another one."""
-
-    rotation: Rotation = (X, Y, Z)
-    position: Vector = (0.0, 0.0, 0.0)
-
-    def __matmul__(self, other: Transform) -> Transform:
-        columns = transposed(other.rotation)
-        rotation = transposed((self.turn(columns[0]), self.turn(columns[1]), self.turn(columns[2])))
-        return Transform(rotation, self.apply(other.position))
-
-    def turn(self, a: Vector) -> Vector:
-        """A direction, given in the inner frame, as the outer one has it."""
-        return turned(self.rotation, a)
-
-    def apply(self, a: Vector) -> Vector:
-        """A point, given in the inner frame, as the outer one has it."""
-        return add(self.position, turned(self.rotation, a))
-
-    def inverse(self) -> Transform:
-        """Where the outer frame is in the inner one."""
-        back = transposed(self.rotation)
-        return Transform(back, scaled(turned(back, self.position), -1.0))
-
-    @classmethod
-    def of(cls, pose: Pose) -> Transform:
-        """The frame of a pose with fixed-axis roll, pitch, yaw."""
-        turn = Transform(about(Z, pose.yaw)) @ Transform(about(Y, pose.pitch)) @ Transform(about(X, pose.roll))
-        return cls(turn.rotation, (pose.x, pose.y, pose.z))
-
-    def pose(self) -> Pose:
-        """The same as position and fixed-axis roll, pitch, yaw; straight up or down the roll is zero."""
-        (xx, _, _), (yx, yy, _), (zx, zy, zz) = self.rotation
-        across = math.hypot(xx, yx)
-        if across < 1e-9:
-            roll, yaw = 0.0, math.atan2(-self.rotation[0][1], yy)
-        else:
-            roll, yaw = math.atan2(zy, zz), math.atan2(yx, xx)
-        return Pose(*self.position, roll, math.atan2(-zx, across), yaw)
 
 
 def quaternion(rotation: Rotation) -> tuple[float, float, float, float]:

@@ -7,7 +7,7 @@ from operator import matmul
 
 from jauspy.geometry.denavit_hartenberg import geometry
 from jauspy.geometry.frames import FrameTree
-from jauspy.geometry.vectors import Transform
+from jauspy.geometry.poses import Transform
 from jauspy.modules.config import ModuleConfig, RobotConfig
 from jauspy.platform.description import GroupSetup, JointKind, RobotModel
 from jauspy.services.axes import JAUS_FROM_REP_103

@@ -8,8 +8,9 @@ from typing import Final
 import xacro
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.poses import Transform
 from jauspy.geometry.urdf import parse
-from jauspy.geometry.vectors import Transform, dot
+from jauspy.geometry.vectors import dot
 from jauspy.modules.config import RobotConfig
 from jauspy.modules.config_joints import GroupConfig, JointConfig
 from jauspy.platform.description import Description, JointKind, RobotModel

@@ -8,7 +8,7 @@ from datetime import datetime
 from typing import Protocol, Self
 
 from jauspy.geometry.frames import FrameTree, joint_positions
-from jauspy.geometry.vectors import Transform
+from jauspy.geometry.poses import Transform
 from jauspy.ids import JausID
 from jauspy.modules.capability import capability
 from jauspy.modules.carriers import carrier_of

@@ -6,8 +6,9 @@ import threading
 from collections.abc import Callable, Sequence
 from typing import TypeAlias
 
+from jauspy.geometry.poses import Acceleration, Pose, Twist
 from jauspy.modules.snapshot import Snapshot
-from jauspy.platform.contract import Acceleration, Pose, Robot, Twist
+from jauspy.platform.contract import Robot
 from jauspy.platform.description import Joint
 from jauspy.platform.force_torque import ForceTorqueSensor, ForceTorqueSetup, Wrench
 from jauspy.platform.joints import JointGroup, JointState, Target

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from jauspy.platform.contract import Acceleration, Pose, Robot, Twist
+from jauspy.geometry.poses import Acceleration, Pose, Twist
+from jauspy.platform.contract import Robot
 from jauspy.platform.force_torque import Wrench
 from jauspy.platform.joints import JointState
 from jauspy.platform.ranging import RangeScan

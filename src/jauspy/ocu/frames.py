@@ -7,11 +7,10 @@ from collections.abc import Mapping
 from typing import Final
 
 from jauspy.geometry.frames import Frames, FrameTree
-from jauspy.geometry.vectors import Transform
+from jauspy.geometry.poses import Pose, Transform
 from jauspy.messages.mobility import QueryLocalPose, ReportLocalPose
 from jauspy.ocu.joint_positions import JointReader, readers
 from jauspy.ocu.robot import Robot
-from jauspy.platform.contract import Pose
 from jauspy.platform.description import JointKind, RobotModel
 from jauspy.services.mobility.frames import jaus_pose
 

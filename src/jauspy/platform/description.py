@@ -11,8 +11,8 @@ from enum import Enum
 from typing import Final
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.poses import Pose
 from jauspy.platform.camera import CameraSetup
-from jauspy.platform.contract import Pose
 from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.pid import Gains
 from jauspy.platform.ranging import LidarSetup

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from itertools import chain
 
 from jauspy.geometry.frames import FrameTree, joint_positions
-from jauspy.geometry.vectors import Transform
+from jauspy.geometry.poses import Transform
 from jauspy.platform.contract import DriveBase
 from jauspy.platform.description import RobotModel
 from jauspy.platform.joints import JointGroup

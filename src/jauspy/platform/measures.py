@@ -7,8 +7,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from jauspy.geometry.frames import FrameTree
+from jauspy.geometry.poses import Transform
 from jauspy.geometry.urdf import Inertial, Shape, inertials, shapes
-from jauspy.geometry.vectors import Transform, Vector
+from jauspy.geometry.vectors import Vector
 from jauspy.platform.description import RobotModel
 
 

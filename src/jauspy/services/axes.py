@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Final
 
-from jauspy.geometry.vectors import Transform, X, Y, Z, scaled
+from jauspy.geometry.poses import Transform
+from jauspy.geometry.vectors import X, Y, Z, scaled
 
 JAUS_FROM_REP_103: Final = Transform((X, scaled(Y, -1.0), scaled(Z, -1.0)))
 """A half turn about x; its own inverse. It takes the frame of a vehicle, and that of a sensor on it, to JAUS's."""

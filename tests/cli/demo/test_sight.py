@@ -10,8 +10,7 @@ pytest.importorskip("cv2", reason="OpenCV is not installed")
 import numpy as np
 
 from jauspy.cli.demo import sight
-from jauspy.geometry.vectors import Transform
-from jauspy.platform.contract import Pose
+from jauspy.geometry.poses import Pose, Transform
 
 FOV = math.radians(80.0)
 BRICK, CAN = (110, 70, 60), (120, 30, 24)

@@ -7,7 +7,7 @@ import math
 import pytest
 
 from jauspy.geometry.geodesy import Geodetic, from_ecef, moved, offset, to_ecef
-from jauspy.platform.contract import Pose
+from jauspy.geometry.poses import Pose
 from jauspy.services.mobility.global_frame import GlobalFrame, GlobalPose
 
 # Made with PROJ 9.5 (EPSG:4979 to EPSG:4978): latitude, longitude (degrees), height; x, y, z (m).

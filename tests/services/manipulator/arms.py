@@ -6,7 +6,7 @@ import random
 from dataclasses import replace
 
 from jauspy.geometry.kinematics import Found, PoseSearch, stance
-from jauspy.geometry.vectors import Transform
+from jauspy.geometry.poses import Transform
 from jauspy.modules.description import robot_model
 from jauspy.modules.robots import load
 from jauspy.platform.kinematic_joints import KinematicJoints

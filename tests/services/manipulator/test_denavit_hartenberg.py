@@ -5,10 +5,10 @@ import random
 import pytest
 
 from jauspy.geometry.denavit_hartenberg import geometry
-from jauspy.geometry.vectors import Transform, Vector, about, scaled
+from jauspy.geometry.poses import Pose, Transform
+from jauspy.geometry.vectors import Vector, about, scaled
 from jauspy.modules.description import robot_model
 from jauspy.modules.robots import load
-from jauspy.platform.contract import Pose
 from jauspy.platform.description import Joint, JointKind
 
 

@@ -8,7 +8,8 @@ from tests.services.manipulator.test_denavit_hartenberg import random_chain
 
 from jauspy.geometry.denavit_hartenberg import geometry
 from jauspy.geometry.kinematics import stance, turn_between
-from jauspy.geometry.vectors import Transform, X, Y, Z, about, difference
+from jauspy.geometry.poses import Transform
+from jauspy.geometry.vectors import X, Y, Z, about, difference
 
 SMALL = 1e-6
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from jauspy.geometry.vectors import Transform
+from jauspy.geometry.poses import Transform
 from jauspy.messages.environment_sensing.v2_0.force_torque_sensor import (
     QueryForceTorque,
     QueryForceTorqueCapabilities,

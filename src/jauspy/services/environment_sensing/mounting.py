@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from jauspy.geometry.vectors import Transform, quaternion
+from jauspy.geometry.poses import Transform
+from jauspy.geometry.vectors import quaternion
 from jauspy.ids import JausID
 from jauspy.messages.environment_sensing.v1_0.types import (
     ManipulatorGeometricPropertiesRec,

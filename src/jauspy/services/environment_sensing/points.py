@@ -9,7 +9,7 @@ import zlib
 from collections.abc import Callable, Mapping
 from typing import Final
 
-from jauspy.geometry.vectors import Transform
+from jauspy.geometry.poses import Transform
 from jauspy.messages.core import TimeStamp
 from jauspy.messages.environment_sensing.v2_0.range_sensor import QueryRangeSensorCompressedData, ReportRangeSensorData
 from jauspy.platform.ranging import RangeFinder, RangeScan

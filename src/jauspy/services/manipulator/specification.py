@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from jauspy.geometry.denavit_hartenberg import Link
-from jauspy.geometry.vectors import Transform, quaternion
+from jauspy.geometry.poses import Transform
+from jauspy.geometry.vectors import quaternion
 from jauspy.messages.manipulator import ManipulatorCoordinateSystemRec, ReportManipulatorSpecifications
 from jauspy.services.axes import JAUS_FROM_REP_103
 from jauspy.services.manipulator.arm import Arm

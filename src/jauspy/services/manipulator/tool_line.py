@@ -7,7 +7,8 @@ from collections.abc import Sequence
 from typing import Final
 
 from jauspy.geometry.kinematics import Stance, turn_between
-from jauspy.geometry.vectors import Rotation, Transform, Vector, about, add, difference, dot, scaled
+from jauspy.geometry.poses import Transform
+from jauspy.geometry.vectors import Rotation, Vector, about, add, difference, dot, scaled
 
 ARM_LENGTH: Final = 0.3
 """Metres that a radian per second counts as, when the speed of a motion is measured."""

@@ -6,7 +6,8 @@ import math
 from typing import Final
 
 from jauspy.geometry.kinematics import Found, PoseSearch, turn_between
-from jauspy.geometry.vectors import Transform, quaternion, rotation
+from jauspy.geometry.poses import Transform
+from jauspy.geometry.vectors import quaternion, rotation
 from jauspy.messages.manipulator import ReportCommandedEndEffectorPose, SetEndEffectorPose
 from jauspy.services.manipulator.arm import Arm
 from jauspy.services.manipulator.driver import ArmDriver

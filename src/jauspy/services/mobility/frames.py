@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 
-from jauspy.platform.contract import Acceleration, Pose, Twist
+from jauspy.geometry.poses import Acceleration, Pose, Twist
 
 
 def jaus_pose(pose: Pose) -> Pose:

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass, replace
 
 from jauspy.geometry.geodesy import Geodetic, convergence, moved, offset
-from jauspy.platform.contract import Pose
+from jauspy.geometry.poses import Pose
 from jauspy.services.mobility.frames import wrap
 from jauspy.services.mobility.guidance.leg import Point
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
-from jauspy.platform.contract import Pose
+from jauspy.geometry.poses import Pose
 from jauspy.services.mobility.frames import wrap
 from jauspy.services.mobility.guidance.leg import Point
 

@@ -1,0 +1,87 @@
+"""Poses, twists and rigid transforms, and the axes of REP-103 and JAUS."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Final
+
+from jauspy.geometry.vectors import Rotation, Vector, X, Y, Z, about, add, scaled, transposed, turned
+
+
+@dataclass(frozen=True, slots=True)
+class Pose:
+    """Where the robot's base is in the world: metres, and fixed-axis roll, pitch, yaw in radians (-pi..pi)."""
+
+    x: float = 0.0
+    y: float = 0.0
+    z: float = 0.0
+    roll: float = 0.0
+    pitch: float = 0.0
+    yaw: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Twist:
+    """How the base moves, in its own frame: m/s along x, y, z and rad/s about them."""
+
+    vx: float = 0.0
+    vy: float = 0.0
+    vz: float = 0.0
+    wx: float = 0.0
+    wy: float = 0.0
+    wz: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Acceleration:
+    """How the motion of the base changes, in its own frame, gravity left out: m/s^2 and rad/s^2."""
+
+    ax: float = 0.0
+    ay: float = 0.0
+    az: float = 0.0
+    wx: float = 0.0
+    wy: float = 0.0
+    wz: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Transform:
+    """Where a frame is in another one."""
+
+    rotation: Rotation = (X, Y, Z)
+    position: Vector = (0.0, 0.0, 0.0)
+
+    def __matmul__(self, other: Transform) -> Transform:
+        columns = transposed(other.rotation)
+        rotation = transposed((self.turn(columns[0]), self.turn(columns[1]), self.turn(columns[2])))
+        return Transform(rotation, self.apply(other.position))
+
+    def turn(self, a: Vector) -> Vector:
+        """A direction, given in the inner frame, as the outer one has it."""
+        return turned(self.rotation, a)
+
+    def apply(self, a: Vector) -> Vector:
+        """A point, given in the inner frame, as the outer one has it."""
+        return add(self.position, turned(self.rotation, a))
+
+    def inverse(self) -> Transform:
+        """Where the outer frame is in the inner one."""
+        back = transposed(self.rotation)
+        return Transform(back, scaled(turned(back, self.position), -1.0))
+
+    @classmethod
+    def of(cls, pose: Pose) -> Transform:
+        """The frame of a pose with fixed-axis roll, pitch, yaw."""
+        turn = Transform(about(Z, pose.yaw)) @ Transform(about(Y, pose.pitch)) @ Transform(about(X, pose.roll))
+        return cls(turn.rotation, (pose.x, pose.y, pose.z))
+
+    def pose(self) -> Pose:
+        """The same as position and fixed-axis roll, pitch, yaw; straight up or down the roll is zero."""
+        (xx, _, _), (yx, yy, _), (zx, zy, zz) = self.rotation
+        across = math.hypot(xx, yx)
+        if across < 1e-9:
+            roll, yaw = 0.0, math.atan2(-self.rotation[0][1], yy)
+        else:
+            roll, yaw = math.atan2(zy, zz), math.atan2(yx, xx)
+        return Pose(*self.position, roll, math.atan2(-zx, across), yaw)
