@@ -11,12 +11,11 @@ import pytest
 from jauspy.errors import ConfigError
 from jauspy.geometry.denavit_hartenberg import geometry
 from jauspy.geometry.frames import FrameTree
-from jauspy.geometry.poses import Transform
+from jauspy.geometry.poses import JAUS_FROM_REP_103, Transform, jaus_frame
 from jauspy.geometry.vectors import X, Z, about
 from jauspy.modules.carriers import carrier_of
 from jauspy.modules.description import robot_model
 from jauspy.modules.robots import load
-from jauspy.services.axes import JAUS_FROM_REP_103, jaus_frame
 from jauspy.services.environment_sensing import OnJoint
 
 

@@ -11,7 +11,7 @@ from tests.modules.workcell import BACKENDS, OTHER, Workcell
 from jauspy.codec.base import Message
 from jauspy.errors import ConfigError
 from jauspy.geometry.frames import FrameTree, joint_positions
-from jauspy.geometry.poses import Transform
+from jauspy.geometry.poses import Transform, jaus_frame
 from jauspy.geometry.vectors import X, rotation
 from jauspy.messages import manipulator as m
 from jauspy.messages.core import (
@@ -25,7 +25,6 @@ from jauspy.messages.core import (
 from jauspy.messages.environment_sensing import QueryVisualSensorConfiguration
 from jauspy.modules import robots
 from jauspy.modules.description import robot_model
-from jauspy.services.axes import jaus_frame
 
 
 class Head(Workcell):

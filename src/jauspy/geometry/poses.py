@@ -85,3 +85,33 @@ class Transform:
         else:
             roll, yaw = math.atan2(zy, zz), math.atan2(yx, xx)
         return Pose(*self.position, roll, math.atan2(-zx, across), yaw)
+
+
+JAUS_FROM_REP_103: Final = Transform((X, scaled(Y, -1.0), scaled(Z, -1.0)))
+"""A half turn about x; its own inverse. It takes the frame of a vehicle, and that of a sensor on it, to JAUS's."""
+
+
+def jaus_frame(frame: Transform) -> Transform:
+    """A frame in another one, when both are turned to JAUS's axes; its own inverse."""
+    return JAUS_FROM_REP_103 @ frame @ JAUS_FROM_REP_103
+
+
+def jaus_pose(pose: Pose) -> Pose:
+    """A pose in the other frame; its own inverse."""
+    return Pose(pose.x, -pose.y, -pose.z, wrap(pose.roll), wrap(-pose.pitch), wrap(-pose.yaw))
+
+
+def jaus_twist(twist: Twist) -> Twist:
+    """A body twist in the other frame; its own inverse."""
+    return Twist(twist.vx, -twist.vy, -twist.vz, twist.wx, -twist.wy, -twist.wz)
+
+
+def jaus_acceleration(acceleration: Acceleration) -> Acceleration:
+    """A body acceleration in the other frame; its own inverse."""
+    a = acceleration
+    return Acceleration(a.ax, -a.ay, -a.az, a.wx, -a.wy, -a.wz)
+
+
+def wrap(angle: float) -> float:
+    """The same angle (rad) in -pi..pi."""
+    return math.remainder(angle, math.tau)

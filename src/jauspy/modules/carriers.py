@@ -7,10 +7,9 @@ from operator import matmul
 
 from jauspy.geometry.denavit_hartenberg import geometry
 from jauspy.geometry.frames import FrameTree
-from jauspy.geometry.poses import Transform
+from jauspy.geometry.poses import JAUS_FROM_REP_103, Transform
 from jauspy.modules.config import ModuleConfig, RobotConfig
 from jauspy.platform.description import GroupSetup, JointKind, RobotModel
-from jauspy.services.axes import JAUS_FROM_REP_103
 from jauspy.services.environment_sensing import OnJoint
 from jauspy.services.manipulator.pan_tilt import frame_at_zero
 

@@ -7,12 +7,11 @@ from collections.abc import Mapping
 from typing import Final
 
 from jauspy.geometry.frames import Frames, FrameTree
-from jauspy.geometry.poses import Pose, Transform
+from jauspy.geometry.poses import Pose, Transform, jaus_pose
 from jauspy.messages.mobility import QueryLocalPose, ReportLocalPose
 from jauspy.ocu.joint_positions import JointReader, readers
 from jauspy.ocu.robot import Robot
 from jauspy.platform.description import JointKind, RobotModel
-from jauspy.services.mobility.frames import jaus_pose
 
 LOCAL: Final = "local"
 """The frame that LocalPoseSensor reports in, with REP-103's axes: x as its x, y to the left of it, z up."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from jauspy.geometry.poses import Transform
+from jauspy.geometry.poses import JAUS_FROM_REP_103, Transform
 from jauspy.messages.environment_sensing.v2_0.force_torque_sensor import (
     QueryForceTorque,
     QueryForceTorqueCapabilities,
@@ -13,7 +13,6 @@ from jauspy.messages.environment_sensing.v2_0.force_torque_sensor import (
     ReportForceTorqueCapabilities,
 )
 from jauspy.platform.force_torque import ForceTorqueSensor as Gauge
-from jauspy.services.axes import JAUS_FROM_REP_103
 from jauspy.services.environment_sensing.wanted import chosen
 from jauspy.services.service import Service
 

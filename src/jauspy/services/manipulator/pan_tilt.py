@@ -6,11 +6,10 @@ from collections.abc import Callable, Sequence
 
 from jauspy.geometry.denavit_hartenberg import geometry
 from jauspy.geometry.frames import joint_frame
-from jauspy.geometry.poses import Transform
+from jauspy.geometry.poses import JAUS_FROM_REP_103, Transform
 from jauspy.geometry.vectors import Vector, Y, Z, cross, dot, transposed
 from jauspy.platform.description import Joint, JointKind
 from jauspy.platform.joints import JointGroup
-from jauspy.services.axes import JAUS_FROM_REP_103
 from jauspy.services.manipulator.arm import Arm
 from jauspy.services.manipulator.turned_joints import TurnedJoints, turned_joint
 

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from jauspy.geometry.denavit_hartenberg import Link
-from jauspy.geometry.poses import Transform
+from jauspy.geometry.poses import JAUS_FROM_REP_103, Transform
 from jauspy.geometry.vectors import quaternion
 from jauspy.messages.manipulator import ManipulatorCoordinateSystemRec, ReportManipulatorSpecifications
-from jauspy.services.axes import JAUS_FROM_REP_103
 from jauspy.services.manipulator.arm import Arm
 from jauspy.services.service import Service
 

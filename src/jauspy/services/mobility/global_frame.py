@@ -6,8 +6,7 @@ import math
 from dataclasses import dataclass, replace
 
 from jauspy.geometry.geodesy import Geodetic, convergence, moved, offset
-from jauspy.geometry.poses import Pose
-from jauspy.services.mobility.frames import wrap
+from jauspy.geometry.poses import Pose, wrap
 from jauspy.services.mobility.guidance.leg import Point
 
 

@@ -6,6 +6,7 @@ import math
 from dataclasses import replace
 from typing import Final
 
+from jauspy.geometry.poses import jaus_twist, wrap
 from jauspy.messages.mobility import (
     ReportGeomagneticProperty,
     ReportGlobalPose,
@@ -14,7 +15,6 @@ from jauspy.messages.mobility import (
     SetGlobalPose,
     SetGlobalPoseExt,
 )
-from jauspy.services.mobility.frames import jaus_twist, wrap
 from jauspy.services.mobility.global_frame import GlobalPose
 from jauspy.services.mobility.reach import sayable_altitude
 from jauspy.services.mobility.vehicle import Vehicle

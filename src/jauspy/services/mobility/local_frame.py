@@ -5,8 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
-from jauspy.geometry.poses import Pose
-from jauspy.services.mobility.frames import wrap
+from jauspy.geometry.poses import Pose, wrap
 from jauspy.services.mobility.guidance.leg import Point
 
 
