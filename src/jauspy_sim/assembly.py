@@ -12,8 +12,9 @@ import numpy as np
 from lxml import etree
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.urdf import Description, Joint, JointKind
 from jauspy.platform.camera import CameraSetup
-from jauspy.platform.description import Description, Joint, JointKind, RobotModel, TrackSetup
+from jauspy.platform.description import RobotModel, TrackSetup
 from jauspy.platform.joint_control import LIVELIEST
 from jauspy_sim.force_torque import add_force_torque
 from jauspy_sim.terrain import add_twins

@@ -6,7 +6,8 @@ from collections.abc import Sequence
 
 import mujoco
 
-from jauspy.platform.description import Description, GroupSetup, Joint
+from jauspy.geometry.urdf import Description, Joint
+from jauspy.platform.description import GroupSetup
 from jauspy.platform.joint_control import JointController
 from jauspy.platform.joints import JointState, Target
 from jauspy_sim.assembly import TIMESTEP

@@ -10,7 +10,7 @@ from tests.modules.workcell import BACKENDS, OTHER, Workcell
 
 from jauspy.codec.base import Message
 from jauspy.errors import ConfigError
-from jauspy.geometry.frames import FrameTree, joint_positions
+from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.poses import Transform, jaus_frame
 from jauspy.geometry.vectors import X, rotation
 from jauspy.messages import manipulator as m
@@ -25,6 +25,7 @@ from jauspy.messages.core import (
 from jauspy.messages.environment_sensing import QueryVisualSensorConfiguration
 from jauspy.modules import robots
 from jauspy.modules.description import robot_model
+from jauspy.platform.joints import joint_positions
 
 
 class Head(Workcell):

@@ -8,11 +8,11 @@ from importlib.util import find_spec
 import pytest
 
 from jauspy.errors import ConfigError
-from jauspy.geometry.urdf import parse
+from jauspy.geometry.urdf import Description, parse
 from jauspy.modules.description import robot_model
 from jauspy.modules.robots import load
 from jauspy.platform.chassis import chassis_of
-from jauspy.platform.description import Description, GroupSetup, RobotModel, TrackSetup
+from jauspy.platform.description import GroupSetup, RobotModel, TrackSetup
 from jauspy.platform.measures import measure
 
 URDF = """

@@ -8,12 +8,12 @@ from importlib.util import find_spec
 import pytest
 
 from jauspy.errors import ConfigError
-from jauspy.geometry.frames import FrameTree, joint_frame, joint_positions
+from jauspy.geometry.frames import FrameTree, joint_frame
 from jauspy.geometry.poses import Pose, Transform
+from jauspy.geometry.urdf import Joint, JointKind
 from jauspy.modules.description import robot_model
 from jauspy.modules.robots import load
-from jauspy.platform.description import Joint, JointKind
-from jauspy.platform.joints import ControlMode, Target
+from jauspy.platform.joints import ControlMode, Target, joint_positions
 from jauspy.platform.kinematic import KinematicBackend
 
 INC1 = robot_model(load("inc1"))

@@ -5,8 +5,7 @@ import math
 import pytest
 
 from jauspy.errors import ConfigError
-from jauspy.geometry.urdf import parse
-from jauspy.platform.description import JointKind
+from jauspy.geometry.urdf import JointKind, parse
 
 LIMIT = '<limit lower="-1" upper="2" effort="30" velocity="0.5"/>'
 TWO = f"""<robot name="two">

@@ -10,12 +10,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
+from jauspy.geometry.frames import joint_frame
 from jauspy.geometry.poses import Transform
+from jauspy.geometry.urdf import Joint, JointKind
 from jauspy.geometry.vectors import Rotation, Vector, X, Y, Z, about, add, cross, difference, dot, scaled, transposed
-from jauspy.platform.description import Joint, JointKind
 
 PARALLEL: Final = 1e-9
 """Sine of the angle between two axes below which they count as parallel."""
@@ -160,3 +161,29 @@ def _link(joint: Joint, before: Transform, axis: _Axis, frame: Transform) -> Lin
 def _angle(start: Vector, end: Vector, axis: Vector) -> float:
     """By how much one direction is turned about an axis to get another."""
     return math.atan2(dot(cross(start, end), axis), dot(start, end))
+
+
+def frame_at_zero(chain: Sequence[Joint]) -> Transform:
+    """The unit's coordinate system in its base link, and, at zero, the frames of both joints, which turn with them."""
+    turns = iter(turned(chain))
+    joints = [joint if joint.kind is JointKind.FIXED or not next(turns) else turned_joint(joint) for joint in chain]
+    found = geometry(joints)
+    pan = found.base @ found.links[0].frame(0.0)
+    y, z = (pan @ found.links[1].frame(0.0)).turn(Z), pan.turn(Z)
+    return Transform(transposed((cross(y, z), y, z)), pan.position)
+
+
+def turned(chain: Sequence[Joint]) -> tuple[bool, bool]:
+    """Whether pan and tilt count the other way round than the description does: down and right is as they should be."""
+    frame, axes = Transform(), list[Vector]()
+    for joint in chain:
+        if joint.kind is not JointKind.FIXED:
+            axes.append((frame @ Transform.of(joint.origin)).turn(joint.axis))
+        frame = frame @ joint_frame(joint, 0.0)
+    pan, tilt = axes
+    return dot(pan, frame.turn(Z)) > 0.0, dot(tilt, frame.turn(Y)) > 0.0
+
+
+def turned_joint(joint: Joint) -> Joint:
+    """The same joint, which counts the other way round."""
+    return replace(joint, axis=scaled(joint.axis, -1.0), lower=-joint.upper, upper=-joint.lower)

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Final
 
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Transform
-from jauspy.geometry.urdf import inertials
+from jauspy.geometry.urdf import Description, Joint, JointKind, inertials
 from jauspy.geometry.vectors import Vector, about, add, cross, scaled, transposed, turned
-from jauspy.platform.description import Description, Joint, JointKind
-from jauspy.platform.joints import JointGroup
 
 NEUTRAL: Final[Mapping[str, float]] = {}
 """All joints at zero."""
@@ -24,14 +22,6 @@ def joint_frame(joint: Joint, position: float) -> Transform:
     else:
         moved = Transform(about(joint.axis, position))
     return Transform.of(joint.origin) @ moved
-
-
-def joint_positions(groups: Iterable[JointGroup]) -> dict[str, float]:
-    """Where the joints of these groups are now, by name."""
-    found: dict[str, float] = {}
-    for group in groups:
-        found |= zip((joint.name for joint in group.joints), group.state().positions, strict=True)
-    return found
 
 
 class FrameTree:

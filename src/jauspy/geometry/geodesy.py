@@ -6,8 +6,6 @@ import math
 from dataclasses import dataclass
 from typing import Final, TypeAlias
 
-from jauspy.services.mobility.guidance.heading import turn_of
-
 RADIUS: Final = 6378137.0
 """Semi-major axis, metres."""
 FLATTENING: Final = 1.0 / 298.257223563
@@ -75,4 +73,4 @@ def moved(origin: Geodetic, north: float, east: float, down: float) -> Geodetic:
 
 def convergence(origin: Geodetic, place: Geodetic) -> float:
     """How far (rad) true north at a place near the origin lies to the left of the origin's north."""
-    return turn_of(origin.longitude, place.longitude) * math.sin(origin.latitude)
+    return math.remainder(place.longitude - origin.longitude, math.tau) * math.sin(origin.latitude)

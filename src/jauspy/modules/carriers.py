@@ -5,13 +5,13 @@ from __future__ import annotations
 from functools import reduce
 from operator import matmul
 
-from jauspy.geometry.denavit_hartenberg import geometry
+from jauspy.geometry.denavit_hartenberg import frame_at_zero, geometry
 from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.poses import JAUS_FROM_REP_103, Transform
+from jauspy.geometry.urdf import JointKind
 from jauspy.modules.config import ModuleConfig, RobotConfig
-from jauspy.platform.description import GroupSetup, JointKind, RobotModel
+from jauspy.platform.description import GroupSetup, RobotModel
 from jauspy.services.environment_sensing import OnJoint
-from jauspy.services.manipulator.pan_tilt import frame_at_zero
 
 
 def carrier_of(config: RobotConfig, model: RobotModel, link: str) -> OnJoint | None:

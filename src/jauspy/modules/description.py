@@ -9,11 +9,11 @@ import xacro
 
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Transform
-from jauspy.geometry.urdf import parse
+from jauspy.geometry.urdf import Description, JointKind, parse
 from jauspy.geometry.vectors import dot
 from jauspy.modules.config import RobotConfig
 from jauspy.modules.config_joints import GroupConfig, JointConfig
-from jauspy.platform.description import Description, JointKind, RobotModel
+from jauspy.platform.description import RobotModel
 
 SQUARE: Final = 1e-3
 """Cosine of an angle that counts as a right one."""

@@ -7,9 +7,9 @@ from collections.abc import Callable, Sequence
 from typing import TypeAlias
 
 from jauspy.geometry.poses import Acceleration, Pose, Twist
+from jauspy.geometry.urdf import Joint
 from jauspy.modules.snapshot import Snapshot
 from jauspy.platform.contract import Robot
-from jauspy.platform.description import Joint
 from jauspy.platform.force_torque import ForceTorqueSensor, ForceTorqueSetup, Wrench
 from jauspy.platform.joints import JointGroup, JointState, Target
 from jauspy.platform.ranging import LidarSetup, RangeFinder, RangeScan, ScanSettings

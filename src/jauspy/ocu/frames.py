@@ -8,10 +8,11 @@ from typing import Final
 
 from jauspy.geometry.frames import Frames, FrameTree
 from jauspy.geometry.poses import Pose, Transform, jaus_pose
+from jauspy.geometry.urdf import JointKind
 from jauspy.messages.mobility import QueryLocalPose, ReportLocalPose
 from jauspy.ocu.joint_positions import JointReader, readers
 from jauspy.ocu.robot import Robot
-from jauspy.platform.description import JointKind, RobotModel
+from jauspy.platform.description import RobotModel
 
 LOCAL: Final = "local"
 """The frame that LocalPoseSensor reports in, with REP-103's axes: x as its x, y to the left of it, z up."""

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Final, Protocol
 
 from jauspy.errors import ConfigError
-from jauspy.geometry.denavit_hartenberg import geometry
+from jauspy.geometry.denavit_hartenberg import geometry, turned
 from jauspy.messages.manipulator import (
     QueryJointPositions,
     QueryManipulatorSpecifications,
@@ -16,7 +16,6 @@ from jauspy.messages.manipulator import (
 )
 from jauspy.ocu.robot import ComponentClient, Robot
 from jauspy.platform.description import GroupSetup, RobotModel
-from jauspy.services.manipulator.pan_tilt import turned
 
 MANIPULATOR: Final = "ManipulatorJointPositionSensor"
 PAN_TILT: Final = "PanTiltJointPositionSensor"

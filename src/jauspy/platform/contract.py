@@ -7,8 +7,9 @@ Frames follow REP-103: x forward, y left, z up; metres, seconds, radians. The se
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
+
+from jauspy.geometry.poses import Acceleration, Pose, Twist
 
 if TYPE_CHECKING:
     from jauspy.platform.camera import Camera

@@ -8,12 +8,13 @@ from dataclasses import dataclass
 from typing import Final
 
 from jauspy.errors import ConfigError
-from jauspy.geometry.frames import joint_positions, static_weight
+from jauspy.geometry.frames import static_weight
 from jauspy.geometry.poses import Acceleration, Pose, Twist
 from jauspy.platform.acceleration import mean_acceleration
 from jauspy.platform.camera import Camera
 from jauspy.platform.description import RobotModel
 from jauspy.platform.force_torque import SampledForceTorque
+from jauspy.platform.joints import joint_positions
 from jauspy.platform.kinematic_cameras import KinematicCameras
 from jauspy.platform.kinematic_joints import KinematicJoints
 from jauspy.platform.scanner import Scanner

@@ -6,11 +6,11 @@ import struct
 from collections.abc import Mapping
 from itertools import chain
 
-from jauspy.geometry.frames import FrameTree, joint_positions
+from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.poses import Transform
 from jauspy.platform.contract import DriveBase
 from jauspy.platform.description import RobotModel
-from jauspy.platform.joints import JointGroup
+from jauspy.platform.joints import JointGroup, joint_positions
 from jauspy.platform.kinematic_camera import NUMBERS, FloorCamera
 from jauspy.platform.shared_state import StateWriter
 

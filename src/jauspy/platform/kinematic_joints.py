@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from jauspy.platform.description import Description, GroupSetup, Joint
+from jauspy.geometry.urdf import Description, Joint
+from jauspy.platform.description import GroupSetup
 from jauspy.platform.joints import ControlMode, JointState, Target
 from jauspy.platform.motion import Motion
 

@@ -6,10 +6,10 @@ import pytest
 
 from jauspy.geometry.denavit_hartenberg import geometry
 from jauspy.geometry.poses import Pose, Transform
+from jauspy.geometry.urdf import Joint, JointKind
 from jauspy.geometry.vectors import Vector, about, scaled
 from jauspy.modules.description import robot_model
 from jauspy.modules.robots import load
-from jauspy.platform.description import Joint, JointKind
 
 
 def tool_point(chain: tuple[Joint, ...], positions: list[float]) -> Vector:

@@ -10,8 +10,8 @@ from tests.services.manipulator.test_denavit_hartenberg import random_chain
 from jauspy.geometry.denavit_hartenberg import geometry
 from jauspy.geometry.kinematics import PoseSearch, stance, turn_between
 from jauspy.geometry.poses import Transform
+from jauspy.geometry.urdf import JointKind
 from jauspy.geometry.vectors import about, add
-from jauspy.platform.description import JointKind
 
 MILLIMETRE, HALF_A_DEGREE = 0.001, math.radians(0.5)
 

@@ -7,8 +7,9 @@ from collections.abc import Sequence
 
 from jauspy.errors import RequestError
 from jauspy.geometry.denavit_hartenberg import geometry
+from jauspy.geometry.urdf import JointKind
 from jauspy.geometry.vectors import Vector
-from jauspy.platform.description import JointKind, RobotModel
+from jauspy.platform.description import RobotModel
 
 
 class Hand:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 from jauspy.geometry.denavit_hartenberg import Link, geometry
 from jauspy.geometry.kinematics import Stance, stance
-from jauspy.platform.description import Joint
+from jauspy.geometry.urdf import Joint
 from jauspy.platform.joints import ControlMode, JointGroup, JointState, Target
 from jauspy.platform.motion import ACCELERATION_TIME
 

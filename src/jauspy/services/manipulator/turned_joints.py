@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from jauspy.geometry.vectors import scaled
-from jauspy.platform.description import Joint
+from jauspy.geometry.denavit_hartenberg import turned_joint
 from jauspy.platform.joints import JointGroup, JointState, Target
 
 
@@ -38,8 +37,3 @@ class TurnedJoints:
 
     def _signed(self, values: tuple[float, ...]) -> tuple[float, ...]:
         return tuple(sign * value for sign, value in zip(self._signs, values, strict=True))
-
-
-def turned_joint(joint: Joint) -> Joint:
-    """The same joint, which counts the other way round."""
-    return replace(joint, axis=scaled(joint.axis, -1.0), lower=-joint.upper, upper=-joint.lower)
