@@ -12,9 +12,9 @@ import pytest
 from tests.modules.workcell import BACKENDS, OTHER, Workcell, told
 
 from jauspy.codec.base import Message
-from jauspy.geometry.kinematics import stance, turn_between
+from jauspy.geometry.kinematics import forward_kinematics, rotation_vector
 from jauspy.geometry.poses import Transform
-from jauspy.geometry.vectors import Vector, quaternion, rotation
+from jauspy.geometry.vectors import Vector, quaternion, rotation_from_quaternion
 from jauspy.messages import manipulator as m
 from jauspy.messages.core import (
     ConfirmElementRequest,
@@ -64,13 +64,13 @@ class Handler(Workcell):
         return transform(self.ask(m.QueryCommandedEndEffectorPose()))
 
     def pose_at(self, native: Sequence[float]) -> Transform:
-        return stance(self.arm.geometry.links, self.arm.geometry.standard(native), self.arm.tool).tool
+        return forward_kinematics(self.arm.geometry.links, self.arm.geometry.standard(native), self.arm.tool).tool
 
     def random_pose(self, rng: random.Random) -> Transform:
         """One that the arm reaches without touching robot or ground: at least 0.45 m above it, in front."""
         while True:
             positions = [rng.uniform(0.9 * low + 0.1 * high, 0.1 * low + 0.9 * high) for low, high in self.arm.limits]
-            tool = stance(self.arm.geometry.links, positions, self.arm.tool).tool
+            tool = forward_kinematics(self.arm.geometry.links, positions, self.arm.tool).tool
             x, _, z = (self.arm.geometry.base @ tool).position
             if x > 0.35 and z > 0.45:
                 return tool
@@ -78,7 +78,7 @@ class Handler(Workcell):
 
 def transform(msg) -> Transform:
     x, y, z, *parts = (getattr(msg, name) for name in msg.__dataclass_fields__)
-    return Transform(rotation(*parts), (x, y, z))
+    return Transform(rotation_from_quaternion(*parts), (x, y, z))
 
 
 def command(goal: Transform) -> m.SetEndEffectorPose:
@@ -91,7 +91,7 @@ def moving(*values: float) -> m.SetEndEffectorVelocityState:
 
 
 def errors(there: Transform, goal: Transform) -> tuple[float, float]:
-    return math.dist(there.position, goal.position), math.hypot(*turn_between(there.rotation, goal.rotation))
+    return math.dist(there.position, goal.position), math.hypot(*rotation_vector(there.rotation, goal.rotation))
 
 
 @pytest.fixture(params=BACKENDS)

@@ -12,7 +12,7 @@ from jauspy.codec.base import Message
 from jauspy.errors import ConfigError
 from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.poses import Transform, jaus_frame
-from jauspy.geometry.vectors import X, rotation
+from jauspy.geometry.vectors import X, rotation_from_quaternion
 from jauspy.messages import manipulator as m
 from jauspy.messages.core import (
     CommandEvent,
@@ -88,7 +88,9 @@ def test_the_reported_numbers_alone_tell_where_the_camera_looks(head: Head) -> N
     head.tell(m.SetPanTiltJointPositions(-1.1, 0.6))
     head.run(3.0)
     system = head.ask(m.QueryPanTiltSpecifications(0xFF))
-    turn = Transform(rotation(*(getattr(system, f"{each}_component_of_unit_quaternion_q") for each in "dabc")))
+    turn = Transform(
+        rotation_from_quaternion(*(getattr(system, f"{each}_component_of_unit_quaternion_q") for each in "dabc"))
+    )
     pan, tilt = head.angles()
     ahead = (math.cos(pan) * math.cos(tilt), math.sin(pan) * math.cos(tilt), -math.sin(tilt))
     assert turn.turn(ahead) == pytest.approx(head.line_of_sight(), abs=1e-3)

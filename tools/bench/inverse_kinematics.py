@@ -10,7 +10,7 @@ import random
 import time
 from statistics import mean
 
-from jauspy.geometry.kinematics import Found, PoseSearch, stance
+from jauspy.geometry.kinematics import InverseKinematics, Solution, forward_kinematics
 from jauspy.modules.description import robot_model
 from jauspy.modules.robots import load
 from jauspy.platform.kinematic_joints import KinematicJoints
@@ -20,7 +20,7 @@ from jauspy.services.manipulator.tool_motion import ToolMotion
 from jauspy.services.manipulator.tool_pose_driver import STEPS_AT_ONCE
 
 
-def timed(search: PoseSearch) -> tuple[Found, list[float]]:
+def timed(search: InverseKinematics) -> tuple[Solution, list[float]]:
     """What a search found, and processor seconds of each of its turns."""
     turns: list[float] = []
     while True:
@@ -38,8 +38,8 @@ def measure(robot: str, poses: int) -> None:
     links, limits = arm.geometry.links, arm.limits
     searches, exact = [], 0
     for _ in range(poses):
-        goal = stance(links, [rng.uniform(*limit) for limit in limits], arm.tool).tool
-        search = PoseSearch(links, arm.tool, goal, arm.state().positions, limits)
+        goal = forward_kinematics(links, [rng.uniform(*limit) for limit in limits], arm.tool).tool
+        search = InverseKinematics(links, arm.tool, goal, arm.state().positions, limits)
         found, turns = timed(search)
         exact += found.is_exact
         searches.append(turns)

@@ -3,7 +3,7 @@
 The z axis of frame i lies along joint i; its x axis along the common normal of joints i and i + 1. From frame i to
 frame i + 1: along x by the link's length and about x by its twist, then along z by the joint's offset and about z by
 its angle. A revolute joint's angle and a prismatic joint's offset are what moves; they are counted from these axes,
-so they differ by a constant from a URDF's positions: `Link.zero`.
+so they differ by a constant from a URDF's positions: `DHLink.zero`.
 """
 
 from __future__ import annotations
@@ -16,14 +16,27 @@ from typing import Final
 from jauspy.geometry.frames import joint_frame
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.urdf import Joint, JointKind
-from jauspy.geometry.vectors import Rotation, Vector, X, Y, Z, about, add, cross, difference, dot, scaled, transposed
+from jauspy.geometry.vectors import (
+    Rotation,
+    Vector,
+    X,
+    Y,
+    Z,
+    add,
+    cross,
+    difference,
+    dot,
+    rotation_about,
+    scaled,
+    transposed,
+)
 
-PARALLEL: Final = 1e-9
+PARALLEL_TOLERANCE: Final = 1e-9
 """Sine of the angle between two axes below which they count as parallel."""
 
 
 @dataclass(frozen=True, slots=True)
-class Link:
+class DHLink:
     """A joint, and the link that leads to it from the joint before; metres and radians."""
 
     joint: Joint
@@ -47,17 +60,17 @@ class Link:
     def frame(self, position: float) -> Transform:
         """The joint's frame in that of the joint before; `position` in the standard's terms."""
         angle, offset = (position, self.offset) if self.is_revolute else (self.angle, position)
-        link = Transform(about(X, self.twist), (self.length, 0.0, 0.0))
-        return link @ Transform(about(Z, angle), (0.0, 0.0, offset))
+        link = Transform(rotation_about(X, self.twist), (self.length, 0.0, 0.0))
+        return link @ Transform(rotation_about(Z, angle), (0.0, 0.0, offset))
 
 
 @dataclass(frozen=True, slots=True)
-class Geometry:
+class ManipulatorGeometry:
     """A manipulator in the standard's terms."""
 
     base: Transform
     """The manipulator's coordinate system in the frame of the link that it stands on."""
-    links: tuple[Link, ...]
+    links: tuple[DHLink, ...]
     """The first has neither length nor twist."""
     tool: Vector
     """The tool point in the last joint's frame."""
@@ -84,7 +97,7 @@ class _Axis:
     direction: Vector
 
 
-def geometry(chain: Sequence[Joint]) -> Geometry:
+def manipulator_geometry(chain: Sequence[Joint]) -> ManipulatorGeometry:
     """The geometry of a chain of joints from the base link to the tool link, fixed ones included."""
     axes, moving, tool = _axes(chain)
     normals = _normals(axes)
@@ -93,7 +106,7 @@ def geometry(chain: Sequence[Joint]) -> Geometry:
     for axis, joint, (normal, foot) in zip(axes, moving, normals, strict=True):
         links.append(_link(joint, frame, axis, _frame(axis, foot, normal)))
         frame = _frame(axis, foot, normal)
-    return Geometry(base, tuple(links), frame.inverse().apply(tool.position))
+    return ManipulatorGeometry(base, tuple(links), frame.inverse().apply(tool.position))
 
 
 def _axes(chain: Sequence[Joint]) -> tuple[list[_Axis], list[Joint], Transform]:
@@ -122,15 +135,15 @@ def _normal(axis: _Axis, following: _Axis, before: Vector | None) -> tuple[Vecto
     between = difference(following.point, axis.point)
     normal = cross(axis.direction, following.direction)
     sine = math.sqrt(dot(normal, normal))
-    if sine > PARALLEL:
+    if sine > PARALLEL_TOLERANCE:
         # the distance along this axis at which the two lines come closest to each other
         along = dot(cross(between, following.direction), normal) / (sine * sine)
         return scaled(normal, 1.0 / sine), add(axis.point, scaled(axis.direction, along))
     across = difference(between, scaled(axis.direction, dot(between, axis.direction)))
     distance = math.sqrt(dot(across, across))
-    if distance > PARALLEL:
+    if distance > PARALLEL_TOLERANCE:
         return scaled(across, 1.0 / distance), axis.point
-    if before is not None and abs(dot(before, axis.direction)) < PARALLEL:
+    if before is not None and abs(dot(before, axis.direction)) < PARALLEL_TOLERANCE:
         return before, axis.point
     return _any_normal(axis.direction), axis.point
 
@@ -147,7 +160,7 @@ def _frame(axis: _Axis, origin: Vector, normal: Vector) -> Transform:
     return Transform(transposed(columns), origin)
 
 
-def _link(joint: Joint, before: Transform, axis: _Axis, frame: Transform) -> Link:
+def _link(joint: Joint, before: Transform, axis: _Axis, frame: Transform) -> DHLink:
     """From the frame of the joint before to this joint's."""
     along, _, previous = transposed(before.rotation)
     length = dot(difference(axis.point, before.position), along)
@@ -155,7 +168,7 @@ def _link(joint: Joint, before: Transform, axis: _Axis, frame: Transform) -> Lin
     offset = dot(difference(frame.position, arrival), axis.direction)
     twist = _angle(previous, axis.direction, along)
     angle = _angle(along, transposed(frame.rotation)[0], axis.direction)
-    return Link(joint, length, twist, offset, angle)
+    return DHLink(joint, length, twist, offset, angle)
 
 
 def _angle(start: Vector, end: Vector, axis: Vector) -> float:
@@ -163,17 +176,17 @@ def _angle(start: Vector, end: Vector, axis: Vector) -> float:
     return math.atan2(dot(cross(start, end), axis), dot(start, end))
 
 
-def frame_at_zero(chain: Sequence[Joint]) -> Transform:
+def pan_tilt_frame(chain: Sequence[Joint]) -> Transform:
     """The unit's coordinate system in its base link, and, at zero, the frames of both joints, which turn with them."""
-    turns = iter(turned(chain))
-    joints = [joint if joint.kind is JointKind.FIXED or not next(turns) else turned_joint(joint) for joint in chain]
-    found = geometry(joints)
+    turns = iter(reversed_axes(chain))
+    joints = [joint if joint.kind is JointKind.FIXED or not next(turns) else reversed_joint(joint) for joint in chain]
+    found = manipulator_geometry(joints)
     pan = found.base @ found.links[0].frame(0.0)
     y, z = (pan @ found.links[1].frame(0.0)).turn(Z), pan.turn(Z)
     return Transform(transposed((cross(y, z), y, z)), pan.position)
 
 
-def turned(chain: Sequence[Joint]) -> tuple[bool, bool]:
+def reversed_axes(chain: Sequence[Joint]) -> tuple[bool, bool]:
     """Whether pan and tilt count the other way round than the description does: down and right is as they should be."""
     frame, axes = Transform(), list[Vector]()
     for joint in chain:
@@ -184,6 +197,6 @@ def turned(chain: Sequence[Joint]) -> tuple[bool, bool]:
     return dot(pan, frame.turn(Z)) > 0.0, dot(tilt, frame.turn(Y)) > 0.0
 
 
-def turned_joint(joint: Joint) -> Joint:
+def reversed_joint(joint: Joint) -> Joint:
     """The same joint, which counts the other way round."""
     return replace(joint, axis=scaled(joint.axis, -1.0), lower=-joint.upper, upper=-joint.lower)

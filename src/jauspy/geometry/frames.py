@@ -8,10 +8,10 @@ from typing import Final
 
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Transform
-from jauspy.geometry.urdf import Description, Joint, JointKind, inertials
-from jauspy.geometry.vectors import Vector, about, add, cross, scaled, transposed, turned
+from jauspy.geometry.urdf import Joint, JointKind, RobotDescription, inertials
+from jauspy.geometry.vectors import Vector, add, cross, rotated, rotation_about, scaled, transposed
 
-NEUTRAL: Final[Mapping[str, float]] = {}
+ZERO_POSITIONS: Final[Mapping[str, float]] = {}
 """All joints at zero."""
 
 
@@ -20,19 +20,19 @@ def joint_frame(joint: Joint, position: float) -> Transform:
     if joint.kind is JointKind.PRISMATIC:
         moved = Transform(position=scaled(joint.axis, position))
     else:
-        moved = Transform(about(joint.axis, position))
+        moved = Transform(rotation_about(joint.axis, position))
     return Transform.of(joint.origin) @ moved
 
 
 class FrameTree:
     """The links of a robot, each fixed to or moving in its parent."""
 
-    def __init__(self, description: Description) -> None:
+    def __init__(self, description: RobotDescription) -> None:
         self.description = description
         self.root = description.root()
         self.joints = _parents_first(description)
 
-    def poses(self, positions: Mapping[str, float] = NEUTRAL) -> dict[str, Transform]:
+    def poses(self, positions: Mapping[str, float] = ZERO_POSITIONS) -> dict[str, Transform]:
         """Every link's frame in the root link's. Joints without a position are at zero, or where they mimic."""
         found = {self.root: Transform()}
         for joint in self.joints:
@@ -40,7 +40,7 @@ class FrameTree:
             found[joint.child] = found[joint.parent] @ joint_frame(joint, position)
         return found
 
-    def pose(self, link: str, positions: Mapping[str, float] = NEUTRAL) -> Transform:
+    def pose(self, link: str, positions: Mapping[str, float] = ZERO_POSITIONS) -> Transform:
         """One link's frame in the root link's; `ConfigError` lists the links."""
         if link not in self.description.links():
             known = ", ".join(sorted(self.description.links()))
@@ -82,7 +82,7 @@ class Frames:
         return self.poses[within].inverse() @ self.poses[frame]
 
 
-def _parents_first(description: Description) -> tuple[Joint, ...]:
+def _parents_first(description: RobotDescription) -> tuple[Joint, ...]:
     reached, ordered = {description.root()}, list[Joint]()
     waiting = list(description.joints.values())
     while waiting:
@@ -97,8 +97,8 @@ GRAVITY: Final[Vector] = (0.0, 0.0, -9.81)
 """m/s^2, of a robot that stands level."""
 
 
-def static_weight(
-    description: Description, link: str, positions: Callable[[], Mapping[str, float]]
+def gravity_wrench(
+    description: RobotDescription, link: str, positions: Callable[[], Mapping[str, float]]
 ) -> Callable[[], tuple[Vector, Vector]]:
     """Force and torque of what hangs on the joint above a link, in the link's frame, for joints as they are then.
 
@@ -111,7 +111,7 @@ def static_weight(
     def weigh() -> tuple[Vector, Vector]:
         frames = tree.poses(positions())
         here = frames[link]
-        down = turned(transposed(here.rotation), GRAVITY)
+        down = rotated(transposed(here.rotation), GRAVITY)
         force = torque = (0.0, 0.0, 0.0)
         for body in bodies:
             weight = scaled(down, body.mass)

@@ -9,16 +9,16 @@ from dataclasses import dataclass
 from itertools import accumulate, cycle
 from typing import Final
 
-from jauspy.geometry.denavit_hartenberg import Link
-from jauspy.geometry.least_squares import bounded
+from jauspy.geometry.denavit_hartenberg import DHLink
+from jauspy.geometry.least_squares import bounded_least_squares
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.vectors import Rotation, Vector, Z, add, cross, difference, quaternion, scaled, transposed
 
-_STILL: Final[Vector] = (0.0, 0.0, 0.0)
+_ZERO: Final[Vector] = (0.0, 0.0, 0.0)
 
 
 @dataclass(frozen=True, slots=True)
-class Stance:
+class KinematicState:
     """The tool for some positions of the joints, in the manipulator's coordinate system."""
 
     tool: Transform
@@ -30,31 +30,31 @@ class Stance:
 
     def velocity(self, rates: Sequence[float]) -> tuple[Vector, Vector]:
         """Angular and linear velocity of the tool for velocities of the joints."""
-        return _sum(self.turning, rates), _sum(self.moving, rates)
+        return _weighted_sum(self.turning, rates), _weighted_sum(self.moving, rates)
 
 
-def frames(links: Sequence[Link], positions: Sequence[float]) -> list[Transform]:
+def joint_frames(links: Sequence[DHLink], positions: Sequence[float]) -> list[Transform]:
     """The joints' frames in the manipulator's coordinate system, base to tip; positions in the standard's terms."""
     rows = zip(links, positions, strict=True)
     return list(accumulate((link.frame(position) for link, position in rows), operator.matmul))
 
 
-def stance(links: Sequence[Link], positions: Sequence[float], tool: Vector) -> Stance:
+def forward_kinematics(links: Sequence[DHLink], positions: Sequence[float], tool: Vector) -> KinematicState:
     """The tool for these positions; `tool` is the tool point in the last joint's frame, metres."""
-    found = frames(links, positions)
+    found = joint_frames(links, positions)
     point = found[-1].apply(tool)
     axes = [frame.turn(Z) for frame in found]
     rows = list(zip(links, found, axes, strict=True))
-    return Stance(
+    return KinematicState(
         Transform(found[-1].rotation, point),
-        tuple(axis if link.is_revolute else _STILL for link, _, axis in rows),
+        tuple(axis if link.is_revolute else _ZERO for link, _, axis in rows),
         tuple(
             cross(axis, difference(point, frame.position)) if link.is_revolute else axis for link, frame, axis in rows
         ),
     )
 
 
-def turn_between(start: Rotation, end: Rotation) -> Vector:
+def rotation_vector(start: Rotation, end: Rotation) -> Vector:
     """The axis about which one attitude is turned to get another, as long as the angle in radians."""
     d, *vector = quaternion((Transform(end) @ Transform(transposed(start))).rotation)
     sine = math.hypot(*vector)
@@ -63,20 +63,20 @@ def turn_between(start: Rotation, end: Rotation) -> Vector:
     return a * factor, b * factor, c * factor
 
 
-def _sum(columns: Sequence[Vector], rates: Sequence[float]) -> Vector:
-    total = _STILL
+def _weighted_sum(columns: Sequence[Vector], rates: Sequence[float]) -> Vector:
+    total = _ZERO
     for column, rate in zip(columns, rates, strict=True):
         total = add(total, scaled(column, rate))
     return total
 
 
-PRIMES: Final = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37)
+HALTON_BASES: Final = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37)
 """The base of each joint's numbers."""
 
 
-def spread(number: int, limits: Sequence[tuple[float, float]]) -> tuple[float, ...]:
+def halton_point(number: int, limits: Sequence[tuple[float, float]]) -> tuple[float, ...]:
     """The place of this number, from 1 on."""
-    rows = zip(limits, cycle(PRIMES), strict=False)
+    rows = zip(limits, cycle(HALTON_BASES), strict=False)
     return tuple(low + (high - low) * _radical_inverse(number, prime) for (low, high), prime in rows)
 
 
@@ -90,30 +90,30 @@ def _radical_inverse(number: int, base: int) -> float:
     return value
 
 
-NEAR: Final = 5e-4
+POSITION_TOLERANCE: Final = 5e-4
 """Metres from the pose at which the tool point is there."""
-TURNED: Final = 2e-3
+ATTITUDE_TOLERANCE: Final = 2e-3
 """Radians from the pose at which the attitude is there."""
-STARTS: Final = 20
+MAX_STARTS: Final = 20
 """Places from which a search sets out before it gives up."""
-PLACES: Final = 8
+SAMPLES_PER_START: Final = 8
 """Places of which the best is the next start."""
-STEPS: Final = 40
+MAX_STEPS_PER_START: Final = 40
 """Steps from one start."""
-LONGEST: Final = 0.5
+MAX_STEP: Final = 0.5
 """Radians or metres that a joint goes in one step."""
-POSE: Final = (0.2, 0.01, 0.0)
+POSE_WEIGHTS: Final = (0.2, 0.01, 0.0)
 """Metres that a radian of attitude counts as: first the pose is looked for in full, and then ever more the point."""
-POINT: Final = (0.0, 0.01, 0.0)
+POINT_WEIGHTS: Final = (0.0, 0.01, 0.0)
 """The same when that has led away from the point."""
-SLOW: Final = 0.02
+MIN_RELATIVE_GAIN: Final = 0.02
 """Part of what is left that a step must gain, or the descent has ended."""
-NOTHING: Final = 1e-14
+MIN_COST: Final = 1e-14
 """What is left, in square metres, when nothing is."""
 
 
 @dataclass(frozen=True, slots=True)
-class Found:
+class Solution:
     """Positions of the joints, in the standard's terms, and how far from the pose they leave the tool."""
 
     positions: tuple[float, ...]
@@ -125,21 +125,21 @@ class Found:
     @property
     def is_there(self) -> bool:
         """The tool point is at the pose."""
-        return self.distance <= NEAR
+        return self.distance <= POSITION_TOLERANCE
 
     @property
     def is_exact(self) -> bool:
         """So is the attitude."""
-        return self.is_there and self.turn <= TURNED
+        return self.is_there and self.turn <= ATTITUDE_TOLERANCE
 
-    def better(self, other: Found) -> Found:
+    def better(self, other: Solution) -> Solution:
         """Of two the one that is there, or nearer; of two that are there the one whose attitude is nearer."""
         if self.is_there and other.is_there:
             return self if self.turn < other.turn else other
         return self if self.distance < other.distance else other
 
 
-class PoseSearch:
+class InverseKinematics:
     """Looks for positions of the joints that bring the tool point, and the last joint's frame, to `goal`.
 
     `tool` is the tool point in the last joint's frame. `start` and `limits`, the least and greatest of each joint, are
@@ -148,23 +148,23 @@ class PoseSearch:
 
     def __init__(
         self,
-        links: Sequence[Link],
+        links: Sequence[DHLink],
         tool: Vector,
         goal: Transform,
         start: Sequence[float],
         limits: Sequence[tuple[float, float]],
         *,
-        starts: int = STARTS,
-        weights: Sequence[Sequence[float]] = (POSE, POINT),
+        starts: int = MAX_STARTS,
+        weights: Sequence[Sequence[float]] = (POSE_WEIGHTS, POINT_WEIGHTS),
     ) -> None:
         self._links, self._tool, self._goal = links, tool, goal
         self._limits, self._starts, self._weights = limits, starts, weights
         begin = self._limited(start)
-        self.best = Found(begin, math.inf, math.inf)
+        self.best = Solution(begin, math.inf, math.inf)
         """What was found so far."""
         self._steps = self._search(begin)
 
-    def work(self, steps: int) -> Found | None:
+    def work(self, steps: int) -> Solution | None:
         """Go on for so many steps; what was found when the search has ended, which may not be there."""
         for _ in range(steps):
             if next(self._steps, self) is self:
@@ -189,14 +189,14 @@ class PoseSearch:
             if found.is_exact:
                 return
 
-    def _descend(self, begin: tuple[float, ...], weight: float) -> Generator[None, None, Found]:
+    def _descend(self, begin: tuple[float, ...], weight: float) -> Generator[None, None, Solution]:
         """Downhill from a start, as far as it goes."""
         spot, damping, ended = self._spot(begin, weight), 1e-2, False
-        for _ in range(STEPS):
+        for _ in range(MAX_STEPS_PER_START):
             yield
             after = self._step(spot, weight, damping)
             if after.cost < spot.cost:
-                ended = after.cost > (1.0 - SLOW) * spot.cost or after.cost < NOTHING
+                ended = after.cost > (1.0 - MIN_RELATIVE_GAIN) * spot.cost or after.cost < MIN_COST
                 spot, damping = after, max(1e-6, 0.1 * damping)
             else:
                 damping *= 10.0
@@ -205,18 +205,18 @@ class PoseSearch:
                 break
         return spot.found
 
-    def _step(self, spot: _Spot, weight: float, damping: float) -> _Spot:
+    def _step(self, spot: _Candidate, weight: float, damping: float) -> _Candidate:
         rows = [list(row) for row in zip(*spot.stance.moving, strict=True)]
         rows += [[weight * value for value in row] for row in zip(*spot.stance.turning, strict=True)]
         limits = list(zip(spot.positions, self._limits, strict=True))
-        back = [max(-LONGEST, low - position) for position, (low, _) in limits]
-        ahead = [min(LONGEST, high - position) for position, (_, high) in limits]
-        change = bounded(rows, spot.error, back, ahead, [damping] * len(limits))
+        back = [max(-MAX_STEP, low - position) for position, (low, _) in limits]
+        ahead = [min(MAX_STEP, high - position) for position, (_, high) in limits]
+        change = bounded_least_squares(rows, spot.error, back, ahead, [damping] * len(limits))
         positions = self._limited([p + c for p, c in zip(spot.positions, change, strict=True)])
         return self._spot(positions, weight)
 
-    def _spot(self, positions: tuple[float, ...], weight: float) -> _Spot:
-        return _Spot(stance(self._links, positions, self._tool), positions, self._goal, weight)
+    def _spot(self, positions: tuple[float, ...], weight: float) -> _Candidate:
+        return _Candidate(forward_kinematics(self._links, positions, self._tool), positions, self._goal, weight)
 
     def _limited(self, positions: Sequence[float]) -> tuple[float, ...]:
         return tuple(min(high, max(low, p)) for p, (low, high) in zip(positions, self._limits, strict=True))
@@ -224,19 +224,21 @@ class PoseSearch:
     def _place(self, number: int, weight: float) -> Generator[None, None, tuple[float, ...]]:
         """Another start: the best of some places."""
         spots = []
-        for place in range((number - 1) * PLACES + 1, number * PLACES + 1):
+        for place in range((number - 1) * SAMPLES_PER_START + 1, number * SAMPLES_PER_START + 1):
             yield
-            spots.append(self._spot(spread(place, self._limits), weight))
+            spots.append(self._spot(halton_point(place, self._limits), weight))
         return min(spots, key=lambda spot: spot.cost).positions
 
 
-class _Spot:
+class _Candidate:
     """Positions, and how far they are from the goal."""
 
-    def __init__(self, stance: Stance, positions: tuple[float, ...], goal: Transform, weight: float) -> None:
-        self.stance, self.positions = stance, positions
-        offset = difference(goal.position, stance.tool.position)
-        turn = turn_between(stance.tool.rotation, goal.rotation)
+    def __init__(
+        self, forward_kinematics: KinematicState, positions: tuple[float, ...], goal: Transform, weight: float
+    ) -> None:
+        self.stance, self.positions = forward_kinematics, positions
+        offset = difference(goal.position, forward_kinematics.tool.position)
+        turn = rotation_vector(forward_kinematics.tool.rotation, goal.rotation)
         self.error = (*offset, *scaled(turn, weight))
         self.cost = sum(value * value for value in self.error)
-        self.found = Found(positions, math.hypot(*offset), math.hypot(*turn))
+        self.found = Solution(positions, math.hypot(*offset), math.hypot(*turn))

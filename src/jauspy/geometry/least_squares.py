@@ -9,11 +9,11 @@ from typing import Final, TypeAlias
 
 Row: TypeAlias = Sequence[float]
 
-FLAT: Final = 1e-12
+GRADIENT_TOLERANCE: Final = 1e-12
 """Slope below which there is nothing to gain."""
 
 
-def bounded(rows: Sequence[Row], wanted: Row, lower: Row, upper: Row, damping: Row) -> list[float]:
+def bounded_least_squares(rows: Sequence[Row], wanted: Row, lower: Row, upper: Row, damping: Row) -> list[float]:
     """The x within bounds that makes `rows` times x most like `wanted`.
 
     What is least is the sum of squares of their differences and of each x times its `damping`, which is not zero, so
@@ -67,7 +67,7 @@ class _Problem:
         return self._upper[number] if value > self._x[number] else self._lower[number]
 
     def _to_release(self, held: set[int]) -> int | None:
-        worst, found = FLAT, None
+        worst, found = GRADIENT_TOLERANCE, None
         for number in held:
             pull = self._goal[number] - _dot(self._matrix[number], self._x)
             inward = pull if self._x[number] == self._lower[number] else -pull

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import Final
 
-from jauspy.geometry.vectors import Rotation, Vector, X, Y, Z, about, add, scaled, transposed, turned
+from jauspy.geometry.vectors import Rotation, Vector, X, Y, Z, add, rotated, rotation_about, scaled, transposed
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,21 +59,25 @@ class Transform:
 
     def turn(self, a: Vector) -> Vector:
         """A direction, given in the inner frame, as the outer one has it."""
-        return turned(self.rotation, a)
+        return rotated(self.rotation, a)
 
     def apply(self, a: Vector) -> Vector:
         """A point, given in the inner frame, as the outer one has it."""
-        return add(self.position, turned(self.rotation, a))
+        return add(self.position, rotated(self.rotation, a))
 
     def inverse(self) -> Transform:
         """Where the outer frame is in the inner one."""
         back = transposed(self.rotation)
-        return Transform(back, scaled(turned(back, self.position), -1.0))
+        return Transform(back, scaled(rotated(back, self.position), -1.0))
 
     @classmethod
     def of(cls, pose: Pose) -> Transform:
         """The frame of a pose with fixed-axis roll, pitch, yaw."""
-        turn = Transform(about(Z, pose.yaw)) @ Transform(about(Y, pose.pitch)) @ Transform(about(X, pose.roll))
+        turn = (
+            Transform(rotation_about(Z, pose.yaw))
+            @ Transform(rotation_about(Y, pose.pitch))
+            @ Transform(rotation_about(X, pose.roll))
+        )
         return cls(turn.rotation, (pose.x, pose.y, pose.z))
 
     def pose(self) -> Pose:
@@ -98,7 +102,7 @@ def jaus_frame(frame: Transform) -> Transform:
 
 def jaus_pose(pose: Pose) -> Pose:
     """A pose in the other frame; its own inverse."""
-    return Pose(pose.x, -pose.y, -pose.z, wrap(pose.roll), wrap(-pose.pitch), wrap(-pose.yaw))
+    return Pose(pose.x, -pose.y, -pose.z, wrap_angle(pose.roll), wrap_angle(-pose.pitch), wrap_angle(-pose.yaw))
 
 
 def jaus_twist(twist: Twist) -> Twist:
@@ -112,6 +116,6 @@ def jaus_acceleration(acceleration: Acceleration) -> Acceleration:
     return Acceleration(a.ax, -a.ay, -a.az, a.wx, -a.wy, -a.wz)
 
 
-def wrap(angle: float) -> float:
+def wrap_angle(angle: float) -> float:
     """The same angle (rad) in -pi..pi."""
     return math.remainder(angle, math.tau)

@@ -1,4 +1,4 @@
-"""Reads a URDF, as xacro leaves it, into a `Description`."""
+"""Reads a URDF, as xacro leaves it, into a `RobotDescription`."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from lxml import etree
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Pose
 
-HERE: Final = Pose()
+ORIGIN: Final = Pose()
 """No displacement."""
 
 
@@ -33,7 +33,7 @@ class Joint:
     kind: JointKind
     parent: str
     child: str
-    origin: Pose = HERE
+    origin: Pose = ORIGIN
     """Where the joint's frame is in the parent link's, at position zero."""
     axis: tuple[float, float, float] = (1.0, 0.0, 0.0)
     """Along or about which it moves, of unit length, in the joint's frame."""
@@ -50,7 +50,7 @@ class Joint:
 
 
 @dataclass(frozen=True, slots=True)
-class Description:
+class RobotDescription:
     """A robot's tree of links and joints, as its URDF gives it."""
 
     name: str
@@ -93,7 +93,7 @@ Element: TypeAlias = etree._Element  # noqa: SLF001 - lxml gives its element no 
 KINDS = {kind.value: kind for kind in JointKind}
 
 
-def parse(text: str) -> Description:
+def parse_urdf(text: str) -> RobotDescription:
     """The robot that a URDF describes; `ConfigError` says what is wrong and in which joint."""
     try:
         root = etree.fromstring(text.encode(), etree.XMLParser(resolve_entities=False, no_network=True))
@@ -102,12 +102,14 @@ def parse(text: str) -> Description:
     if root.tag != "robot":
         raise ConfigError(f"the URDF begins with <{root.tag}>, not with <robot>")
     joints = [_joint(element) for element in root.findall("joint")]
-    description = Description(root.get("name", "robot"), text, {joint.name: joint for joint in joints}, _friction(root))
+    description = RobotDescription(
+        root.get("name", "robot"), text, {joint.name: joint for joint in joints}, _friction(root)
+    )
     _check(description, [str(link.get("name")) for link in root.findall("link")], joints)
     return description
 
 
-def _check(description: Description, links: list[str], joints: list[Joint]) -> None:
+def _check(description: RobotDescription, links: list[str], joints: list[Joint]) -> None:
     if len(description.joints) != len(joints):
         raise ConfigError(f"the URDF of {description.name} gives a joint's name twice")
     for joint in joints:
@@ -168,7 +170,7 @@ def _numbers(text: str, count: int, where: str) -> tuple[float, ...]:
 def _origin(element: Element, joint: str) -> Pose:
     origin = element.find("origin")
     if origin is None:
-        return HERE
+        return ORIGIN
     xyz, rpy = (_numbers(origin.get(key, "0 0 0"), 3, joint) for key in ("xyz", "rpy"))
     return Pose(*xyz, *rpy)
 
@@ -198,7 +200,7 @@ class Inertial:
 
 
 @dataclass(frozen=True, slots=True)
-class Shape:
+class CollisionBox:
     """A box, or the box around a cylinder or sphere, that a link collides with: metres, and where it is in the link."""
 
     link: str
@@ -217,12 +219,12 @@ def inertials(text: str) -> list[Inertial]:
     return found
 
 
-def shapes(text: str) -> list[Shape]:
+def collision_boxes(text: str) -> list[CollisionBox]:
     """What the links of a URDF that `parse` has read collide with, but for meshes."""
     links = etree.fromstring(text.encode()).findall("link")
     pairs = [(str(link.get("name")), collision) for link in links for collision in link.findall("collision")]
     sizes = [(name, _size(collision.find("geometry"), name), _origin(collision, name)) for name, collision in pairs]
-    return [Shape(name, size, origin) for name, size, origin in sizes if size is not None]
+    return [CollisionBox(name, size, origin) for name, size, origin in sizes if size is not None]
 
 
 def _size(geometry: Element | None, link: str) -> tuple[float, float, float] | None:

@@ -39,18 +39,18 @@ def cross(a: Vector, b: Vector) -> Vector:
     return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
 
 
-def turned(rotation: Rotation, a: Vector) -> Vector:
+def rotated(rotation_from_quaternion: Rotation, a: Vector) -> Vector:
     """A vector after a rotation."""
-    return dot(rotation[0], a), dot(rotation[1], a), dot(rotation[2], a)
+    return dot(rotation_from_quaternion[0], a), dot(rotation_from_quaternion[1], a), dot(rotation_from_quaternion[2], a)
 
 
-def transposed(rotation: Rotation) -> Rotation:
+def transposed(rotation_from_quaternion: Rotation) -> Rotation:
     """The inverse of a rotation; columns as rows."""
-    a, b, c = rotation
+    a, b, c = rotation_from_quaternion
     return (a[0], b[0], c[0]), (a[1], b[1], c[1]), (a[2], b[2], c[2])
 
 
-def about(axis: Vector, angle: float) -> Rotation:
+def rotation_about(axis: Vector, angle: float) -> Rotation:
     """The rotation about an axis of unit length, in radians."""
     x, y, z = axis
     c, s = math.cos(angle), math.sin(angle)
@@ -62,9 +62,9 @@ def about(axis: Vector, angle: float) -> Rotation:
     )
 
 
-def quaternion(rotation: Rotation) -> tuple[float, float, float, float]:
+def quaternion(rotation_from_quaternion: Rotation) -> tuple[float, float, float, float]:
     """d, a, b, c of a rotation; d is not negative."""
-    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = rotation
+    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = rotation_from_quaternion
     # four times the squares of d, a, b, c; the largest is the safest to divide by
     squares = (1.0 + xx + yy + zz, 1.0 + xx - yy - zz, 1.0 - xx + yy - zz, 1.0 - xx - yy + zz)
     rows = (
@@ -79,7 +79,7 @@ def quaternion(rotation: Rotation) -> tuple[float, float, float, float]:
     return d, a, b, c
 
 
-def rotation(d: float, a: float, b: float, c: float) -> Rotation:
+def rotation_from_quaternion(d: float, a: float, b: float, c: float) -> Rotation:
     """The rotation of a quaternion, which need not be of unit length; zero is no rotation."""
     square = d * d + a * a + b * b + c * c
     s = 2.0 / square if square else 0.0

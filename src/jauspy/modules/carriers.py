@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import reduce
 from operator import matmul
 
-from jauspy.geometry.denavit_hartenberg import frame_at_zero, geometry
+from jauspy.geometry.denavit_hartenberg import manipulator_geometry, pan_tilt_frame
 from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.poses import JAUS_FROM_REP_103, Transform
 from jauspy.geometry.urdf import JointKind
@@ -31,8 +31,8 @@ def _joint_frame(module: ModuleConfig, model: RobotModel, group: GroupSetup, num
     """In the group's base link, with all joints at zero: as the specification of the arm or the unit has it."""
     chain = model.description.chain(group.base, group.tip)
     if module.type == "CM-VIS":
-        return frame_at_zero(chain)
-    found = geometry(chain)
+        return pan_tilt_frame(chain)
+    found = manipulator_geometry(chain)
     return reduce(matmul, (link.frame(link.zero) for link in found.links[:number]), found.base)
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from jauspy.geometry.urdf import Description
+from jauspy.geometry.urdf import RobotDescription
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.pid import Gains
@@ -52,7 +52,7 @@ class TrackSetup:
 class RobotModel:
     """All that a backend needs to make a robot."""
 
-    description: Description
+    description: RobotDescription
     tracks: TrackSetup
     groups: Mapping[str, GroupSetup] = field(default_factory=dict)
     lidars: tuple[LidarSetup, ...] = ()

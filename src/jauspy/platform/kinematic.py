@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from jauspy.errors import ConfigError
-from jauspy.geometry.frames import static_weight
+from jauspy.geometry.frames import gravity_wrench
 from jauspy.geometry.poses import Acceleration, Pose, Twist
 from jauspy.platform.acceleration import mean_acceleration
 from jauspy.platform.camera import Camera
@@ -122,7 +122,7 @@ class KinematicRobot:
         self._cameras = KinematicCameras(robot, self._drive, self._groups)
         self._lidars = {setup.name: Scanner(setup) for setup in robot.lidars}
         self._force_torque = {
-            setup.name: SampledForceTorque(setup, static_weight(robot.description, setup.link, self._positions))
+            setup.name: SampledForceTorque(setup, gravity_wrench(robot.description, setup.link, self._positions))
             for setup in robot.force_torque
         }
         self._time = 0.0

@@ -4,10 +4,10 @@ import random
 
 import pytest
 
-from jauspy.geometry.denavit_hartenberg import geometry
+from jauspy.geometry.denavit_hartenberg import manipulator_geometry
 from jauspy.geometry.poses import Pose, Transform
 from jauspy.geometry.urdf import Joint, JointKind
-from jauspy.geometry.vectors import Vector, about, scaled
+from jauspy.geometry.vectors import Vector, rotation_about, scaled
 from jauspy.modules.description import robot_model
 from jauspy.modules.robots import load
 
@@ -19,7 +19,7 @@ def tool_point(chain: tuple[Joint, ...], positions: list[float]) -> Vector:
     for joint in chain:
         frame = frame @ Transform.of(joint.origin)
         if joint.kind is JointKind.REVOLUTE:
-            frame = frame @ Transform(about(joint.axis, next(values)))
+            frame = frame @ Transform(rotation_about(joint.axis, next(values)))
         elif joint.kind is JointKind.PRISMATIC:
             frame = frame @ Transform(position=scaled(joint.axis, next(values)))
     return frame.position
@@ -42,7 +42,7 @@ def random_chain(rng: random.Random) -> tuple[Joint, ...]:
 def test_reaches_the_same_points_as_the_chain(seed: int) -> None:
     rng = random.Random(seed)
     chain = random_chain(rng)
-    found = geometry(chain)
+    found = manipulator_geometry(chain)
     for _ in range(5):
         positions = [rng.uniform(-3.0, 3.0) for _ in found.links]
         there = found.forward(found.standard(positions)).apply(found.tool)
@@ -54,6 +54,6 @@ def test_reaches_the_same_points_as_the_chain(seed: int) -> None:
 def test_the_first_link_is_the_base(robot: str) -> None:
     model = robot_model(load(robot))
     setup = model.groups["arm"]
-    found = geometry(model.description.chain(setup.base, setup.tip))
+    found = manipulator_geometry(model.description.chain(setup.base, setup.tip))
     assert (found.links[0].length, found.links[0].twist) == (0.0, 0.0)
     assert [link.joint.name for link in found.links] == list(setup.joints)

@@ -7,18 +7,18 @@ import pytest
 from tests.services.manipulator.arms import ROBOTS, arm_of, found_by, random_positions, search_for, tool_at, whole
 from tests.services.manipulator.test_denavit_hartenberg import random_chain
 
-from jauspy.geometry.denavit_hartenberg import geometry
-from jauspy.geometry.kinematics import PoseSearch, stance, turn_between
+from jauspy.geometry.denavit_hartenberg import manipulator_geometry
+from jauspy.geometry.kinematics import InverseKinematics, forward_kinematics, rotation_vector
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.urdf import JointKind
-from jauspy.geometry.vectors import about, add
+from jauspy.geometry.vectors import add, rotation_about
 
 MILLIMETRE, HALF_A_DEGREE = 0.001, math.radians(0.5)
 
 
 def errors(there: Transform, goal: Transform) -> tuple[float, float]:
     """Metres and radians."""
-    return math.dist(there.position, goal.position), math.hypot(*turn_between(there.rotation, goal.rotation))
+    return math.dist(there.position, goal.position), math.hypot(*rotation_vector(there.rotation, goal.rotation))
 
 
 @pytest.mark.parametrize("robot", ROBOTS)
@@ -49,7 +49,9 @@ def test_a_point_that_can_be_reached_is_reached_whatever_the_attitude(robot: str
 def test_of_attitudes_that_cannot_be_had_the_nearest_is_taken() -> None:
     arm = arm_of("inc1")
     reachable = tool_at(arm, list(arm.geometry.standard((0.3, 1.2, -1.4, -0.4, 0.2))))
-    aside = Transform(about((0.0, 0.0, 1.0), 0.3)) @ Transform(reachable.rotation)  # only the first joint turns so
+    aside = Transform(rotation_about((0.0, 0.0, 1.0), 0.3)) @ Transform(
+        reachable.rotation
+    )  # only the first joint turns so
     found = found_by(arm, Transform(aside.rotation, reachable.position))
     assert found.is_there
     assert not found.is_exact
@@ -77,14 +79,14 @@ def test_arms_of_any_kind_reach_their_poses() -> None:
     kinds = set()
     for seed in range(14):
         rng = random.Random(seed)
-        found = geometry(random_chain(rng))
+        found = manipulator_geometry(random_chain(rng))
         spans = [1.5 if link.is_revolute else 0.3 for link in found.links]
         limits = [(link.zero - span, link.zero + span) for link, span in zip(found.links, spans, strict=True)]
-        goal = stance(found.links, [rng.uniform(*limit) for limit in limits], found.tool).tool
+        goal = forward_kinematics(found.links, [rng.uniform(*limit) for limit in limits], found.tool).tool
         kinds.update((len(limits), link.joint.kind) for link in found.links)
         middle = [link.zero for link in found.links]
-        there = whole(PoseSearch(found.links, found.tool, goal, middle, limits))
-        distance, turn = errors(stance(found.links, there.positions, found.tool).tool, goal)
+        there = whole(InverseKinematics(found.links, found.tool, goal, middle, limits))
+        distance, turn = errors(forward_kinematics(found.links, there.positions, found.tool).tool, goal)
         assert distance < MILLIMETRE, seed
         assert turn < HALF_A_DEGREE, seed
     assert {number for number, _ in kinds} >= {1, 2, 3, 4, 5, 7}

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import pytest
 from tests.services.manipulator.arms import arm_of
 
-from jauspy.geometry.kinematics import turn_between
+from jauspy.geometry.kinematics import rotation_vector
 from jauspy.geometry.vectors import Vector, difference, dot, scaled
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.services.manipulator.arm import Arm, Profile
@@ -77,7 +77,7 @@ def test_an_attitude_that_can_be_kept_is_kept() -> None:
     arm = arm_of("inc1", (0.0, 1.6, -1.8, 0.2, 0.0))  # it moves in its own plane
     before = arm.stance().tool.rotation
     Run(arm).go(STILL, scaled(arm.stance().moving[1], 0.1), 2.0)
-    assert math.hypot(*turn_between(before, arm.stance().tool.rotation)) < 0.02
+    assert math.hypot(*rotation_vector(before, arm.stance().tool.rotation)) < 0.02
 
 
 @pytest.mark.parametrize(("robot", "start", "joint"), [("inc1", OUT_THERE, 4), ("inc1_pprm", LIFTED, 3)])
@@ -87,7 +87,7 @@ def test_the_tool_turns_about_its_point(robot: str, start, joint: int) -> None:
     turning = scaled(before.turning[joint], 0.4)  # the last joint's axis leads through the tool point
     run = Run(arm)
     run.go(turning, STILL, 2.0)
-    turned = turn_between(before.tool.rotation, arm.stance().tool.rotation)
+    turned = rotation_vector(before.tool.rotation, arm.stance().tool.rotation)
     assert turned == pytest.approx(scaled(turning, 2.0), abs=0.08)
     assert run.aside < 0.001
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 
 from jauspy.errors import RequestError
-from jauspy.geometry.denavit_hartenberg import geometry
+from jauspy.geometry.denavit_hartenberg import manipulator_geometry
 from jauspy.geometry.urdf import JointKind
 from jauspy.geometry.vectors import Vector
 from jauspy.platform.description import RobotModel
@@ -18,7 +18,7 @@ class Hand:
     def __init__(self, model: RobotModel) -> None:
         group = model.groups["arm"]
         chain = model.description.chain(group.base, group.tip)
-        self.geometry = geometry(chain)
+        self.geometry = manipulator_geometry(chain)
         moving = [number for number, joint in enumerate(chain) if joint.kind is not JointKind.FIXED]
         turn, shoulder, elbow, wrist, _ = moving
         self.axis = chain[turn].origin.x

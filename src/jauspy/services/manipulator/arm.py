@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Final
 
-from jauspy.geometry.denavit_hartenberg import Link, geometry
-from jauspy.geometry.kinematics import Stance, stance
+from jauspy.geometry.denavit_hartenberg import DHLink, manipulator_geometry
+from jauspy.geometry.kinematics import KinematicState, forward_kinematics
 from jauspy.geometry.urdf import Joint
 from jauspy.platform.joints import ControlMode, JointGroup, JointState, Target
 from jauspy.platform.motion import ACCELERATION_TIME
@@ -39,7 +39,7 @@ class Arm:
 
     def __init__(self, joints: JointGroup) -> None:
         self.joints = joints
-        self.geometry = geometry(joints.chain)
+        self.geometry = manipulator_geometry(joints.chain)
         self.tool = self.geometry.tool
         """The tool point in the last joint's frame, metres."""
         self.limits = tuple(
@@ -55,9 +55,9 @@ class Arm:
         state = self.joints.state()
         return JointState(self.geometry.standard(state.positions), state.velocities, state.efforts)
 
-    def stance(self) -> Stance:
+    def stance(self) -> KinematicState:
         """The tool, and how the joints move it, after the last step."""
-        return stance(self.geometry.links, self.state().positions, self.tool)
+        return forward_kinematics(self.geometry.links, self.state().positions, self.tool)
 
     def take(self, driver: ArmDriver) -> None:
         """Follow this driver from now on; hold until it says what to do, unless it is the one that says so already."""
@@ -99,7 +99,7 @@ class Arm:
         self.joints.hold()
 
     @staticmethod
-    def _native(target: Target, link: Link) -> Target:
+    def _native(target: Target, link: DHLink) -> Target:
         return replace(target, value=target.value - link.zero) if target.mode is ControlMode.POSITION else target
 
 

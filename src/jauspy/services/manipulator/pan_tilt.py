@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from jauspy.geometry.denavit_hartenberg import frame_at_zero, turned
+from jauspy.geometry.denavit_hartenberg import pan_tilt_frame, reversed_axes
 from jauspy.geometry.poses import JAUS_FROM_REP_103, Transform
 from jauspy.platform.joints import JointGroup
 from jauspy.services.manipulator.arm import Arm
@@ -20,8 +20,8 @@ class PanTilt(Arm):
     """
 
     def __init__(self, joints: JointGroup, mount: Callable[[], Transform]) -> None:
-        super().__init__(TurnedJoints(joints, turned(joints.chain)))
-        self._frame = frame_at_zero(joints.chain)
+        super().__init__(TurnedJoints(joints, reversed_axes(joints.chain)))
+        self._frame = pan_tilt_frame(joints.chain)
         self._mount = mount
 
     @property

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from jauspy.geometry.denavit_hartenberg import Link
+from jauspy.geometry.denavit_hartenberg import DHLink
 from jauspy.geometry.poses import JAUS_FROM_REP_103, Transform
 from jauspy.geometry.vectors import quaternion
 from jauspy.messages.manipulator import ManipulatorCoordinateSystemRec, ReportManipulatorSpecifications
@@ -34,21 +34,21 @@ def coordinate_system(base: Transform) -> ManipulatorCoordinateSystemRec:
     return ManipulatorCoordinateSystemRec(*frame.position, *quaternion(frame.rotation))
 
 
-def _first_revolute(link: Link) -> ReportManipulatorSpecifications.RevoluteJoint1OffsetRec:
+def _first_revolute(link: DHLink) -> ReportManipulatorSpecifications.RevoluteJoint1OffsetRec:
     joint = link.joint
     return ReportManipulatorSpecifications.RevoluteJoint1OffsetRec(
         link.offset, joint.lower + link.zero, joint.upper + link.zero, joint.velocity, joint.effort
     )
 
 
-def _first_prismatic(link: Link) -> ReportManipulatorSpecifications.PrismaticJoint1AngleRec:
+def _first_prismatic(link: DHLink) -> ReportManipulatorSpecifications.PrismaticJoint1AngleRec:
     joint = link.joint
     return ReportManipulatorSpecifications.PrismaticJoint1AngleRec(
         link.angle, joint.lower + link.zero, joint.upper + link.zero, joint.velocity, joint.effort
     )
 
 
-def _revolute(link: Link) -> ReportManipulatorSpecifications.RevoluteJointSpecificationRec:
+def _revolute(link: DHLink) -> ReportManipulatorSpecifications.RevoluteJointSpecificationRec:
     joint = link.joint
     return ReportManipulatorSpecifications.RevoluteJointSpecificationRec(
         link.length,
@@ -61,7 +61,7 @@ def _revolute(link: Link) -> ReportManipulatorSpecifications.RevoluteJointSpecif
     )
 
 
-def _prismatic(link: Link) -> ReportManipulatorSpecifications.PrismaticJointSpecificationRec:
+def _prismatic(link: DHLink) -> ReportManipulatorSpecifications.PrismaticJointSpecificationRec:
     joint = link.joint
     return ReportManipulatorSpecifications.PrismaticJointSpecificationRec(
         link.length,

@@ -11,8 +11,8 @@ import math
 from operator import mul
 from typing import TYPE_CHECKING, Final
 
-from jauspy.geometry.kinematics import PoseSearch, Stance, stance
-from jauspy.geometry.least_squares import bounded
+from jauspy.geometry.kinematics import InverseKinematics, KinematicState, forward_kinematics
+from jauspy.geometry.least_squares import bounded_least_squares
 from jauspy.geometry.vectors import Vector, scaled
 from jauspy.services.manipulator.pace import brakeable, ramped, slowed
 from jauspy.services.manipulator.tool_line import ToolLine
@@ -67,7 +67,7 @@ class ToolMotion:
         self._line.advance(now, self._rates, dt)
         return self._rates
 
-    def _wanted(self, now: Stance, dt: float) -> list[float]:
+    def _wanted(self, now: KinematicState, dt: float) -> list[float]:
         lack = max(0.0, 1.0 - _likeness(now) / NEARLY_SINGULAR)
         way = self._way_out() if lack and any(self._line.moving) else None
         return way or self._solve(now, DAMPING + (SINGULAR_DAMPING - DAMPING) * lack * lack, dt)
@@ -76,7 +76,7 @@ class ToolMotion:
         """To a place further on the line, if there is one: slopes do not tell how a stretched arm is drawn in."""
         arm, positions = self._arm, self._arm.state().positions
         goal = self._line.further(AHEAD)
-        search = PoseSearch(
+        search = InverseKinematics(
             arm.geometry.links, arm.tool, goal, self._bent(), arm.limits, starts=1, weights=((ATTITUDE,),)
         )
         found = search.work(STEPS)
@@ -89,9 +89,9 @@ class ToolMotion:
         """The joints as they are, a little bent to the side that gives the tool more freedom."""
         arm, positions = self._arm, self._arm.state().positions
         sides = ([p + (bend if number % 2 else -bend) for number, p in enumerate(positions)] for bend in (BEND, -BEND))
-        return max(sides, key=lambda bent: _likeness(stance(arm.geometry.links, bent, arm.tool)))
+        return max(sides, key=lambda bent: _likeness(forward_kinematics(arm.geometry.links, bent, arm.tool)))
 
-    def _solve(self, now: Stance, damping: float, dt: float) -> list[float]:
+    def _solve(self, now: KinematicState, damping: float, dt: float) -> list[float]:
         """The best velocities of the joints; one more unknown is the share of the wanted velocity."""
         line, joints = self._line, len(self._rates)
         turn, way = line.deviation(now.tool)
@@ -100,7 +100,7 @@ class ToolMotion:
         rows.append([0.0] * joints + [SHARE * line.speed])
         wanted = [*scaled(way, CORRECTION), *scaled(turn, CORRECTION * ATTITUDE), SHARE * line.speed]
         lower, upper = self._bounds(dt)
-        return bounded(rows, wanted, [*lower, 0.0], [*upper, 1.0], [damping] * joints + [1e-6])[:-1]
+        return bounded_least_squares(rows, wanted, [*lower, 0.0], [*upper, 1.0], [damping] * joints + [1e-6])[:-1]
 
     def _bounds(self, dt: float) -> tuple[list[float], list[float]]:
         """How fast the joints may go so as to stop at their limits."""
@@ -109,7 +109,7 @@ class ToolMotion:
         return lower, [brakeable(high - position, profile, dt) for position, (_, high), profile in rows]
 
 
-def _likeness(now: Stance) -> float:
+def _likeness(now: KinematicState) -> float:
     """How much alike the joints can move the tool point in all directions: 1, or 0 when in one they cannot."""
     axes = list(zip(*now.moving, strict=True))
     products = [[sum(map(mul, a, b)) for b in axes] for a in axes]

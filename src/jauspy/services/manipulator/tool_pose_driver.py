@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from typing import Final
 
-from jauspy.geometry.kinematics import Found, PoseSearch, turn_between
+from jauspy.geometry.kinematics import InverseKinematics, Solution, rotation_vector
 from jauspy.geometry.poses import Transform
-from jauspy.geometry.vectors import quaternion, rotation
+from jauspy.geometry.vectors import quaternion, rotation_from_quaternion
 from jauspy.messages.manipulator import ReportCommandedEndEffectorPose, SetEndEffectorPose
 from jauspy.services.manipulator.arm import Arm
 from jauspy.services.manipulator.driver import ArmDriver
@@ -36,7 +36,7 @@ class ToolPoseDriver(ArmDriver):
     def __init__(self, arm: Arm) -> None:
         super().__init__(arm)
         self._goal: Transform | None = None
-        self._search: PoseSearch | None = None
+        self._search: InverseKinematics | None = None
         self._next_turn = -math.inf
 
     def go(self, goal: Transform) -> None:
@@ -49,7 +49,7 @@ class ToolPoseDriver(ArmDriver):
         if before is not None and before.best.is_there:
             arm.to_positions(self, before.best.positions)
         self._goal = goal
-        self._search = PoseSearch(arm.geometry.links, arm.tool, goal, arm.state().positions, arm.limits)
+        self._search = InverseKinematics(arm.geometry.links, arm.tool, goal, arm.state().positions, arm.limits)
         if self.host.now >= self._next_turn:
             self._seek()
         else:
@@ -88,10 +88,10 @@ class ToolPoseDriver(ArmDriver):
             self.host.count("out_of_reach", f"{goal.position}: {found.distance:.3f} m are missing")
             self.arm.stop()
 
-    def _look(self, found: Found, goal: Transform) -> None:
+    def _look(self, found: Solution, goal: Transform) -> None:
         tool = self.arm.stance().tool
         distance = math.dist(goal.position, tool.position) - found.distance
-        turn = math.hypot(*turn_between(tool.rotation, goal.rotation)) - found.turn
+        turn = math.hypot(*rotation_vector(tool.rotation, goal.rotation)) - found.turn
         if distance <= CLOSE and turn <= ALIGNED:
             self.reached(exactly=found.is_exact)
         else:
@@ -109,4 +109,4 @@ def pose_of(msg: SetEndEffectorPose) -> Transform | None:
     if math.hypot(*parts) < SHORTEST:
         return None
     point = (msg.tool_point_coordinate_x, msg.tool_point_coordinate_y, msg.tool_point_coordinate_z)
-    return Transform(rotation(*parts), point)
+    return Transform(rotation_from_quaternion(*parts), point)
