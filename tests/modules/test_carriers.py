@@ -62,7 +62,7 @@ def test_a_camera_on_the_arm_is_where_the_reported_numbers_say(robot: str) -> No
     group, tree = model.groups["arm"], FrameTree(model.description)
     positions = dict(zip(group.joints, (0.3, 0.25, -0.4, 0.6, 0.7), strict=False))
     arm = manipulator_geometry(model.description.chain(group.base, group.tip))
-    standard = arm.standard([positions[joint] for joint in group.joints])
+    standard = arm.from_urdf([positions[joint] for joint in group.joints])
     joint = carrier(robot, "arm_camera_link")
     frames = (link.frame(at) for link, at in list(zip(arm.links, standard, strict=True))[: joint.number])
     computed = reduce(matmul, frames, JAUS_FROM_REP_103 @ arm.base) @ joint.frame
@@ -78,7 +78,7 @@ def test_a_camera_on_a_mount_is_where_the_reported_numbers_say() -> None:
     turned = system @ Transform(rotation_about(Z, pan)) @ Transform(rotation_about((0.0, 1.0, 0.0), tilt))
     computed = turned @ carrier("inc1", "chassis_camera_link").frame
     same(computed, jaus_frame(FrameTree(model.description).pose("chassis_camera_link", native)))
-    assert computed.turn(X) == pytest.approx(
+    assert computed.rotate(X) == pytest.approx(
         (math.cos(pan) * math.cos(tilt), math.sin(pan) * math.cos(tilt), -math.sin(tilt))
     )
 

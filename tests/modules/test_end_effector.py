@@ -12,8 +12,8 @@ import pytest
 from tests.modules.workcell import BACKENDS, OTHER, Workcell, told
 
 from jauspy.codec.base import Message
-from jauspy.geometry.kinematics import forward_kinematics, rotation_vector
-from jauspy.geometry.poses import Transform
+from jauspy.geometry.kinematics import forward_kinematics
+from jauspy.geometry.poses import Transform, rotation_vector
 from jauspy.geometry.vectors import Vector, quaternion, rotation_from_quaternion
 from jauspy.messages import manipulator as m
 from jauspy.messages.core import (
@@ -52,7 +52,7 @@ class Handler(Workcell):
 
     def to(self, native: Sequence[float]) -> None:
         make, choice = m.JointPositionRec.JointPosition, m.JointPositionRec.JointPositionChoice
-        rows = zip(self.arm.geometry.standard(native), self.arm.geometry.links, strict=True)
+        rows = zip(self.arm.geometry.from_urdf(native), self.arm.geometry.links, strict=True)
         kinds = [(value, choice.RADIAN if link.is_revolute else choice.METER) for value, link in rows]
         self.tell(m.SetJointPositions([m.JointPositionRec(make(kind, value)) for value, kind in kinds]))
         self.run(5.0)
@@ -64,7 +64,7 @@ class Handler(Workcell):
         return transform(self.ask(m.QueryCommandedEndEffectorPose()))
 
     def pose_at(self, native: Sequence[float]) -> Transform:
-        return forward_kinematics(self.arm.geometry.links, self.arm.geometry.standard(native), self.arm.tool).tool
+        return forward_kinematics(self.arm.geometry.links, self.arm.geometry.from_urdf(native), self.arm.tool).tool
 
     def random_pose(self, rng: random.Random) -> Transform:
         """One that the arm reaches without touching robot or ground: at least 0.45 m above it, in front."""
@@ -154,7 +154,7 @@ def test_the_tool_offset_counts(arm: Handler) -> None:
     arm.run(8.0)
     distance, _ = errors(arm.pose(), before)
     assert distance < MILLIMETRE
-    assert math.dist(arm.arm.stance().tool.position, before.position) == pytest.approx(0.05, abs=0.002)
+    assert math.dist(arm.arm.kinematic_state().tool.position, before.position) == pytest.approx(0.05, abs=0.002)
 
 
 def test_a_pose_out_of_reach_is_counted_and_the_arm_stays(arm: Handler) -> None:

@@ -45,7 +45,7 @@ class Head(Workcell):
     def line_of_sight(self) -> tuple[float, float, float]:
         """Where the camera looks, in the vehicle's frame: forward, right, down."""
         tree = FrameTree(self.model.description)
-        return jaus_frame(tree.pose("chassis_camera_link", joint_positions(self.robot.groups.values()))).turn(X)
+        return jaus_frame(tree.pose("chassis_camera_link", joint_positions(self.robot.groups.values()))).rotate(X)
 
 
 @pytest.fixture(params=BACKENDS)
@@ -93,7 +93,7 @@ def test_the_reported_numbers_alone_tell_where_the_camera_looks(head: Head) -> N
     )
     pan, tilt = head.angles()
     ahead = (math.cos(pan) * math.cos(tilt), math.sin(pan) * math.cos(tilt), -math.sin(tilt))
-    assert turn.turn(ahead) == pytest.approx(head.line_of_sight(), abs=1e-3)
+    assert turn.rotate(ahead) == pytest.approx(head.line_of_sight(), abs=1e-3)
 
 
 def test_angles_beyond_the_limits_are_limited(head: Head) -> None:

@@ -90,7 +90,7 @@ async def test_all_frames_are_where_they_really_are(robot: RobotRunner, ocu: OCU
     for name, group in MODEL.groups.items():
         positions |= zip(group.joints, seen.joints[name].positions, strict=True)
     for link, pose in FrameTree(MODEL.description).poses(positions).items():
-        expected = Transform.of(seen.pose) @ pose
+        expected = Transform.from_pose(seen.pose) @ pose
         # as exact as fields of pose and positions are on the wire
         assert math.dist(frames.pose(link, "local").position, expected.position) < 1e-3, link
         for row, wanted in zip(frames.pose(link, "local").rotation, expected.rotation, strict=True):

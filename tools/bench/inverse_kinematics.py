@@ -25,7 +25,7 @@ def timed(search: InverseKinematics) -> tuple[Solution, list[float]]:
     turns: list[float] = []
     while True:
         start = time.process_time()
-        found = search.work(STEPS_AT_ONCE)
+        found = search.advance(STEPS_AT_ONCE)
         turns.append(time.process_time() - start)
         if found is not None:
             return found, turns
@@ -41,7 +41,7 @@ def measure(robot: str, poses: int) -> None:
         goal = forward_kinematics(links, [rng.uniform(*limit) for limit in limits], arm.tool).tool
         search = InverseKinematics(links, arm.tool, goal, arm.state().positions, limits)
         found, turns = timed(search)
-        exact += found.is_exact
+        exact += found.reaches_pose
         searches.append(turns)
     motion, looks = ToolMotion(arm), 200
     motion.follow((0.0, 0.0, 0.0), (0.03, 0.0, 0.0))

@@ -77,7 +77,7 @@ async def _look(
 def _row(frame: str, parent: str, pose: Transform) -> dict[str, Any]:
     from jauspy.geometry.vectors import quaternion
 
-    angles = pose.pose()
+    angles = pose.to_pose()
     return {
         "frame": frame,
         "in": parent,

@@ -3,7 +3,7 @@
 The z axis of frame i lies along joint i; its x axis along the common normal of joints i and i + 1. From frame i to
 frame i + 1: along x by the link's length and about x by its twist, then along z by the joint's offset and about z by
 its angle. A revolute joint's angle and a prismatic joint's offset are what moves; they are counted from these axes,
-so they differ by a constant from a URDF's positions: `DHLink.zero`.
+so they differ by a constant from a URDF's positions: `DHLink.zero_position`.
 """
 
 from __future__ import annotations
@@ -53,8 +53,8 @@ class DHLink:
         return self.joint.kind is JointKind.REVOLUTE
 
     @property
-    def zero(self) -> float:
-        """What the standard calls the position when the URDF calls it zero."""
+    def zero_position(self) -> float:
+        """The position in the standard's terms where the URDF's position is zero."""
         return self.angle if self.is_revolute else self.offset
 
     def frame(self, position: float) -> Transform:
@@ -82,13 +82,13 @@ class ManipulatorGeometry:
             frame = frame @ link.frame(position)
         return frame
 
-    def standard(self, positions: Sequence[float]) -> tuple[float, ...]:
-        """The standard's positions out of the URDF's."""
-        return tuple(position + link.zero for position, link in zip(positions, self.links, strict=True))
+    def from_urdf(self, positions: Sequence[float]) -> tuple[float, ...]:
+        """Converts positions of the URDF to the standard's."""
+        return tuple(position + link.zero_position for position, link in zip(positions, self.links, strict=True))
 
-    def native(self, positions: Sequence[float]) -> tuple[float, ...]:
-        """The URDF's positions out of the standard's."""
-        return tuple(position - link.zero for position, link in zip(positions, self.links, strict=True))
+    def to_urdf(self, positions: Sequence[float]) -> tuple[float, ...]:
+        """Converts positions of the standard to the URDF's."""
+        return tuple(position - link.zero_position for position, link in zip(positions, self.links, strict=True))
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,12 +110,12 @@ def manipulator_geometry(chain: Sequence[Joint]) -> ManipulatorGeometry:
 
 
 def _axes(chain: Sequence[Joint]) -> tuple[list[_Axis], list[Joint], Transform]:
-    """The lines that the joints move along or about at zero, in the base link's frame; and the tool's frame."""
+    """The joints' axes at zero, in the base link's frame; the joints that move; and the tool's frame."""
     axes, moving, frame = [], [], Transform()
     for joint in chain:
-        frame = frame @ Transform.of(joint.origin)
+        frame = frame @ Transform.from_pose(joint.origin)
         if joint.kind is not JointKind.FIXED:
-            axes.append(_Axis(frame.position, frame.turn(joint.axis)))
+            axes.append(_Axis(frame.position, frame.rotate(joint.axis)))
             moving.append(joint)
     return axes, moving, frame
 
@@ -149,7 +149,7 @@ def _normal(axis: _Axis, following: _Axis, before: Vector | None) -> tuple[Vecto
 
 
 def _any_normal(direction: Vector) -> Vector:
-    """A direction at right angles to another: forward or left if possible."""
+    """A direction perpendicular to another: forward or left if possible."""
     start = X if abs(direction[0]) < 0.9 else Y
     across = difference(start, scaled(direction, dot(start, direction)))
     return scaled(across, 1.0 / math.sqrt(dot(across, across)))
@@ -172,31 +172,34 @@ def _link(joint: Joint, before: Transform, axis: _Axis, frame: Transform) -> DHL
 
 
 def _angle(start: Vector, end: Vector, axis: Vector) -> float:
-    """By how much one direction is turned about an axis to get another."""
+    """The angle, in radians, about an axis from one direction to another."""
     return math.atan2(dot(cross(start, end), axis), dot(start, end))
 
 
 def pan_tilt_frame(chain: Sequence[Joint]) -> Transform:
-    """The unit's coordinate system in its base link, and, at zero, the frames of both joints, which turn with them."""
-    turns = iter(reversed_axes(chain))
-    joints = [joint if joint.kind is JointKind.FIXED or not next(turns) else reversed_joint(joint) for joint in chain]
+    """A pan-tilt unit's coordinate system in its base link: z along pan, y along tilt, x ahead.
+
+    At zero, the frames of both joints are the same.
+    """
+    reverse = iter(reversed_axes(chain))
+    joints = [joint if joint.kind is JointKind.FIXED or not next(reverse) else reversed_joint(joint) for joint in chain]
     found = manipulator_geometry(joints)
     pan = found.base @ found.links[0].frame(0.0)
-    y, z = (pan @ found.links[1].frame(0.0)).turn(Z), pan.turn(Z)
+    y, z = (pan @ found.links[1].frame(0.0)).rotate(Z), pan.rotate(Z)
     return Transform(transposed((cross(y, z), y, z)), pan.position)
 
 
 def reversed_axes(chain: Sequence[Joint]) -> tuple[bool, bool]:
-    """Whether pan and tilt count the other way round than the description does: down and right is as they should be."""
+    """For pan and tilt: whether the joint's axis is opposite to JAUS's, which are down and right."""
     frame, axes = Transform(), list[Vector]()
     for joint in chain:
         if joint.kind is not JointKind.FIXED:
-            axes.append((frame @ Transform.of(joint.origin)).turn(joint.axis))
+            axes.append((frame @ Transform.from_pose(joint.origin)).rotate(joint.axis))
         frame = frame @ joint_frame(joint, 0.0)
     pan, tilt = axes
-    return dot(pan, frame.turn(Z)) > 0.0, dot(tilt, frame.turn(Y)) > 0.0
+    return dot(pan, frame.rotate(Z)) > 0.0, dot(tilt, frame.rotate(Y)) > 0.0
 
 
 def reversed_joint(joint: Joint) -> Joint:
-    """The same joint, which counts the other way round."""
+    """The same joint with its axis, and so its limits, reversed."""
     return replace(joint, axis=scaled(joint.axis, -1.0), lower=-joint.upper, upper=-joint.lower)

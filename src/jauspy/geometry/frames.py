@@ -1,4 +1,4 @@
-"""Every frame's pose as a tree: forward kinematics of a robot's description."""
+"""The frames of a robot: the links of its description, as a tree, for given positions of its joints."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ ZERO_POSITIONS: Final[Mapping[str, float]] = {}
 
 
 def joint_frame(joint: Joint, position: float) -> Transform:
-    """A joint's child link in its parent link, at a position (rad or m)."""
+    """The frame of a joint's child link in its parent link, at a position (rad or m)."""
     if joint.kind is JointKind.PRISMATIC:
         moved = Transform(position=scaled(joint.axis, position))
     else:
         moved = Transform(rotation_about(joint.axis, position))
-    return Transform.of(joint.origin) @ moved
+    return Transform.from_pose(joint.origin) @ moved
 
 
 class FrameTree:
@@ -33,7 +33,7 @@ class FrameTree:
         self.joints = _parents_first(description)
 
     def poses(self, positions: Mapping[str, float] = ZERO_POSITIONS) -> dict[str, Transform]:
-        """Every link's frame in the root link's. Joints without a position are at zero, or where they mimic."""
+        """Every link's frame in the root link's. Joints without a position are at zero, or follow the joint they mimic."""
         found = {self.root: Transform()}
         for joint in self.joints:
             position = positions.get(joint.mimics or joint.name, 0.0)
@@ -41,7 +41,7 @@ class FrameTree:
         return found
 
     def pose(self, link: str, positions: Mapping[str, float] = ZERO_POSITIONS) -> Transform:
-        """One link's frame in the root link's; `ConfigError` lists the links."""
+        """One link's frame in the root link's. Raises `ConfigError`, which lists the links, for an unknown one."""
         if link not in self.description.links():
             known = ", ".join(sorted(self.description.links()))
             raise ConfigError(f"{self.description.name} has no link {link!r}; it has: {known}")
@@ -51,17 +51,17 @@ class FrameTree:
         return frame
 
     def frames(self, base: Transform, positions: Mapping[str, float], common: str) -> Frames:
-        """All links and the frame `common`, in which the root link is at `base`."""
+        """The frames of all links, and the frame `common`, in which the root link has the pose `base`."""
         poses = {common: Transform()} | {link: base @ pose for link, pose in self.poses(positions).items()}
         return Frames(poses, {self.root: common} | {joint.child: joint.parent for joint in self.joints})
 
     def between(self, link: str, other: str) -> list[Joint]:
-        """The joints, fixed ones too, on the way from one link to another one."""
-        ways = [self.description.chain(self.root, each) for each in (link, other)]
-        return [joint for way, back in (ways, ways[::-1]) for joint in way if joint not in back]
+        """The joints, fixed ones included, that connect two links."""
+        chains = [self.description.chain(self.root, each) for each in (link, other)]
+        return [joint for one, two in (chains, chains[::-1]) for joint in one if joint not in two]
 
     def is_fixed(self, link: str) -> bool:
-        """True when no joint moves between the root link and this one."""
+        """True if no joint between the root link and this one moves."""
         return all(joint.kind is JointKind.FIXED for joint in self.description.chain(self.root, link))
 
 
@@ -70,12 +70,12 @@ class Frames:
     """All frames of a robot at one moment."""
 
     poses: Mapping[str, Transform]
-    """Each in one that all have in common."""
+    """The pose of each frame in the common one."""
     parents: Mapping[str, str]
-    """The frame that each is fixed to or moves in; the common one has none."""
+    """The parent of each frame but the common one."""
 
     def pose(self, frame: str, within: str) -> Transform:
-        """One frame as another one has it; `ConfigError` lists the frames."""
+        """The pose of one frame in another. Raises `ConfigError`, which lists the frames, for an unknown one."""
         for name in (frame, within):
             if name not in self.poses:
                 raise ConfigError(f"there is no frame {name!r}; there are: {', '.join(sorted(self.poses))}")
@@ -94,15 +94,15 @@ def _parents_first(description: RobotDescription) -> tuple[Joint, ...]:
 
 
 GRAVITY: Final[Vector] = (0.0, 0.0, -9.81)
-"""m/s^2, of a robot that stands level."""
+"""m/s^2, in the frame of a root link that is level."""
 
 
 def gravity_wrench(
     description: RobotDescription, link: str, positions: Callable[[], Mapping[str, float]]
 ) -> Callable[[], tuple[Vector, Vector]]:
-    """Force and torque of what hangs on the joint above a link, in the link's frame, for joints as they are then.
+    """A function of no arguments: force (N) and torque (Nm) of gravity on a link and all that it carries.
 
-    `positions`: of joints, by name.
+    Both are in the link's frame, for the joint positions, by name, that `positions` returns at the call.
     """
     tree = FrameTree(description)
     carried = _carried(tree, link)
@@ -115,7 +115,7 @@ def gravity_wrench(
         force = torque = (0.0, 0.0, 0.0)
         for body in bodies:
             weight = scaled(down, body.mass)
-            middle = here.inverse() @ frames[body.link] @ Transform.of(body.origin)
+            middle = here.inverse() @ frames[body.link] @ Transform.from_pose(body.origin)
             force = add(force, weight)
             torque = add(torque, cross(middle.position, weight))
         return force, torque
@@ -124,7 +124,7 @@ def gravity_wrench(
 
 
 def _carried(tree: FrameTree, link: str) -> set[str]:
-    """A link and all that hang on it."""
+    """A link and all links below it."""
     found = {link}
     for joint in tree.joints:
         if joint.parent in found:

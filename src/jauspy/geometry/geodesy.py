@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Final, TypeAlias
+from typing import Final
+
+from jauspy.geometry.vectors import Vector
 
 SEMI_MAJOR_AXIS: Final = 6378137.0
 """Semi-major axis, metres."""
 FLATTENING: Final = 1.0 / 298.257223563
 _E2: Final = FLATTENING * (2.0 - FLATTENING)
-
-Vector: TypeAlias = tuple[float, float, float]
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +58,7 @@ def to_ned(origin: Geodetic, place: Geodetic) -> Vector:
 
 
 def from_ned(origin: Geodetic, north: float, east: float, down: float) -> Geodetic:
-    """The place that lies so far from the origin: the inverse of `offset`."""
+    """The place that lies north, east and down of the origin by so many metres: the inverse of `to_ned`."""
     sine, cosine = math.sin(origin.latitude), math.cos(origin.latitude)
     outward = -sine * north - cosine * down
     x, y, z = to_ecef(origin)
@@ -72,5 +72,5 @@ def from_ned(origin: Geodetic, north: float, east: float, down: float) -> Geodet
 
 
 def meridian_convergence(origin: Geodetic, place: Geodetic) -> float:
-    """How far (rad) true north at a place near the origin lies to the left of the origin's north."""
+    """The angle, in radians, by which true north at a place near the origin lies to the left of the origin's north."""
     return math.remainder(place.longitude - origin.longitude, math.tau) * math.sin(origin.latitude)

@@ -1,4 +1,4 @@
-"""Vectors of three numbers, and rigid transforms."""
+"""Vectors of three numbers, rotation matrices, and unit quaternions."""
 
 from __future__ import annotations
 
@@ -7,7 +7,9 @@ from typing import Final, TypeAlias
 
 Vector: TypeAlias = tuple[float, float, float]
 Rotation: TypeAlias = tuple[Vector, Vector, Vector]
-"""Rows of a rotation matrix."""
+"""The rows of a 3 x 3 rotation matrix."""
+Quaternion: TypeAlias = tuple[float, float, float, float]
+"""As JAUS writes it: scalar d, then the vector a, b, c."""
 
 X: Final[Vector] = (1.0, 0.0, 0.0)
 Y: Final[Vector] = (0.0, 1.0, 0.0)
@@ -19,14 +21,14 @@ def add(a: Vector, b: Vector) -> Vector:
     return a[0] + b[0], a[1] + b[1], a[2] + b[2]
 
 
-def scaled(a: Vector, factor: float) -> Vector:
-    """A vector that is so much longer."""
-    return a[0] * factor, a[1] * factor, a[2] * factor
-
-
 def difference(a: Vector, b: Vector) -> Vector:
-    """From b to a."""
+    """A - b."""
     return a[0] - b[0], a[1] - b[1], a[2] - b[2]
+
+
+def scaled(a: Vector, factor: float) -> Vector:
+    """A * factor."""
+    return a[0] * factor, a[1] * factor, a[2] * factor
 
 
 def dot(a: Vector, b: Vector) -> float:
@@ -39,19 +41,19 @@ def cross(a: Vector, b: Vector) -> Vector:
     return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
 
 
-def rotated(rotation_from_quaternion: Rotation, a: Vector) -> Vector:
-    """A vector after a rotation."""
-    return dot(rotation_from_quaternion[0], a), dot(rotation_from_quaternion[1], a), dot(rotation_from_quaternion[2], a)
+def rotated(rotation: Rotation, a: Vector) -> Vector:
+    """Matrix times vector."""
+    return dot(rotation[0], a), dot(rotation[1], a), dot(rotation[2], a)
 
 
-def transposed(rotation_from_quaternion: Rotation) -> Rotation:
-    """The inverse of a rotation; columns as rows."""
-    a, b, c = rotation_from_quaternion
+def transposed(rotation: Rotation) -> Rotation:
+    """The transpose, which is the inverse of a rotation."""
+    a, b, c = rotation
     return (a[0], b[0], c[0]), (a[1], b[1], c[1]), (a[2], b[2], c[2])
 
 
 def rotation_about(axis: Vector, angle: float) -> Rotation:
-    """The rotation about an axis of unit length, in radians."""
+    """The rotation by an angle in radians about an axis of unit length."""
     x, y, z = axis
     c, s = math.cos(angle), math.sin(angle)
     t = 1.0 - c
@@ -62,10 +64,10 @@ def rotation_about(axis: Vector, angle: float) -> Rotation:
     )
 
 
-def quaternion(rotation_from_quaternion: Rotation) -> tuple[float, float, float, float]:
-    """d, a, b, c of a rotation; d is not negative."""
-    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = rotation_from_quaternion
-    # four times the squares of d, a, b, c; the largest is the safest to divide by
+def quaternion(rotation: Rotation) -> Quaternion:
+    """The unit quaternion of a rotation; d is not negative."""
+    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = rotation
+    # four times the squares of d, a, b, c; dividing by the largest loses the fewest digits
     squares = (1.0 + xx + yy + zz, 1.0 + xx - yy - zz, 1.0 - xx + yy - zz, 1.0 - xx - yy + zz)
     rows = (
         (squares[0], zy - yz, xz - zx, yx - xy),
@@ -80,7 +82,7 @@ def quaternion(rotation_from_quaternion: Rotation) -> tuple[float, float, float,
 
 
 def rotation_from_quaternion(d: float, a: float, b: float, c: float) -> Rotation:
-    """The rotation of a quaternion, which need not be of unit length; zero is no rotation."""
+    """The rotation of a quaternion, which need not be of unit length; zero gives the identity."""
     square = d * d + a * a + b * b + c * c
     s = 2.0 / square if square else 0.0
     columns = (

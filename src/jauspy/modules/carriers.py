@@ -33,7 +33,7 @@ def _joint_frame(module: ModuleConfig, model: RobotModel, group: GroupSetup, num
     if module.type == "CM-VIS":
         return pan_tilt_frame(chain)
     found = manipulator_geometry(chain)
-    return reduce(matmul, (link.frame(link.zero) for link in found.links[:number]), found.base)
+    return reduce(matmul, (link.frame(link.zero_position) for link in found.links[:number]), found.base)
 
 
 def _at_zero(model: RobotModel, base: str, link: str) -> Transform:

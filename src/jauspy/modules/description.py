@@ -84,8 +84,8 @@ def _check_pan_tilt(key: str, group: GroupConfig, camera: str, description: Robo
         raise ConfigError(f"{key}: the camera is on {camera!r}, which {moving[1].name!r} does not move")
     frame = Transform()
     for joint in description.chain(moving[0].child, moving[1].child):
-        frame = frame @ Transform.of(joint.origin)
-    if abs(dot(moving[0].axis, frame.turn(moving[1].axis))) > SQUARE:
+        frame = frame @ Transform.from_pose(joint.origin)
+    if abs(dot(moving[0].axis, frame.rotate(moving[1].axis))) > SQUARE:
         raise ConfigError(f"{key}.joints: their axes are not at right angles; one pans, the other one tilts")
 
 

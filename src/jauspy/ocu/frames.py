@@ -69,4 +69,4 @@ class RobotFrames:
         sensor = self._robot.service("mobility:LocalPoseSensor")
         report = await sensor.query(QueryLocalPose(_ALL), expects=ReportLocalPose)
         values = (report.x, report.y, report.z, report.roll, report.pitch, report.yaw)
-        return Transform.of(jaus_pose(Pose(*(value or 0.0 for value in values))))
+        return Transform.from_pose(jaus_pose(Pose(*(value or 0.0 for value in values))))

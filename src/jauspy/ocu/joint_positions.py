@@ -56,7 +56,7 @@ class ManipulatorReader:
                 f"{self._id} reports {len(standard)} joints, and the description has {len(self.joints)} there: "
                 f"{', '.join(self.joints)}; is it the description of this robot?"
             )
-        return dict(zip(self.joints, self._geometry.native(standard), strict=True))
+        return dict(zip(self.joints, self._geometry.to_urdf(standard), strict=True))
 
 
 class PanTiltReader:

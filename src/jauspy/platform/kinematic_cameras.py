@@ -38,7 +38,7 @@ class KinematicCameras:
         if positions != self._positions or not self._frames:
             self._positions = positions
             self._frames = {link: self._tree.pose(link, positions) for link in self._states}
-        base = Transform.of(self._drive.pose())
+        base = Transform.from_pose(self._drive.pose())
         for link, state in self._states.items():
             frame = base @ self._frames[link]
             state.write(struct.pack(f"={NUMBERS}d", *chain(*frame.rotation), *frame.position))

@@ -52,7 +52,7 @@ def _middle(masses: list[tuple[Inertial, Vector]], mass: float) -> Vector:
 
 def _corners(frames: dict[str, Transform], found: list[CollisionBox]) -> Iterator[Vector]:
     for shape in found:
-        frame = frames[shape.link] @ Transform.of(shape.origin)
+        frame = frames[shape.link] @ Transform.from_pose(shape.origin)
         for signs in itertools.product((-1.0, 1.0), repeat=3):
             x, y, z = (sign * size / 2.0 for sign, size in zip(signs, shape.size, strict=True))
             yield frame.apply((x, y, z))

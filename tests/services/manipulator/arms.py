@@ -35,7 +35,7 @@ def search_for(arm: Arm, goal: Transform) -> InverseKinematics:
 
 
 def whole(search: InverseKinematics) -> Solution:
-    while (found := search.work(100)) is None:
+    while (found := search.advance(100)) is None:
         pass
     return found
 

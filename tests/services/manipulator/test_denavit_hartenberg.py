@@ -17,7 +17,7 @@ def tool_point(chain: tuple[Joint, ...], positions: list[float]) -> Vector:
     values = iter(positions)
     frame = Transform()
     for joint in chain:
-        frame = frame @ Transform.of(joint.origin)
+        frame = frame @ Transform.from_pose(joint.origin)
         if joint.kind is JointKind.REVOLUTE:
             frame = frame @ Transform(rotation_about(joint.axis, next(values)))
         elif joint.kind is JointKind.PRISMATIC:
@@ -45,9 +45,9 @@ def test_reaches_the_same_points_as_the_chain(seed: int) -> None:
     found = manipulator_geometry(chain)
     for _ in range(5):
         positions = [rng.uniform(-3.0, 3.0) for _ in found.links]
-        there = found.forward(found.standard(positions)).apply(found.tool)
+        there = found.forward(found.from_urdf(positions)).apply(found.tool)
         assert there == pytest.approx(tool_point(chain, positions), abs=1e-7)
-        assert found.native(found.standard(positions)) == pytest.approx(positions)
+        assert found.to_urdf(found.from_urdf(positions)) == pytest.approx(positions)
 
 
 @pytest.mark.parametrize("robot", ["inc1", "inc1_pprm"])

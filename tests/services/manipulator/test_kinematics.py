@@ -7,8 +7,8 @@ import pytest
 from tests.services.manipulator.test_denavit_hartenberg import random_chain
 
 from jauspy.geometry.denavit_hartenberg import manipulator_geometry
-from jauspy.geometry.kinematics import forward_kinematics, rotation_vector
-from jauspy.geometry.poses import Transform
+from jauspy.geometry.kinematics import forward_kinematics
+from jauspy.geometry.poses import Transform, rotation_vector
 from jauspy.geometry.vectors import X, Y, Z, difference, rotation_about
 
 SMALL = 1e-6

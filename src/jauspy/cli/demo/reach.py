@@ -45,4 +45,4 @@ class Hand:
             raise RequestError(f"the arm cannot reach {distance:.2f} m from its axis at a height of {height:.2f} m")
         elbow = -math.acos(bend)
         shoulder = math.atan2(z, x) + math.atan2(fore * math.sin(-elbow), upper + fore * math.cos(elbow))
-        return self.geometry.standard((turn, shoulder, elbow, pitch - shoulder - elbow, 0.0))
+        return self.geometry.from_urdf((turn, shoulder, elbow, pitch - shoulder - elbow, 0.0))

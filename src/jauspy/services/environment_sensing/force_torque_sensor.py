@@ -52,7 +52,7 @@ class ForceTorqueSensor(Service, urn="urn:jaus:jss:environmentSensing:ForceTorqu
         frame = mounted.frame() if asked.coordinate_system == _Frame.VEHICLE else Transform()
         axes = JAUS_FROM_REP_103 @ frame
         return ReportForceTorque.ReportForceTorqueRec(
-            sensor, asked.coordinate_system, *axes.turn(wrench.force), *axes.turn(wrench.torque)
+            sensor, asked.coordinate_system, *axes.rotate(wrench.force), *axes.rotate(wrench.torque)
         )
 
     def send_report_force_torque_capabilities(

@@ -43,7 +43,8 @@ class Arm:
         self.tool = self.geometry.tool
         """The tool point in the last joint's frame, metres."""
         self.limits = tuple(
-            (link.joint.lower + link.zero, link.joint.upper + link.zero) for link in self.geometry.links
+            (link.joint.lower + link.zero_position, link.joint.upper + link.zero_position)
+            for link in self.geometry.links
         )
         """The least and the greatest position of each joint, in the standard's terms."""
         self.profiles = tuple(Profile.of(joint) for joint in joints.joints)
@@ -53,9 +54,9 @@ class Arm:
     def state(self) -> JointState:
         """The joints after the last step; positions in the standard's terms."""
         state = self.joints.state()
-        return JointState(self.geometry.standard(state.positions), state.velocities, state.efforts)
+        return JointState(self.geometry.from_urdf(state.positions), state.velocities, state.efforts)
 
-    def stance(self) -> KinematicState:
+    def kinematic_state(self) -> KinematicState:
         """The tool, and how the joints move it, after the last step."""
         return forward_kinematics(self.geometry.links, self.state().positions, self.tool)
 
@@ -100,7 +101,9 @@ class Arm:
 
     @staticmethod
     def _native(target: Target, link: DHLink) -> Target:
-        return replace(target, value=target.value - link.zero) if target.mode is ControlMode.POSITION else target
+        return (
+            replace(target, value=target.value - link.zero_position) if target.mode is ControlMode.POSITION else target
+        )
 
 
 def _within(target: Target, profile: Profile) -> Target:

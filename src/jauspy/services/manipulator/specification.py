@@ -37,14 +37,14 @@ def coordinate_system(base: Transform) -> ManipulatorCoordinateSystemRec:
 def _first_revolute(link: DHLink) -> ReportManipulatorSpecifications.RevoluteJoint1OffsetRec:
     joint = link.joint
     return ReportManipulatorSpecifications.RevoluteJoint1OffsetRec(
-        link.offset, joint.lower + link.zero, joint.upper + link.zero, joint.velocity, joint.effort
+        link.offset, joint.lower + link.zero_position, joint.upper + link.zero_position, joint.velocity, joint.effort
     )
 
 
 def _first_prismatic(link: DHLink) -> ReportManipulatorSpecifications.PrismaticJoint1AngleRec:
     joint = link.joint
     return ReportManipulatorSpecifications.PrismaticJoint1AngleRec(
-        link.angle, joint.lower + link.zero, joint.upper + link.zero, joint.velocity, joint.effort
+        link.angle, joint.lower + link.zero_position, joint.upper + link.zero_position, joint.velocity, joint.effort
     )
 
 
@@ -54,8 +54,8 @@ def _revolute(link: DHLink) -> ReportManipulatorSpecifications.RevoluteJointSpec
         link.length,
         link.twist,
         link.offset,
-        joint.lower + link.zero,
-        joint.upper + link.zero,
+        joint.lower + link.zero_position,
+        joint.upper + link.zero_position,
         joint.velocity,
         joint.effort,
     )
@@ -67,8 +67,8 @@ def _prismatic(link: DHLink) -> ReportManipulatorSpecifications.PrismaticJointSp
         link.length,
         link.twist,
         link.angle,
-        joint.lower + link.zero,
-        joint.upper + link.zero,
+        joint.lower + link.zero_position,
+        joint.upper + link.zero_position,
         joint.velocity,
         joint.effort,
     )

@@ -6,8 +6,8 @@ import math
 from collections.abc import Sequence
 from typing import Final
 
-from jauspy.geometry.kinematics import KinematicState, rotation_vector
-from jauspy.geometry.poses import Transform
+from jauspy.geometry.kinematics import KinematicState
+from jauspy.geometry.poses import Transform, rotation_vector
 from jauspy.geometry.vectors import Rotation, Vector, add, difference, dot, rotation_about, scaled
 
 ARM_LENGTH: Final = 0.3

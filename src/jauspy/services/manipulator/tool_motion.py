@@ -47,7 +47,7 @@ class ToolMotion:
     def __init__(self, arm: Arm) -> None:
         self._arm = arm
         self._rates = list(arm.state().velocities)
-        self._line = ToolLine(arm.stance().tool, STILL, STILL)
+        self._line = ToolLine(arm.kinematic_state().tool, STILL, STILL)
 
     @property
     def is_over(self) -> bool:
@@ -57,11 +57,11 @@ class ToolMotion:
     def follow(self, turning: Vector, moving: Vector) -> None:
         """Turn at so many rad/s and move at so many m/s, on a line from here; the same again goes on as before."""
         if (turning, moving) != (self._line.turning, self._line.moving):
-            self._line = ToolLine(self._arm.stance().tool, turning, moving)
+            self._line = ToolLine(self._arm.kinematic_state().tool, turning, moving)
 
     def rates(self, dt: float) -> list[float]:
         """What the joints are to do for the next `dt` seconds, within their limits and the motion profile."""
-        now, profiles = self._arm.stance(), self._arm.profiles
+        now, profiles = self._arm.kinematic_state(), self._arm.profiles
         wanted = self._wanted(now, dt) if self._line.speed else [0.0] * len(profiles)
         self._rates = ramped(self._rates, slowed(wanted, profiles), profiles, dt)
         self._line.advance(now, self._rates, dt)
@@ -79,8 +79,8 @@ class ToolMotion:
         search = InverseKinematics(
             arm.geometry.links, arm.tool, goal, self._bent(), arm.limits, starts=1, weights=((ATTITUDE,),)
         )
-        found = search.work(STEPS)
-        if found is None or not found.is_there:
+        found = search.advance(STEPS)
+        if found is None or not found.reaches_point:
             return None
         part = math.hypot(*self._line.moving) / AHEAD
         return [part * (there - here) for there, here in zip(found.positions, positions, strict=True)]
@@ -95,8 +95,11 @@ class ToolMotion:
         """The best velocities of the joints; one more unknown is the share of the wanted velocity."""
         line, joints = self._line, len(self._rates)
         turn, way = line.deviation(now.tool)
-        rows: list[list[float]] = [[*row, -v] for *row, v in zip(*now.moving, line.moving, strict=True)]
-        rows += [[ATTITUDE * value for value in (*row, -w)] for *row, w in zip(*now.turning, line.turning, strict=True)]
+        rows: list[list[float]] = [[*row, -v] for *row, v in zip(*now.linear_jacobian, line.moving, strict=True)]
+        rows += [
+            [ATTITUDE * value for value in (*row, -w)]
+            for *row, w in zip(*now.angular_jacobian, line.turning, strict=True)
+        ]
         rows.append([0.0] * joints + [SHARE * line.speed])
         wanted = [*scaled(way, CORRECTION), *scaled(turn, CORRECTION * ATTITUDE), SHARE * line.speed]
         lower, upper = self._bounds(dt)
@@ -111,7 +114,7 @@ class ToolMotion:
 
 def _likeness(now: KinematicState) -> float:
     """How much alike the joints can move the tool point in all directions: 1, or 0 when in one they cannot."""
-    axes = list(zip(*now.moving, strict=True))
+    axes = list(zip(*now.linear_jacobian, strict=True))
     products = [[sum(map(mul, a, b)) for b in axes] for a in axes]
     (xx, xy, xz), (_, yy, yz), (_, _, zz) = products
     volume = xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz)

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from typing import Final
 
-from jauspy.geometry.kinematics import InverseKinematics, Solution, rotation_vector
-from jauspy.geometry.poses import Transform
+from jauspy.geometry.kinematics import InverseKinematics, Solution
+from jauspy.geometry.poses import Transform, rotation_vector
 from jauspy.geometry.vectors import quaternion, rotation_from_quaternion
 from jauspy.messages.manipulator import ReportCommandedEndEffectorPose, SetEndEffectorPose
 from jauspy.services.manipulator.arm import Arm
@@ -46,7 +46,7 @@ class ToolPoseDriver(ArmDriver):
         """
         arm, before = self.arm, self._search
         arm.take(self)
-        if before is not None and before.best.is_there:
+        if before is not None and before.best.reaches_point:
             arm.to_positions(self, before.best.positions)
         self._goal = goal
         self._search = InverseKinematics(arm.geometry.links, arm.tool, goal, arm.state().positions, arm.limits)
@@ -68,20 +68,20 @@ class ToolPoseDriver(ArmDriver):
         """What was commanded, by whichever of these services, while it holds; else where the tool is."""
         driver = self.arm.driver
         goal = driver._goal if isinstance(driver, ToolPoseDriver) else None  # noqa: SLF001 - of the same class
-        tool = goal or self.arm.stance().tool
+        tool = goal or self.arm.kinematic_state().tool
         return ReportCommandedEndEffectorPose(*tool.position, *quaternion(tool.rotation))
 
     def _seek(self) -> None:
         search, goal = self._search, self._goal
         if search is None or goal is None:
             return
-        found = search.work(STEPS_AT_ONCE)
+        found = search.advance(STEPS_AT_ONCE)
         self._next_turn = self.host.now + PAUSE
         if found is None:
             self.host.set_timer(self, self._next_turn, self._seek)
             return
         self._search = None
-        if found.is_there:
+        if found.reaches_point:
             self.arm.to_positions(self, found.positions)
             self._look(found, goal)
         else:
@@ -89,11 +89,11 @@ class ToolPoseDriver(ArmDriver):
             self.arm.stop()
 
     def _look(self, found: Solution, goal: Transform) -> None:
-        tool = self.arm.stance().tool
+        tool = self.arm.kinematic_state().tool
         distance = math.dist(goal.position, tool.position) - found.distance
-        turn = math.hypot(*rotation_vector(tool.rotation, goal.rotation)) - found.turn
+        turn = math.hypot(*rotation_vector(tool.rotation, goal.rotation)) - found.angle
         if distance <= CLOSE and turn <= ALIGNED:
-            self.reached(exactly=found.is_exact)
+            self.reached(exactly=found.reaches_pose)
         else:
             self.host.set_timer(self, self.host.now + PERIOD, lambda: self._look(found, goal))
 
