@@ -33,7 +33,7 @@ class FrameTree:
         self.joints = _parents_first(description)
 
     def poses(self, positions: Mapping[str, float] = ZERO_POSITIONS) -> dict[str, Transform]:
-        """Every link's frame in the root link's. Joints without a position are at zero, or follow the joint they mimic."""
+        """Every link's frame in the root link's. Joints without a position are at zero; mimic joints follow."""
         found = {self.root: Transform()}
         for joint in self.joints:
             position = positions.get(joint.mimics or joint.name, 0.0)

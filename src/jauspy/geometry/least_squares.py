@@ -16,8 +16,8 @@ GRADIENT_TOLERANCE: Final = 1e-12
 def bounded_least_squares(matrix: Sequence[Row], target: Row, lower: Row, upper: Row, damping: Row) -> list[float]:
     """The x of shape (n,), within bounds, that minimises |matrix x - target|^2 + |damping x|^2.
 
-    `matrix` has the shape (m, n), as rows; `target` (m,); the others (n,). No damping is zero, so the minimum is unique.
-    The result is within the bounds even if rounding ends the search early.
+    Shapes: `matrix` (m, n), as rows; `target` (m,); the others (n,). No damping is zero, so the minimum is unique. The
+    result is within the bounds even if rounding ends the search early.
     """
     columns = list(zip(*matrix, strict=True))
     normal = [[_dot(a, b) for b in columns] for a in columns]

@@ -1,4 +1,4 @@
-"""Reads a URDF, as xacro leaves it, into a `RobotDescription`."""
+"""Links and joints of a robot, and the parser of URDF (after xacro). Frames as in REP-103; SI units."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Pose
 
 ORIGIN: Final = Pose()
-"""No displacement."""
+"""The identity."""
 
 
 class JointKind(Enum):
-    """How a joint moves."""
+    """The types of joints that are supported; the values are URDF's names."""
 
     REVOLUTE = "revolute"
     PRISMATIC = "prismatic"
@@ -36,17 +36,17 @@ class Joint:
     origin: Pose = ORIGIN
     """Where the joint's frame is in the parent link's, at position zero."""
     axis: tuple[float, float, float] = (1.0, 0.0, 0.0)
-    """Along or about which it moves, of unit length, in the joint's frame."""
+    """Of unit length, in the joint's frame."""
     lower: float = 0.0
     upper: float = 0.0
     effort: float = 0.0
     velocity: float = 0.0
     damping: float = 0.0
-    """Effort per velocity that the joint resists with."""
+    """Viscous friction: effort per velocity."""
     friction: float = 0.0
-    """Effort that the joint resists with at any velocity."""
+    """Coulomb friction: effort."""
     mimics: str | None = None
-    """A joint whose position this one has, too."""
+    """The joint whose position this one follows."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,10 +57,10 @@ class RobotDescription:
     urdf: str
     joints: Mapping[str, Joint]
     friction: Mapping[str, float] = field(default_factory=dict)
-    """Coefficients of the links that have one of their own."""
+    """Coefficients of friction by link, where given."""
 
     def joint(self, name: str) -> Joint:
-        """The joint of that name; `ConfigError` lists those that move."""
+        """The joint of that name. Raises `ConfigError`, which lists the joints that move, for an unknown one."""
         if name not in self.joints:
             moving = [joint.name for joint in self.joints.values() if joint.kind is not JointKind.FIXED]
             raise ConfigError(f"{self.name} has no joint {name!r}; those that move are: {', '.join(moving)}")
@@ -71,12 +71,12 @@ class RobotDescription:
         return {link for joint in self.joints.values() for link in (joint.parent, joint.child)}
 
     def root(self) -> str:
-        """The link that is nobody's child."""
+        """The root link."""
         (root,) = self.links() - {joint.child for joint in self.joints.values()}
         return root
 
     def chain(self, base: str, tip: str) -> tuple[Joint, ...]:
-        """The joints that lead from one link to another, base to tip; `ConfigError` when none do."""
+        """The joints from one link to another, base to tip. Raises `ConfigError` if the tip is not below the base."""
         above = {joint.child: joint for joint in self.joints.values()}
         found: list[Joint] = []
         link = tip
@@ -94,7 +94,7 @@ KINDS = {kind.value: kind for kind in JointKind}
 
 
 def parse_urdf(text: str) -> RobotDescription:
-    """The robot that a URDF describes; `ConfigError` says what is wrong and in which joint."""
+    """The robot that a URDF describes. Raises `ConfigError`, which names the joint."""
     try:
         root = etree.fromstring(text.encode(), etree.XMLParser(resolve_entities=False, no_network=True))
     except etree.XMLSyntaxError as error:
@@ -185,14 +185,14 @@ def _axis(element: Element, joint: str) -> tuple[float, float, float]:
 
 
 def _friction(root: Element) -> dict[str, float]:
-    """Gazebo's extension of URDF, `<gazebo reference="LINK"><mu1>`, is the usual place for coefficients of friction."""
+    """Coefficients of friction, from Gazebo's extension of URDF: `<gazebo reference="LINK"><mu1>`."""
     found = ((gazebo.get("reference"), gazebo.find("mu1")) for gazebo in root.findall("gazebo"))
     return {link: _numbers(mu.text or "", 1, link)[0] for link, mu in found if link and mu is not None}
 
 
 @dataclass(frozen=True, slots=True)
 class Inertial:
-    """The mass of a link, kg, and where its middle is in the link's frame."""
+    """The mass of a link, kg, and the pose of its centre of mass in the link's frame."""
 
     link: str
     mass: float
@@ -201,7 +201,7 @@ class Inertial:
 
 @dataclass(frozen=True, slots=True)
 class CollisionBox:
-    """A box, or the box around a cylinder or sphere, that a link collides with: metres, and where it is in the link."""
+    """The bounding box, in metres, of a link's box, cylinder or sphere, and its pose in the link's frame."""
 
     link: str
     size: tuple[float, float, float]
@@ -209,7 +209,7 @@ class CollisionBox:
 
 
 def inertials(text: str) -> list[Inertial]:
-    """The masses of the links of a URDF that `parse` has read; `ConfigError` names the link of a wrong one."""
+    """The masses in a URDF that `parse_urdf` accepts. Raises `ConfigError`, which names the link, if malformed."""
     found = []
     for link in etree.fromstring(text.encode()).findall("link"):
         name, inertial = str(link.get("name")), link.find("inertial")
@@ -220,7 +220,7 @@ def inertials(text: str) -> list[Inertial]:
 
 
 def collision_boxes(text: str) -> list[CollisionBox]:
-    """What the links of a URDF that `parse` has read collide with, but for meshes."""
+    """The collision shapes in a URDF that `parse_urdf` accepts, without meshes."""
     links = etree.fromstring(text.encode()).findall("link")
     pairs = [(str(link.get("name")), collision) for link in links for collision in link.findall("collision")]
     sizes = [(name, _size(collision.find("geometry"), name), _origin(collision, name)) for name, collision in pairs]

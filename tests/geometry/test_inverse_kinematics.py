@@ -4,8 +4,8 @@ import math
 import random
 
 import pytest
+from tests.geometry.test_denavit_hartenberg import random_chain
 from tests.services.manipulator.arms import ROBOTS, arm_of, found_by, random_positions, search_for, tool_at, whole
-from tests.services.manipulator.test_denavit_hartenberg import random_chain
 
 from jauspy.geometry.denavit_hartenberg import manipulator_geometry
 from jauspy.geometry.kinematics import InverseKinematics, forward_kinematics

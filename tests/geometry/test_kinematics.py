@@ -4,7 +4,7 @@ import math
 import random
 
 import pytest
-from tests.services.manipulator.test_denavit_hartenberg import random_chain
+from tests.geometry.test_denavit_hartenberg import random_chain
 
 from jauspy.geometry.denavit_hartenberg import manipulator_geometry
 from jauspy.geometry.kinematics import forward_kinematics
