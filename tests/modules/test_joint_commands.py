@@ -3,28 +3,23 @@
 import pytest
 
 from jauspy.modules.description import robot_model
+from jauspy.modules.realtime import RealTime
 from jauspy.modules.robots import load
-from jauspy.modules.shared import Order, SharedJoints
-from jauspy.modules.snapshot import look
 from jauspy.platform.joints import ControlMode, Target
-from jauspy.platform.kinematic import KinematicBackend, KinematicRobot
+from jauspy.platform.kinematic import KinematicBackend
 
 LEFT, RIGHT = Target(ControlMode.VELOCITY, 0.4), Target(ControlMode.VELOCITY, -0.4)
 
 
 class Thread:
-    """Does in its own time what was ordered."""
+    """A robot that moves when the test says so."""
 
     def __init__(self) -> None:
-        self.robot: KinematicRobot = KinematicBackend().open(robot_model(load("inc1")), "empty")
-        self.orders: dict[str, Order] = {}
-        self.arm = SharedJoints("arm", self.robot.groups["arm"], self.orders.__setitem__, lambda: look(self.robot))
+        self.robot = RealTime(KinematicBackend().open(robot_model(load("inc1")), "empty"), step=0.5)
+        self.arm = self.robot.groups["arm"]
 
-    def step(self, seconds: float = 0.5) -> tuple[float, ...]:
-        for order in self.orders.values():
-            order(self.robot)
-        self.orders.clear()
-        self.robot.advance(seconds)
+    def step(self) -> tuple[float, ...]:
+        self.robot._make_step()
         return self.arm.state().velocities
 
 
