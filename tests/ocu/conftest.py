@@ -14,7 +14,6 @@ from tests.helpers.robot import FakeDrive
 from jauspy.codec.base import Message
 from jauspy.component import Component
 from jauspy.component.shell import loop_time
-from jauspy.geometry.poses import Pose, Twist
 from jauspy.ids import JausID
 from jauspy.ocu import OCU
 from jauspy.protocol.judp import unpack_all

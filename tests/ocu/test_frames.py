@@ -24,8 +24,6 @@ from jauspy.modules.robot import RobotRunner
 from jauspy.modules.robots import load
 from jauspy.ocu import OCU, Robot
 from jauspy.ocu.frames import RobotFrames
-from jauspy.platform.transforms import FrameTree
-from jauspy.platform.vectors import Transform
 from jauspy.testing import until
 
 CONFIG = load("inc1")

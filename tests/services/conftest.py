@@ -9,7 +9,6 @@ import pytest
 from tests.helpers.robot import FakeDrive
 
 from jauspy.codec.base import Message
-from jauspy.geometry.poses import Acceleration, Pose, Twist
 from jauspy.ids import JausID
 from jauspy.messages import registry
 from jauspy.services.core import AccessControl, Discovery, Events, Liveness, Management, Time

@@ -22,7 +22,6 @@ from jauspy.modules.realtime import RealTime
 from jauspy.modules.robot import RobotRunner
 from jauspy.platform.commands import DriveEffort
 from jauspy.platform.contract import Command, PartId, Robot
-from jauspy.geometry.poses import Twist
 from jauspy.transport import LocalTransport
 
 
