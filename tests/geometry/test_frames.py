@@ -8,14 +8,13 @@ from importlib.util import find_spec
 import pytest
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.frames import FrameTree, joint_frame
+from jauspy.geometry.poses import Pose, Transform
+from jauspy.geometry.urdf import Joint, JointKind
 from jauspy.modules.description import robot_model
 from jauspy.modules.robots import load
-from jauspy.platform.contract import Pose
-from jauspy.platform.description import Joint, JointKind
-from jauspy.platform.joints import ControlMode, Target
+from jauspy.platform.joints import ControlMode, Target, joint_positions
 from jauspy.platform.kinematic import KinematicBackend
-from jauspy.platform.transforms import FrameTree, joint_frame, joint_positions
-from jauspy.platform.vectors import Transform
 
 INC1 = robot_model(load("inc1"))
 
@@ -91,14 +90,14 @@ def test_agrees_with_the_simulator_while_the_arm_moves(name: str) -> None:
     "pose", [Pose(1.0, 2.0, 3.0, 0.3, -0.2, 2.8), Pose(roll=-3.0, pitch=1.2), Pose(pitch=math.pi / 2, yaw=0.7)]
 )
 def test_angles_of_a_transform_are_those_it_was_made_of(pose: Pose) -> None:
-    found = Transform.of(pose).pose()
+    found = Transform.from_pose(pose).to_pose()
     assert [getattr(found, name) for name in Pose.__slots__] == pytest.approx(
         [getattr(pose, name) for name in Pose.__slots__]
     )
 
 
 def test_one_frame_as_another_has_it() -> None:
-    base = Transform.of(Pose(x=5.0, yaw=math.pi / 2))
+    base = Transform.from_pose(Pose(x=5.0, yaw=math.pi / 2))
     frames = FrameTree(INC1.description).frames(base, {}, "local")
     assert frames.pose("base_link", "local") == base
     assert frames.pose("lidar_link", "local").position == pytest.approx((5.0, -0.2, 0.44))

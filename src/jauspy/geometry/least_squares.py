@@ -1,4 +1,4 @@
-"""Small problems of least squares with bounds, exactly: by active sets on the normal equations."""
+"""Linear least squares with bounds, for few unknowns: an active-set method on the normal equations."""
 
 from __future__ import annotations
 
@@ -9,21 +9,21 @@ from typing import Final, TypeAlias
 
 Row: TypeAlias = Sequence[float]
 
-FLAT: Final = 1e-12
-"""Slope below which there is nothing to gain."""
+GRADIENT_TOLERANCE: Final = 1e-12
+"""Slope of the cost at a bound below which the bound is kept."""
 
 
-def bounded(rows: Sequence[Row], wanted: Row, lower: Row, upper: Row, damping: Row) -> list[float]:
-    """The x within bounds that makes `rows` times x most like `wanted`.
+def bounded_least_squares(matrix: Sequence[Row], target: Row, lower: Row, upper: Row, damping: Row) -> list[float]:
+    """The x of shape (n,), within bounds, that minimises |matrix x - target|^2 + |damping x|^2.
 
-    What is least is the sum of squares of their differences and of each x times its `damping`, which is not zero, so
-    there is one answer. It is within the bounds even when rounding ends the search early.
+    Shapes: `matrix` (m, n), as rows; `target` (m,); the others (n,). No damping is zero, so the minimum is unique. The
+    result is within the bounds even if rounding ends the search early.
     """
-    columns = list(zip(*rows, strict=True))
-    matrix = [[_dot(a, b) for b in columns] for a in columns]
+    columns = list(zip(*matrix, strict=True))
+    normal = [[_dot(a, b) for b in columns] for a in columns]
     for number, factor in enumerate(damping):
-        matrix[number][number] += factor * factor
-    return _Problem(matrix, [_dot(column, wanted) for column in columns], lower, upper).solve()
+        normal[number][number] += factor * factor
+    return _Problem(normal, [_dot(column, target) for column in columns], lower, upper).solve()
 
 
 def _dot(a: Row, b: Row) -> float:
@@ -31,7 +31,7 @@ def _dot(a: Row, b: Row) -> float:
 
 
 class _Problem:
-    """Where `matrix` times x is `goal`, within bounds."""
+    """`matrix` (n, n) times x equals `goal`, within bounds."""
 
     def __init__(self, matrix: Sequence[Row], goal: Row, lower: Row, upper: Row) -> None:
         self._matrix, self._goal = matrix, goal
@@ -39,7 +39,7 @@ class _Problem:
         self._x = [min(high, max(low, 0.0)) for low, high in zip(lower, upper, strict=True)]
 
     def solve(self) -> list[float]:
-        """Add bounds that hold x, and drop those that keep it from getting better."""
+        """Activate the bounds that x meets, and release those that keep the cost from falling."""
         held: set[int] = set()
         for _ in range(4 * len(self._x) + 4):
             stopped = self._go([number for number in range(len(self._x)) if number not in held])
@@ -52,7 +52,7 @@ class _Problem:
         return self._x
 
     def _go(self, free: Sequence[int]) -> int | None:
-        """To where it is best for the free ones, or until the first bound on the way, which is returned."""
+        """Move the free values to their optimum, or to the first bound on the way; returns the number of that one."""
         x, share, stopped = self._x, 1.0, None
         best = self._best(free)
         for number, value in zip(free, best, strict=True):
@@ -67,7 +67,7 @@ class _Problem:
         return self._upper[number] if value > self._x[number] else self._lower[number]
 
     def _to_release(self, held: set[int]) -> int | None:
-        worst, found = FLAT, None
+        worst, found = GRADIENT_TOLERANCE, None
         for number in held:
             pull = self._goal[number] - _dot(self._matrix[number], self._x)
             inward = pull if self._x[number] == self._lower[number] else -pull
@@ -76,7 +76,7 @@ class _Problem:
         return found
 
     def _best(self, free: Sequence[int]) -> list[float]:
-        """The free values, the others as they are."""
+        """The optimum of the free values; the others stay."""
         matrix, x = self._matrix, self._x
         fixed = [0.0 if number in free else value for number, value in enumerate(x)]
         right = [self._goal[number] - _dot(matrix[number], fixed) for number in free]
@@ -84,7 +84,7 @@ class _Problem:
 
 
 def _solve(lower_half: Sequence[Row], right: list[float]) -> list[float]:
-    """A symmetric system, by Cholesky's factors."""
+    """Solves a symmetric positive definite system by Cholesky factorisation."""
     factors: list[list[float]] = []
     for row in lower_half:
         line: list[float] = []

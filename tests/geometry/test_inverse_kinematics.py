@@ -4,21 +4,21 @@ import math
 import random
 
 import pytest
+from tests.geometry.test_denavit_hartenberg import random_chain
 from tests.services.manipulator.arms import ROBOTS, arm_of, found_by, random_positions, search_for, tool_at, whole
-from tests.services.manipulator.test_denavit_hartenberg import random_chain
 
-from jauspy.platform.description import JointKind
-from jauspy.platform.vectors import Transform, about, add
-from jauspy.services.manipulator.denavit_hartenberg import geometry
-from jauspy.services.manipulator.kinematics import stance, turn_between
-from jauspy.services.manipulator.pose_search import PoseSearch
+from jauspy.geometry.denavit_hartenberg import manipulator_geometry
+from jauspy.geometry.kinematics import InverseKinematics, forward_kinematics
+from jauspy.geometry.poses import Transform, rotation_vector
+from jauspy.geometry.urdf import JointKind
+from jauspy.geometry.vectors import add, rotation_about
 
 MILLIMETRE, HALF_A_DEGREE = 0.001, math.radians(0.5)
 
 
 def errors(there: Transform, goal: Transform) -> tuple[float, float]:
     """Metres and radians."""
-    return math.dist(there.position, goal.position), math.hypot(*turn_between(there.rotation, goal.rotation))
+    return math.dist(there.position, goal.position), math.hypot(*rotation_vector(there.rotation, goal.rotation))
 
 
 @pytest.mark.parametrize("robot", ROBOTS)
@@ -31,8 +31,8 @@ def test_every_pose_that_can_be_reached_is_found(robot: str, seed: int) -> None:
         distance, turn = errors(tool_at(arm, list(found.positions)), goal)
         assert distance < MILLIMETRE
         assert turn < HALF_A_DEGREE
-        assert found.is_exact
-        assert (found.distance, found.turn) == pytest.approx((distance, turn), abs=1e-9)
+        assert found.reaches_pose
+        assert (found.distance, found.angle) == pytest.approx((distance, turn), abs=1e-9)
         assert all(low <= p <= high for p, (low, high) in zip(found.positions, arm.limits, strict=True))
 
 
@@ -42,27 +42,29 @@ def test_a_point_that_can_be_reached_is_reached_whatever_the_attitude(robot: str
     for _ in range(12):
         point, attitude = (tool_at(arm, random_positions(arm, rng)) for _ in range(2))
         found = found_by(arm, Transform(attitude.rotation, point.position))
-        assert found.is_there
+        assert found.reaches_point
         assert math.dist(tool_at(arm, list(found.positions)).position, point.position) < MILLIMETRE
 
 
 def test_of_attitudes_that_cannot_be_had_the_nearest_is_taken() -> None:
     arm = arm_of("inc1")
-    reachable = tool_at(arm, list(arm.geometry.standard((0.3, 1.2, -1.4, -0.4, 0.2))))
-    aside = Transform(about((0.0, 0.0, 1.0), 0.3)) @ Transform(reachable.rotation)  # only the first joint turns so
+    reachable = tool_at(arm, list(arm.geometry.from_urdf((0.3, 1.2, -1.4, -0.4, 0.2))))
+    aside = Transform(rotation_about((0.0, 0.0, 1.0), 0.3)) @ Transform(
+        reachable.rotation
+    )  # only the first joint turns so
     found = found_by(arm, Transform(aside.rotation, reachable.position))
-    assert found.is_there
-    assert not found.is_exact
-    assert found.turn < 0.3, "no worse than without trying"
+    assert found.reaches_point
+    assert not found.reaches_pose
+    assert found.angle < 0.3, "no worse than without trying"
 
 
 @pytest.mark.parametrize("robot", ROBOTS)
 @pytest.mark.parametrize("offset", [(3.0, 0.0, 0.0), (0.0, 0.0, -25.0), (-30.0, 30.0, 30.0)])
 def test_a_point_out_of_reach_is_not_there(robot: str, offset) -> None:
     arm = arm_of(robot)
-    tool = arm.stance().tool
+    tool = arm.kinematic_state().tool
     found = found_by(arm, Transform(tool.rotation, add(tool.position, offset)))
-    assert not found.is_there
+    assert not found.reaches_point
     assert all(map(math.isfinite, found.positions))
 
 
@@ -77,14 +79,17 @@ def test_arms_of_any_kind_reach_their_poses() -> None:
     kinds = set()
     for seed in range(14):
         rng = random.Random(seed)
-        found = geometry(random_chain(rng))
+        found = manipulator_geometry(random_chain(rng))
         spans = [1.5 if link.is_revolute else 0.3 for link in found.links]
-        limits = [(link.zero - span, link.zero + span) for link, span in zip(found.links, spans, strict=True)]
-        goal = stance(found.links, [rng.uniform(*limit) for limit in limits], found.tool).tool
+        limits = [
+            (link.zero_position - span, link.zero_position + span)
+            for link, span in zip(found.links, spans, strict=True)
+        ]
+        goal = forward_kinematics(found.links, [rng.uniform(*limit) for limit in limits], found.tool).tool
         kinds.update((len(limits), link.joint.kind) for link in found.links)
-        middle = [link.zero for link in found.links]
-        there = whole(PoseSearch(found.links, found.tool, goal, middle, limits))
-        distance, turn = errors(stance(found.links, there.positions, found.tool).tool, goal)
+        middle = [link.zero_position for link in found.links]
+        there = whole(InverseKinematics(found.links, found.tool, goal, middle, limits))
+        distance, turn = errors(forward_kinematics(found.links, there.positions, found.tool).tool, goal)
         assert distance < MILLIMETRE, seed
         assert turn < HALF_A_DEGREE, seed
     assert {number for number, _ in kinds} >= {1, 2, 3, 4, 5, 7}
@@ -93,10 +98,10 @@ def test_arms_of_any_kind_reach_their_poses() -> None:
 
 def test_a_search_works_bit_by_bit_and_ends() -> None:
     arm = arm_of("inc1")
-    tool = arm.stance().tool
+    tool = arm.kinematic_state().tool
     goal = Transform(tool.rotation, add(tool.position, (3.0, 0.0, 0.0)))
     search, looks = search_for(arm, goal), 0
-    while (found := search.work(20)) is None:
+    while (found := search.advance(20)) is None:
         looks += 1
         assert looks < 200
     assert found == found_by(arm, goal)

@@ -4,11 +4,12 @@ import math
 import random
 
 import pytest
-from tests.services.manipulator.test_denavit_hartenberg import random_chain
+from tests.geometry.test_denavit_hartenberg import random_chain
 
-from jauspy.platform.vectors import Transform, X, Y, Z, about, difference
-from jauspy.services.manipulator.denavit_hartenberg import geometry
-from jauspy.services.manipulator.kinematics import stance, turn_between
+from jauspy.geometry.denavit_hartenberg import manipulator_geometry
+from jauspy.geometry.kinematics import forward_kinematics
+from jauspy.geometry.poses import Transform, rotation_vector
+from jauspy.geometry.vectors import X, Y, Z, difference, rotation_about
 
 SMALL = 1e-6
 
@@ -16,13 +17,13 @@ SMALL = 1e-6
 @pytest.mark.parametrize("seed", range(60))
 def test_velocities_are_differences_of_poses(seed: int) -> None:
     rng = random.Random(seed)
-    found = geometry(random_chain(rng))
+    found = manipulator_geometry(random_chain(rng))
     positions, rates = ([rng.uniform(-2.0, 2.0) for _ in found.links] for _ in range(2))
-    before = stance(found.links, positions, found.tool)
+    before = forward_kinematics(found.links, positions, found.tool)
     later = [position + SMALL * rate for position, rate in zip(positions, rates, strict=True)]
-    after = stance(found.links, later, found.tool)
+    after = forward_kinematics(found.links, later, found.tool)
     turning, moving = before.velocity(rates)
-    turned = turn_between(before.tool.rotation, after.tool.rotation)
+    turned = rotation_vector(before.tool.rotation, after.tool.rotation)
     assert [part / SMALL for part in turned] == pytest.approx(turning, abs=1e-4)
     moved = difference(after.tool.position, before.tool.position)
     assert [part / SMALL for part in moved] == pytest.approx(moving, abs=1e-4)
@@ -33,8 +34,8 @@ def test_velocities_are_differences_of_poses(seed: int) -> None:
 @pytest.mark.parametrize("axis", [X, Y, Z, (0.6, 0.0, -0.8)])
 @pytest.mark.parametrize("angle", [0.0, 1e-7, 0.5, 3.0, math.pi])
 def test_the_turn_between_two_attitudes_leads_from_one_to_the_other(axis, angle: float) -> None:
-    start = about((0.0, 0.8, 0.6), 1.1)
-    end = (Transform(about(axis, angle)) @ Transform(start)).rotation
-    turn = turn_between(start, end)
+    start = rotation_about((0.0, 0.8, 0.6), 1.1)
+    end = (Transform(rotation_about(axis, angle)) @ Transform(start)).rotation
+    turn = rotation_vector(start, end)
     assert math.hypot(*turn) == pytest.approx(angle, abs=1e-9)
     assert turn == pytest.approx([angle * part for part in axis], abs=1e-7) or angle == math.pi

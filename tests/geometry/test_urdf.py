@@ -5,8 +5,7 @@ import math
 import pytest
 
 from jauspy.errors import ConfigError
-from jauspy.platform.description import JointKind
-from jauspy.platform.urdf import parse
+from jauspy.geometry.urdf import JointKind, parse_urdf
 
 LIMIT = '<limit lower="-1" upper="2" effort="30" velocity="0.5"/>'
 TWO = f"""<robot name="two">
@@ -21,7 +20,7 @@ TWO = f"""<robot name="two">
 
 
 def test_joints_with_frames_limits_and_dynamics() -> None:
-    description = parse(TWO)
+    description = parse_urdf(TWO)
     shoulder = description.joint("shoulder")
     assert (description.name, description.root(), description.friction) == ("two", "base", {"tool": 0.9})
     assert (shoulder.kind, shoulder.parent, shoulder.child) == (JointKind.REVOLUTE, "base", "arm")
@@ -33,7 +32,7 @@ def test_joints_with_frames_limits_and_dynamics() -> None:
 
 
 def test_chain_from_base_to_tip() -> None:
-    description = parse(TWO)
+    description = parse_urdf(TWO)
     assert [joint.name for joint in description.chain("base", "tool")] == ["shoulder", "flange"]
     with pytest.raises(ConfigError, match="no joints lead from link 'tool' to link 'base'"):
         description.chain("tool", "base")
@@ -57,9 +56,9 @@ def test_chain_from_base_to_tip() -> None:
 )
 def test_mistakes(old: str, new: str, said: str) -> None:
     with pytest.raises(ConfigError, match=said):
-        parse(TWO.replace(old, new))
+        parse_urdf(TWO.replace(old, new))
 
 
 def test_unknown_joint_lists_those_that_move() -> None:
     with pytest.raises(ConfigError, match="two has no joint 'elbow'; those that move are: shoulder"):
-        parse(TWO).joint("elbow")
+        parse_urdf(TWO).joint("elbow")

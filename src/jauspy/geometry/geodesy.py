@@ -4,16 +4,14 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Final, TypeAlias
+from typing import Final
 
-from jauspy.services.mobility.guidance.heading import turn_of
+from jauspy.geometry.vectors import Vector
 
-RADIUS: Final = 6378137.0
+SEMI_MAJOR_AXIS: Final = 6378137.0
 """Semi-major axis, metres."""
 FLATTENING: Final = 1.0 / 298.257223563
 _E2: Final = FLATTENING * (2.0 - FLATTENING)
-
-Vector: TypeAlias = tuple[float, float, float]
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,7 +26,7 @@ class Geodetic:
 def to_ecef(place: Geodetic) -> Vector:
     """Earth-centred, Earth-fixed coordinates, metres."""
     sine, cosine = math.sin(place.latitude), math.cos(place.latitude)
-    normal = RADIUS / math.sqrt(1.0 - _E2 * sine**2)
+    normal = SEMI_MAJOR_AXIS / math.sqrt(1.0 - _E2 * sine**2)
     return (
         (normal + place.height) * cosine * math.cos(place.longitude),
         (normal + place.height) * cosine * math.sin(place.longitude),
@@ -41,16 +39,16 @@ def from_ecef(point: Vector) -> Geodetic:
     x, y, z = point
     across = math.hypot(x, y)
     latitude = math.atan2(z, across * (1.0 - _E2))
-    normal = RADIUS
+    normal = SEMI_MAJOR_AXIS
     for _ in range(6):
-        normal = RADIUS / math.sqrt(1.0 - _E2 * math.sin(latitude) ** 2)
+        normal = SEMI_MAJOR_AXIS / math.sqrt(1.0 - _E2 * math.sin(latitude) ** 2)
         latitude = math.atan2(z + _E2 * normal * math.sin(latitude), across)
     # Of the two ways to the height one loses its digits at the poles and the other at the equator.
-    height = across * math.cos(latitude) + z * math.sin(latitude) - RADIUS**2 / normal
+    height = across * math.cos(latitude) + z * math.sin(latitude) - SEMI_MAJOR_AXIS**2 / normal
     return Geodetic(latitude, math.atan2(y, x), height)
 
 
-def offset(origin: Geodetic, place: Geodetic) -> Vector:
+def to_ned(origin: Geodetic, place: Geodetic) -> Vector:
     """Metres north, east and down from the origin, in its tangent plane."""
     x, y, z = (there - here for there, here in zip(to_ecef(place), to_ecef(origin), strict=True))
     sine, cosine = math.sin(origin.latitude), math.cos(origin.latitude)
@@ -59,8 +57,8 @@ def offset(origin: Geodetic, place: Geodetic) -> Vector:
     return -sine * outward + cosine * z, east, -cosine * outward - sine * z
 
 
-def moved(origin: Geodetic, north: float, east: float, down: float) -> Geodetic:
-    """The place that lies so far from the origin: the inverse of `offset`."""
+def from_ned(origin: Geodetic, north: float, east: float, down: float) -> Geodetic:
+    """The place that lies north, east and down of the origin by so many metres: the inverse of `to_ned`."""
     sine, cosine = math.sin(origin.latitude), math.cos(origin.latitude)
     outward = -sine * north - cosine * down
     x, y, z = to_ecef(origin)
@@ -73,6 +71,6 @@ def moved(origin: Geodetic, north: float, east: float, down: float) -> Geodetic:
     )
 
 
-def convergence(origin: Geodetic, place: Geodetic) -> float:
-    """How far (rad) true north at a place near the origin lies to the left of the origin's north."""
-    return turn_of(origin.longitude, place.longitude) * math.sin(origin.latitude)
+def meridian_convergence(origin: Geodetic, place: Geodetic) -> float:
+    """The angle, in radians, by which true north at a place near the origin lies to the left of the origin's north."""
+    return math.remainder(place.longitude - origin.longitude, math.tau) * math.sin(origin.latitude)

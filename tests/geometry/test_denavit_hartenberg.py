@@ -4,12 +4,12 @@ import random
 
 import pytest
 
+from jauspy.geometry.denavit_hartenberg import manipulator_geometry
+from jauspy.geometry.poses import Pose, Transform
+from jauspy.geometry.urdf import Joint, JointKind
+from jauspy.geometry.vectors import Vector, rotation_about, scaled
 from jauspy.modules.description import robot_model
 from jauspy.modules.robots import load
-from jauspy.platform.contract import Pose
-from jauspy.platform.description import Joint, JointKind
-from jauspy.platform.vectors import Transform, Vector, about, scaled
-from jauspy.services.manipulator.denavit_hartenberg import geometry
 
 
 def tool_point(chain: tuple[Joint, ...], positions: list[float]) -> Vector:
@@ -17,9 +17,9 @@ def tool_point(chain: tuple[Joint, ...], positions: list[float]) -> Vector:
     values = iter(positions)
     frame = Transform()
     for joint in chain:
-        frame = frame @ Transform.of(joint.origin)
+        frame = frame @ Transform.from_pose(joint.origin)
         if joint.kind is JointKind.REVOLUTE:
-            frame = frame @ Transform(about(joint.axis, next(values)))
+            frame = frame @ Transform(rotation_about(joint.axis, next(values)))
         elif joint.kind is JointKind.PRISMATIC:
             frame = frame @ Transform(position=scaled(joint.axis, next(values)))
     return frame.position
@@ -42,18 +42,18 @@ def random_chain(rng: random.Random) -> tuple[Joint, ...]:
 def test_reaches_the_same_points_as_the_chain(seed: int) -> None:
     rng = random.Random(seed)
     chain = random_chain(rng)
-    found = geometry(chain)
+    found = manipulator_geometry(chain)
     for _ in range(5):
         positions = [rng.uniform(-3.0, 3.0) for _ in found.links]
-        there = found.forward(found.standard(positions)).apply(found.tool)
+        there = found.forward(found.from_urdf(positions)).apply(found.tool)
         assert there == pytest.approx(tool_point(chain, positions), abs=1e-7)
-        assert found.native(found.standard(positions)) == pytest.approx(positions)
+        assert found.to_urdf(found.from_urdf(positions)) == pytest.approx(positions)
 
 
 @pytest.mark.parametrize("robot", ["inc1", "inc1_pprm"])
 def test_the_first_link_is_the_base(robot: str) -> None:
     model = robot_model(load(robot))
     setup = model.groups["arm"]
-    found = geometry(model.description.chain(setup.base, setup.tip))
+    found = manipulator_geometry(model.description.chain(setup.base, setup.tip))
     assert (found.links[0].length, found.links[0].twist) == (0.0, 0.0)
     assert [link.joint.name for link in found.links] == list(setup.joints)

@@ -6,9 +6,9 @@ import math
 
 import pytest
 
-from jauspy.platform.contract import Pose
+from jauspy.geometry.geodesy import Geodetic, from_ecef, from_ned, to_ecef, to_ned
+from jauspy.geometry.poses import Pose
 from jauspy.services.mobility.global_frame import GlobalFrame, GlobalPose
-from jauspy.services.mobility.guidance.geodesy import Geodetic, from_ecef, moved, offset, to_ecef
 
 # Made with PROJ 9.5 (EPSG:4979 to EPSG:4978): latitude, longitude (degrees), height; x, y, z (m).
 PROJ = [
@@ -39,16 +39,16 @@ def test_there_and_back_again(latitude, longitude, height) -> None:
 
 @pytest.mark.parametrize("origin", [place(38.6, -77.2, 20.0), place(-80.0, 179.9999), place(0.0, 0.0, -400.0)])
 def test_offsets_are_north_east_and_down(origin) -> None:
-    assert offset(origin, moved(origin, 120.0, -340.0, 5.0)) == pytest.approx((120.0, -340.0, 5.0), abs=1e-6)
+    assert to_ned(origin, from_ned(origin, 120.0, -340.0, 5.0)) == pytest.approx((120.0, -340.0, 5.0), abs=1e-6)
     north = Geodetic(origin.latitude + 1e-5, origin.longitude, origin.height)
-    assert offset(origin, north)[0] == pytest.approx(63.7, abs=0.5)
-    assert offset(origin, north)[1] == pytest.approx(0.0, abs=1e-6)
+    assert to_ned(origin, north)[0] == pytest.approx(63.7, abs=0.5)
+    assert to_ned(origin, north)[1] == pytest.approx(0.0, abs=1e-6)
     higher = Geodetic(origin.latitude, origin.longitude, origin.height + 7.0)
-    assert offset(origin, higher) == pytest.approx((0.0, 0.0, -7.0), abs=1e-6)
+    assert to_ned(origin, higher) == pytest.approx((0.0, 0.0, -7.0), abs=1e-6)
 
 
 def test_a_nautical_mile_is_a_minute_of_latitude() -> None:
-    assert offset(place(45.0, 9.0), place(45.0 + 1 / 60, 9.0))[0] == pytest.approx(1852.2, abs=0.5)
+    assert to_ned(place(45.0, 9.0), place(45.0 + 1 / 60, 9.0))[0] == pytest.approx(1852.2, abs=0.5)
 
 
 @pytest.mark.parametrize("heading", [0.0, 0.7, -2.5, math.pi])

@@ -4,7 +4,7 @@ import random
 
 import pytest
 
-from jauspy.services.manipulator.least_squares import bounded
+from jauspy.geometry.least_squares import bounded_least_squares
 
 
 def slope(rows, wanted, damping, x) -> list[float]:
@@ -25,7 +25,7 @@ def test_nothing_within_bounds_is_better(seed: int) -> None:
     wanted = [rng.gauss(0.0, 3.0) for _ in range(equations)]
     lower, upper = ([side * rng.random() for _ in range(unknowns)] for side in (-1.0, 1.0))
     damping = [10.0 ** rng.uniform(-3.0, 0.0)] * unknowns
-    x = bounded(rows, wanted, lower, upper, damping)
+    x = bounded_least_squares(rows, wanted, lower, upper, damping)
     for value, low, high, steep in zip(x, lower, upper, slope(rows, wanted, damping, x), strict=True):
         assert low <= value <= high
         assert value == high or steep > -1e-7, "it would get better with more"
@@ -33,10 +33,10 @@ def test_nothing_within_bounds_is_better(seed: int) -> None:
 
 
 def test_bounds_that_leave_one_value_or_exclude_zero_hold() -> None:
-    x = bounded([[1.0, 1.0, 1.0]], [3.0], [0.5, 0.2, -1.0], [0.5, 0.3, 1.0], [0.01] * 3)
+    x = bounded_least_squares([[1.0, 1.0, 1.0]], [3.0], [0.5, 0.2, -1.0], [0.5, 0.3, 1.0], [0.01] * 3)
     assert x == [0.5, 0.3, 1.0]
 
 
 def test_directions_that_nothing_depends_on_stay_zero() -> None:
-    x = bounded([[1.0, 0.0], [2.0, 0.0]], [1.0, 2.0], [-9.0, -9.0], [9.0, 9.0], [1e-4, 1e-4])
+    x = bounded_least_squares([[1.0, 0.0], [2.0, 0.0]], [1.0, 2.0], [-9.0, -9.0], [9.0, 9.0], [1e-4, 1e-4])
     assert x == pytest.approx([1.0, 0.0], abs=1e-6)
