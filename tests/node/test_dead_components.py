@@ -3,7 +3,7 @@
 import asyncio
 import contextlib
 import socket
-from collections.abc import AsyncIterator, Callable
+from collections.abc import AsyncIterator
 from pathlib import Path
 
 import pytest
@@ -13,7 +13,8 @@ from jauspy.node import NodeConfig, NodeManager, sweep
 from jauspy.protocol import judp, junior
 from jauspy.protocol.addressing import LocalPort
 from jauspy.protocol.header import Packet
-from jauspy.protocol.registrar import ComponentDirectory, ComponentPort
+from jauspy.protocol.directory import ComponentDirectory, ComponentPort
+from jauspy.testing import until
 
 LIVING, DEAD = JausID.parse("126.1.11"), JausID.parse("126.1.20")
 
@@ -22,12 +23,6 @@ LIVING, DEAD = JausID.parse("126.1.11"), JausID.parse("126.1.20")
 def swept(monkeypatch: pytest.MonkeyPatch) -> None:
     """The node manager looks after its components all the time."""
     monkeypatch.setattr(sweep, "INTERVAL", 0.01)
-
-
-async def until(condition: Callable[[], bool]) -> None:
-    async with asyncio.timeout(20):
-        while not condition():
-            await asyncio.sleep(0.01)
 
 
 @pytest.fixture
