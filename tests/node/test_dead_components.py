@@ -12,8 +12,8 @@ from jauspy.ids import JausID
 from jauspy.node import NodeConfig, NodeManager, sweep
 from jauspy.protocol import judp, junior
 from jauspy.protocol.addressing import LocalPort
-from jauspy.protocol.header import Packet
 from jauspy.protocol.directory import ComponentDirectory, ComponentPort
+from jauspy.protocol.header import Packet
 from jauspy.testing import until
 
 LIVING, DEAD = JausID.parse("126.1.11"), JausID.parse("126.1.20")
