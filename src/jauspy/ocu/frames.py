@@ -8,6 +8,10 @@ from types import MappingProxyType
 from typing import Final, Protocol
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.denavit_hartenberg import manipulator_geometry, reversed_axes
+from jauspy.geometry.frames import Frames, FrameTree
+from jauspy.geometry.poses import Pose, Transform, jaus_pose
+from jauspy.geometry.urdf import JointKind
 from jauspy.messages.manipulator import (
     QueryJointPositions,
     QueryManipulatorSpecifications,
@@ -17,13 +21,7 @@ from jauspy.messages.manipulator import (
 )
 from jauspy.messages.mobility import QueryLocalPose, ReportLocalPose
 from jauspy.ocu.robot import ComponentClient, Robot
-from jauspy.platform.contract import Pose
-from jauspy.platform.description import GroupSetup, JointKind, RobotModel
-from jauspy.platform.transforms import Frames, FrameTree
-from jauspy.platform.vectors import Transform
-from jauspy.services.manipulator.denavit_hartenberg import geometry
-from jauspy.services.manipulator.pan_tilt import turned
-from jauspy.services.mobility.frames import jaus_pose
+from jauspy.platform.description import GroupSetup, RobotModel
 
 MANIPULATOR: Final = "ManipulatorJointPositionSensor"
 PAN_TILT: Final = "PanTiltJointPositionSensor"
@@ -52,7 +50,7 @@ class ManipulatorReader:
     def __init__(self, component: ComponentClient, model: RobotModel, group: GroupSetup) -> None:
         self._id = component.id
         self._sensor = component.service(MANIPULATOR)
-        self._geometry = geometry(model.description.chain(group.base, group.tip))
+        self._geometry = manipulator_geometry(model.description.chain(group.base, group.tip))
         self.joints = group.joints
 
     async def read(self) -> dict[str, float]:
@@ -64,7 +62,7 @@ class ManipulatorReader:
                 f"{self._id} reports {len(standard)} joints, and the description has {len(self.joints)} there: "
                 f"{', '.join(self.joints)}; is it the description of this robot?"
             )
-        return dict(zip(self.joints, self._geometry.native(standard), strict=True))
+        return dict(zip(self.joints, self._geometry.to_urdf(standard), strict=True))
 
 
 class PanTiltReader:
@@ -72,14 +70,14 @@ class PanTiltReader:
 
     def __init__(self, component: ComponentClient, model: RobotModel, group: GroupSetup) -> None:
         self._sensor = component.service(PAN_TILT)
-        self._inverted = turned(model.description.chain(group.base, group.tip))
+        self._reversed = reversed_axes(model.description.chain(group.base, group.tip))
         self.joints = group.joints
 
     async def read(self) -> dict[str, float]:
         """As the protocol."""
         report = await self._sensor.query(QueryPanTiltJointPositions(), expects=ReportPanTiltJointPositions)
-        rows = zip(self.joints, (report.joint1_position, report.joint2_position), self._inverted, strict=True)
-        return {joint: -angle if inverted else angle for joint, angle, inverted in rows}
+        rows = zip(self.joints, (report.joint1_position, report.joint2_position), self._reversed, strict=True)
+        return {joint: -angle if is_reversed else angle for joint, angle, is_reversed in rows}
 
 
 async def joint_readers(robot: Robot, model: RobotModel, movers: Mapping[int, str]) -> list[JointReader]:
@@ -159,4 +157,4 @@ class RobotFrames:
         sensor = self._robot.service("mobility:LocalPoseSensor")
         report = await sensor.query(QueryLocalPose(_ALL_FIELDS), expects=ReportLocalPose)
         values = (report.x, report.y, report.z, report.roll, report.pitch, report.yaw)
-        return Transform.of(jaus_pose(Pose(*(value or 0.0 for value in values))))
+        return Transform.from_pose(jaus_pose(Pose(*(value or 0.0 for value in values))))
