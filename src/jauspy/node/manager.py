@@ -140,7 +140,7 @@ class NodeManager:
             await self.close()
             raise
         self._closed.clear()
-        draining.attach(self._loop, self._local, self._from_component, self._socket_error)
+        draining.start_reading(self._loop, self._local, self._from_component, self._socket_error)
         sealed = any(network.seal for network in self._networks.values())
         self._ingress = Ingress(self._from_network if sealed else self._take, self._core.counters)
         for name, network in self._networks.items():
@@ -158,7 +158,7 @@ class NodeManager:
             if timer is not None:
                 timer.cancel()
         self._timer = self._watch = self._sweeping = None
-        draining.detach(self._loop, local)
+        draining.stop_reading(self._loop, local)
         if self._ingress is not None:
             self._ingress.close()
         await self._links.close()

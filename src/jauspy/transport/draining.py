@@ -8,10 +8,10 @@ from collections.abc import Callable
 from typing import Any, Final
 
 DATAGRAMS_PER_WAKEUP: Final = 64
-BUFFER_SIZE: Final = 65536
+MAX_DATAGRAM: Final = 65536
 
 
-def attach(
+def start_reading(
     loop: asyncio.AbstractEventLoop,
     sock: socket.socket,
     take: Callable[[bytes, Any], None],
@@ -25,7 +25,7 @@ def attach(
     def drain() -> None:
         for _ in range(DATAGRAMS_PER_WAKEUP):
             try:
-                datagram, sender = sock.recvfrom(BUFFER_SIZE)
+                datagram, sender = sock.recvfrom(MAX_DATAGRAM)
             except (BlockingIOError, InterruptedError):
                 return
             except OSError as error:
@@ -36,7 +36,7 @@ def attach(
     loop.add_reader(sock, drain)
 
 
-def detach(loop: asyncio.AbstractEventLoop, sock: socket.socket) -> None:
+def stop_reading(loop: asyncio.AbstractEventLoop, sock: socket.socket) -> None:
     """Stop reading and close the socket."""
     loop.remove_reader(sock)
     sock.close()

@@ -127,13 +127,13 @@ class LocalTransport:
     def _listen(self, loop: asyncio.AbstractEventLoop, sock: socket.socket) -> LocalSender:
         self._socket = sock
         sender = self._sender = LocalSender(sock, self._counters, self._lost)
-        draining.attach(loop, sock, self._take, self._failed)
+        draining.start_reading(loop, sock, self._take, self._failed)
         return sender
 
     def _leave(self, sock: socket.socket, sender: LocalSender) -> None:
         sender.send(self._node, junior.cancel(self.id))
         sender.close()
-        draining.detach(asyncio.get_running_loop(), sock)
+        draining.stop_reading(asyncio.get_running_loop(), sock)
         local_socket.clean_up(self.path)
 
     def _silence(self) -> str:

@@ -9,7 +9,7 @@ from collections.abc import Callable
 from typing import Final
 
 from jauspy.protocol.counters import Counters
-from jauspy.transport.outbox import Outbox
+from jauspy.transport.outbox import SendQueue
 
 RETRY_INTERVAL: Final = 0.002
 """Seconds until a full queue is tried again; a datagram socket tells nobody when its queue has room."""
@@ -23,7 +23,7 @@ class LocalSender:
         self._socket = sock
         self._counters = counters
         self._gone = gone
-        self._outboxes: dict[str, Outbox] = {}
+        self._outboxes: dict[str, SendQueue] = {}
         self._retry: asyncio.TimerHandle | None = None
 
     def send(self, path: str, datagram: bytes) -> None:
@@ -32,7 +32,7 @@ class LocalSender:
         if outbox is None:
             if self._try(path, datagram):
                 return
-            outbox = self._outboxes[path] = Outbox()
+            outbox = self._outboxes[path] = SendQueue()
         for _ in range(outbox.push(datagram)):
             self._counters.drop("queue_full", path)
         self._retry_later()

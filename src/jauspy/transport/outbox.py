@@ -8,19 +8,19 @@ from typing import Final
 
 from jauspy.protocol import judp, junior
 
-MAX_WAITING: Final = 512
-MAX_BYTES: Final = 4 << 20
-"""In all; whole messages of 64 kB would be too much memory at `MAX_WAITING`."""
+MAX_QUEUED: Final = 512
+MAX_QUEUED_BYTES: Final = 4 << 20
+"""In all; whole messages of 64 kB would be too much memory at `MAX_QUEUED`."""
 PRIORITIES: Final = 4
 URGENT: Final = PRIORITIES - 1
-SHARE: Final = 16
+LOW_PRIORITY_TURN: Final = 16
 """Every so many datagrams it is the turn of the least urgent: they are late, but not starved."""
 
 
-class Outbox:
+class SendQueue:
     """Datagrams for one destination, by their priority; within one priority in order."""
 
-    def __init__(self, limit: int = MAX_WAITING) -> None:
+    def __init__(self, limit: int = MAX_QUEUED) -> None:
         self._limit = limit
         self._queues: tuple[deque[bytes], ...] = tuple(deque() for _ in range(PRIORITIES))
         self._length = 0
@@ -36,7 +36,7 @@ class Outbox:
         self._length += 1
         self._bytes += len(datagram)
         dropped = 0
-        while self._length > self._limit or self._bytes > MAX_BYTES:
+        while self._length > self._limit or self._bytes > MAX_QUEUED_BYTES:
             self._take(next(queue for queue in self._queues if queue))
             dropped += 1
         return dropped
@@ -48,21 +48,21 @@ class Outbox:
     def pop(self) -> None:
         """Remove what `peek` showed."""
         self._take(self._next())
-        self._turn = (self._turn + 1) % SHARE
+        self._turn = (self._turn + 1) % LOW_PRIORITY_TURN
 
     def drain(self, send: Callable[[bytes], object], count: int) -> None:
         """Send the next `count`; one that raises stays the next, and its exception passes."""
         while self._length and count:
             queue = self._next()
-            for _ in range(min(count, len(queue), SHARE - 1 - self._turn or 1)):
+            for _ in range(min(count, len(queue), LOW_PRIORITY_TURN - 1 - self._turn or 1)):
                 send(queue[0])
                 self._take(queue)
-                self._turn = (self._turn + 1) % SHARE
+                self._turn = (self._turn + 1) % LOW_PRIORITY_TURN
                 count -= 1
 
     def _next(self) -> deque[bytes]:
         low, standard, high, urgent = self._queues
-        if self._turn == SHARE - 1:
+        if self._turn == LOW_PRIORITY_TURN - 1:
             return low or standard or high or urgent
         return urgent or high or standard or low
 

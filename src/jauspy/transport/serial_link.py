@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Final
 from jauspy.errors import TransportError
 from jauspy.protocol import jserial
 from jauspy.protocol.counters import Counters
-from jauspy.transport.outbox import Outbox
+from jauspy.transport.outbox import SendQueue
 
 if TYPE_CHECKING:
     import serial
@@ -45,7 +45,7 @@ class SerialLink:
         self._loop = asyncio.get_running_loop()
         self._port: serial.Serial | None = None
         self._decoder = jserial.FrameDecoder()
-        self._waiting = Outbox()
+        self._waiting = SendQueue()
         self._rest = b""
         self._retry: asyncio.TimerHandle | None = None
 
@@ -161,7 +161,7 @@ class SerialLink:
         port, self._port = self._port, None
         for _ in range(len(self._waiting)):
             self._counters.drop("serial_closed", self.line.device)
-        self._waiting, self._rest = Outbox(), b""
+        self._waiting, self._rest = SendQueue(), b""
         if port is not None:
             self._loop.remove_reader(port.fileno())
             self._loop.remove_writer(port.fileno())

@@ -10,7 +10,7 @@ from typing import Final, cast
 from jauspy.protocol import header, jtcp
 from jauspy.protocol.address_book import Address
 from jauspy.protocol.counters import Counters
-from jauspy.transport.outbox import Outbox
+from jauspy.transport.outbox import SendQueue
 
 _LOGGER = logging.getLogger(__name__)
 
@@ -49,7 +49,7 @@ class StreamLink(asyncio.BufferedProtocol):
         self._greeted: int | None = None
         self._transport: asyncio.Transport | None = None
         self._paused = False
-        self._waiting = Outbox()
+        self._waiting = SendQueue()
 
     @property
     def waiting(self) -> int:
@@ -125,7 +125,7 @@ class StreamLink(asyncio.BufferedProtocol):
         """Tell the owner, and count what waited."""
         for _ in range(len(self._waiting)):
             self._counters.drop("tcp_closed", self.peer)
-        self._transport, self._waiting = None, Outbox()
+        self._transport, self._waiting = None, SendQueue()
         self._ended(self)
 
 
