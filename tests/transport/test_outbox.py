@@ -5,8 +5,8 @@ import pytest
 from jauspy.ids import JausID
 from jauspy.protocol import judp, junior
 from jauspy.protocol.header import Packet, Priority
-from jauspy.transport import outbox as outbox_module
-from jauspy.transport.outbox import MAX_QUEUED_BYTES, SendQueue
+from jauspy.transport import base as outbox_module
+from jauspy.transport.base import MAX_QUEUED_BYTES, SendQueue
 
 A = JausID.parse("101.1.1")
 

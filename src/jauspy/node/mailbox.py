@@ -9,7 +9,7 @@ from collections.abc import Callable
 from typing import Final
 
 from jauspy.protocol.counters import Counters
-from jauspy.transport.outbox import SendQueue
+from jauspy.transport.base import SendQueue
 
 BURST: Final = 64
 """Datagrams sent from the queue before others get their turn."""

@@ -14,7 +14,7 @@ from jauspy.errors import TransportError
 from jauspy.ids import JausID
 from jauspy.protocol import junior
 from jauspy.protocol.counters import Counters
-from jauspy.transport import draining, local_socket
+from jauspy.transport import base, local_socket
 from jauspy.transport.base import Receiver, ignore
 from jauspy.transport.local_sender import LocalSender
 
@@ -127,13 +127,13 @@ class LocalTransport:
     def _listen(self, loop: asyncio.AbstractEventLoop, sock: socket.socket) -> LocalSender:
         self._socket = sock
         sender = self._sender = LocalSender(sock, self._counters, self._lost)
-        draining.start_reading(loop, sock, self._take, self._failed)
+        base.start_reading(loop, sock, self._take, self._failed)
         return sender
 
     def _leave(self, sock: socket.socket, sender: LocalSender) -> None:
         sender.send(self._node, junior.cancel(self.id))
         sender.close()
-        draining.stop_reading(asyncio.get_running_loop(), sock)
+        base.stop_reading(asyncio.get_running_loop(), sock)
         local_socket.clean_up(self.path)
 
     def _silence(self) -> str:

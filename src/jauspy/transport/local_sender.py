@@ -9,7 +9,7 @@ from collections.abc import Callable
 from typing import Final
 
 from jauspy.protocol.counters import Counters
-from jauspy.transport.outbox import SendQueue
+from jauspy.transport.base import SendQueue
 
 RETRY_INTERVAL: Final = 0.002
 """Seconds until a full queue is tried again; a datagram socket tells nobody when its queue has room."""

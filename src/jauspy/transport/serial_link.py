@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Final
 from jauspy.errors import TransportError
 from jauspy.protocol import jserial
 from jauspy.protocol.counters import Counters
-from jauspy.transport.outbox import SendQueue
+from jauspy.transport.base import SendQueue
 
 if TYPE_CHECKING:
     import serial

@@ -10,7 +10,7 @@ from typing import Final, cast
 from jauspy.protocol import header, jtcp
 from jauspy.protocol.address_book import Address
 from jauspy.protocol.counters import Counters
-from jauspy.transport.outbox import SendQueue
+from jauspy.transport.base import SendQueue
 
 _LOGGER = logging.getLogger(__name__)
 

@@ -13,7 +13,7 @@ from jauspy.protocol import addressing, judp
 from jauspy.protocol.address_book import Address, AddressBook
 from jauspy.protocol.addressing import UdpPort
 from jauspy.protocol.counters import Counters
-from jauspy.transport import draining, memberships, multicast
+from jauspy.transport import base, memberships, multicast
 from jauspy.transport.base import Receiver, ignore
 from jauspy.transport.memberships import Memberships
 
@@ -79,7 +79,7 @@ class UdpTransport:
             host, port = self._bind
             raise TransportError(f"cannot use UDP {host}:{port}: {error.strerror}") from error
         self._socket = sock
-        draining.start_reading(asyncio.get_running_loop(), sock, self._take, self._failed)
+        base.start_reading(asyncio.get_running_loop(), sock, self._take, self._failed)
         if self._group is not None:
             self._listen_to(self._group)
 
@@ -91,7 +91,7 @@ class UdpTransport:
         self._socket = self._group_socket = self._memberships = self._watch = None
         for sock in sockets:
             if sock is not None:
-                draining.stop_reading(asyncio.get_running_loop(), sock)
+                base.stop_reading(asyncio.get_running_loop(), sock)
 
     def move(self, id: JausID, goodbye: Callable[[], None]) -> None:
         """Be another component; the way to it stays the same."""
@@ -124,7 +124,7 @@ class UdpTransport:
         self._counters["multicast.not_joined"] += not self._memberships.joined
         self._group_socket = sock
         loop = asyncio.get_running_loop()
-        draining.start_reading(loop, sock, self._take, self._failed)
+        base.start_reading(loop, sock, self._take, self._failed)
         self._watch = loop.call_later(memberships.WATCH_INTERVAL, self._watch_interfaces)
 
     def _watch_interfaces(self) -> None:
