@@ -40,7 +40,7 @@ class StatusServer:
             self._path.chmod(self._mode)
         except OSError as error:
             told = f"cannot open the socket {self._path}: {error.strerror}"
-            raise TransportError(f"{told}; {local_socket.ELSEWHERE}, or set `status` to false") from error
+            raise TransportError(f"{told}; {local_socket.OTHER_DIRECTORY}, or set `status` to false") from error
         local_socket.give_to_group(self._path, self._group)
 
     async def __aexit__(self, *error: object) -> None:

@@ -22,11 +22,11 @@ _LOGGER = logging.getLogger(__name__)
 
 CONNECT_INTERVAL: Final = 0.025
 """Seconds between Connects until the node manager accepts; what its own clients use."""
-RETRY_INTERVAL: Final = 0.25
+RECONNECT_INTERVAL: Final = 0.25
 """Seconds between Connects once the node manager has been away for a while."""
-KEEP_ALIVE: Final = 1.0
+KEEP_ALIVE_INTERVAL: Final = 1.0
 """Seconds between Connects while connected; node managers answer each, so silence means that ours is gone."""
-MISSED: Final = 2
+MAX_UNANSWERED: Final = 2
 """Keep-alives without an answer after which the node manager counts as gone."""
 
 
@@ -167,7 +167,7 @@ class LocalTransport:
     async def _keep_connected(self) -> None:
         interval = CONNECT_INTERVAL
         while self._sender is not None:
-            if self.connected and self._unanswered >= MISSED:
+            if self.connected and self._unanswered >= MAX_UNANSWERED:
                 self._accepted.clear()
             if self.connected:
                 interval = CONNECT_INTERVAL
@@ -175,6 +175,6 @@ class LocalTransport:
             self._sender.send(self._node, junior.connect(self.id))
             self._loss.clear()
             with contextlib.suppress(TimeoutError):
-                await asyncio.wait_for(self._loss.wait(), KEEP_ALIVE if self.connected else interval)
+                await asyncio.wait_for(self._loss.wait(), KEEP_ALIVE_INTERVAL if self.connected else interval)
             if not self.connected:
-                interval = min(interval * 1.3, RETRY_INTERVAL)
+                interval = min(interval * 1.3, RECONNECT_INTERVAL)

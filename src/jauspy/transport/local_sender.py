@@ -11,9 +11,9 @@ from typing import Final
 from jauspy.protocol.counters import Counters
 from jauspy.transport.base import SendQueue
 
-RETRY_INTERVAL: Final = 0.002
+SEND_RETRY_INTERVAL: Final = 0.002
 """Seconds until a full queue is tried again; a datagram socket tells nobody when its queue has room."""
-_NOBODY: Final = (errno.ECONNREFUSED, errno.ENOENT)
+_NOT_LISTENING: Final = (errno.ECONNREFUSED, errno.ENOENT)
 
 
 class LocalSender:
@@ -57,14 +57,14 @@ class LocalSender:
         except BlockingIOError:
             return False
         except OSError as error:
-            self._counters.drop("nobody_listens" if error.errno in _NOBODY else "not_sent", f"{path}: {error}")
-            if error.errno in _NOBODY:
+            self._counters.drop("nobody_listens" if error.errno in _NOT_LISTENING else "not_sent", f"{path}: {error}")
+            if error.errno in _NOT_LISTENING:
                 self._gone(path)
         return True
 
     def _retry_later(self) -> None:
         if self._retry is None:
-            self._retry = asyncio.get_running_loop().call_later(RETRY_INTERVAL, self._retry_all)
+            self._retry = asyncio.get_running_loop().call_later(SEND_RETRY_INTERVAL, self._retry_all)
 
     def _retry_all(self) -> None:
         self._retry = None

@@ -15,9 +15,9 @@ MAX_PATH: Final = 107
 """Longest path of a Unix socket on Linux, in bytes."""
 
 
-ELSEWHERE: Final = "choose another directory for the local sockets"
+OTHER_DIRECTORY: Final = "choose another directory for the local sockets"
 
-_NOBODY: Final = (errno.ENOENT, errno.ECONNREFUSED)
+_NO_LISTENER: Final = (errno.ENOENT, errno.ECONNREFUSED)
 
 
 def is_alive(path: Path) -> bool:
@@ -27,7 +27,7 @@ def is_alive(path: Path) -> bool:
 
 def is_dead(path: Path) -> bool:
     """True when nobody listens on this socket; what cannot be found out is false, as with `is_alive`."""
-    return _probe(path) in _NOBODY
+    return _probe(path) in _NO_LISTENER
 
 
 def refusal(path: Path) -> str | None:
@@ -43,7 +43,7 @@ def refusal(path: Path) -> str | None:
             return None
 
 
-def bind(path: Path, *, owner: str, advice: str = ELSEWHERE, mode: int | None = None) -> socket.socket:
+def bind(path: Path, *, owner: str, advice: str = OTHER_DIRECTORY, mode: int | None = None) -> socket.socket:
     """A non-blocking socket bound to `path`; raises `TransportError` when it cannot be.
 
     `owner` is a phrase for who else may be there, and `advice` for what to do then if it shall go on running.
