@@ -12,7 +12,7 @@ import pytest
 from jauspy.errors import TransportError
 from jauspy.node.sweep import nobody_has
 from jauspy.protocol.addressing import UdpPort
-from jauspy.transport import local_socket
+from jauspy.transport import local as local_socket
 
 
 @contextmanager

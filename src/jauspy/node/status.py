@@ -10,7 +10,7 @@ from typing import Any, Final
 
 from jauspy.errors import TransportError
 from jauspy.node.state import NodeState
-from jauspy.transport import local_socket
+from jauspy.transport import local as local_socket
 
 SOCKET_NAME: Final = "JuniorRTE.status"
 """Beside the node manager's own socket."""

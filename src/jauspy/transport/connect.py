@@ -11,7 +11,7 @@ from urllib.parse import urlsplit
 from jauspy.errors import ConfigError, TransportError
 from jauspy.ids import JausID
 from jauspy.protocol import judp, junior
-from jauspy.transport import LocalTransport, TcpTransport, Transport, UdpTransport, local_socket
+from jauspy.transport import LocalTransport, TcpTransport, Transport, UdpTransport, local as local_socket
 
 DEFAULT_ROOT: Final = Path("/tmp")  # noqa: S108 - where every JAUS node manager has its sockets
 FORMS: Final = (

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import errno
 import logging
+import shutil
 import socket
 from collections.abc import Callable, Mapping
 from pathlib import Path
@@ -14,9 +16,74 @@ from jauspy.errors import TransportError
 from jauspy.ids import JausID
 from jauspy.protocol import junior
 from jauspy.protocol.counters import Counters
-from jauspy.transport import base, local_socket
-from jauspy.transport.base import Receiver, ignore
-from jauspy.transport.local_sender import LocalSender
+from jauspy.transport import base
+from jauspy.transport.base import Receiver, SendQueue, ignore
+
+SEND_RETRY_INTERVAL: Final = 0.002
+"""Seconds until a full queue is tried again; a datagram socket tells nobody when its queue has room."""
+_NOT_LISTENING: Final = (errno.ECONNREFUSED, errno.ENOENT)
+
+
+class LocalSender:
+    """Sends on one socket to any path; per path a bounded queue. `gone(path)` is told when nobody listens there."""
+
+    def __init__(self, sock: socket.socket, counters: Counters, gone: Callable[[str], None]) -> None:
+        self._socket = sock
+        self._counters = counters
+        self._gone = gone
+        self._outboxes: dict[str, SendQueue] = {}
+        self._retry: asyncio.TimerHandle | None = None
+
+    def send(self, path: str, datagram: bytes) -> None:
+        """Send now, or as soon as there is room; never blocks, never raises, counts what it drops."""
+        outbox = self._outboxes.get(path)
+        if outbox is None:
+            if self._try(path, datagram):
+                return
+            outbox = self._outboxes[path] = SendQueue()
+        for _ in range(outbox.push(datagram)):
+            self._counters.drop("queue_full", path)
+        self._retry_later()
+
+    def waiting(self, path: str) -> int:
+        """Datagrams that there was no room for yet."""
+        return len(self._outboxes.get(path, ()))
+
+    def close(self) -> None:
+        """Forget what waits; the socket belongs to the caller."""
+        if self._retry is not None:
+            self._retry.cancel()
+            self._retry = None
+        for path, outbox in self._outboxes.items():
+            for _ in range(len(outbox)):
+                self._counters.drop("closed", path)
+        self._outboxes.clear()
+
+    def _try(self, path: str, datagram: bytes) -> bool:
+        try:
+            self._socket.sendto(datagram, path)
+        except BlockingIOError:
+            return False
+        except OSError as error:
+            self._counters.drop("nobody_listens" if error.errno in _NOT_LISTENING else "not_sent", f"{path}: {error}")
+            if error.errno in _NOT_LISTENING:
+                self._gone(path)
+        return True
+
+    def _retry_later(self) -> None:
+        if self._retry is None:
+            self._retry = asyncio.get_running_loop().call_later(SEND_RETRY_INTERVAL, self._retry_all)
+
+    def _retry_all(self) -> None:
+        self._retry = None
+        for path, outbox in list(self._outboxes.items()):
+            while len(outbox) and self._try(path, outbox.peek()):
+                outbox.pop()
+            if not len(outbox):
+                del self._outboxes[path]
+        if self._outboxes:
+            self._retry_later()
+
 
 _LOGGER = logging.getLogger(__name__)
 
@@ -178,3 +245,94 @@ class LocalTransport:
                 await asyncio.wait_for(self._loss.wait(), KEEP_ALIVE_INTERVAL if self.connected else interval)
             if not self.connected:
                 interval = min(interval * 1.3, RECONNECT_INTERVAL)
+
+
+MAX_PATH: Final = 107
+"""Longest path of a Unix socket on Linux, in bytes."""
+
+
+OTHER_DIRECTORY: Final = "choose another directory for the local sockets"
+
+_NO_LISTENER: Final = (errno.ENOENT, errno.ECONNREFUSED)
+
+
+def is_alive(path: Path) -> bool:
+    """True when somebody listens on this socket, and lets this user in."""
+    return _probe(path) == 0
+
+
+def is_dead(path: Path) -> bool:
+    """True when nobody listens on this socket; what cannot be found out is false, as with `is_alive`."""
+    return _probe(path) in _NO_LISTENER
+
+
+def refusal(path: Path) -> str | None:
+    """One sentence on why this user cannot speak to whoever may listen on `path`; None when nothing stands between."""
+    match _probe(path):
+        case errno.ENOTDIR:
+            return f"{path.parent} is no directory, so it has no local sockets; {ELSEWHERE}"
+        case errno.EACCES | errno.EPERM:
+            return f"this user may not use {path}; run as its owner or in its group, or {ELSEWHERE}"
+        case errno.EPROTOTYPE:
+            return f"{path} is a socket of another kind; move it, or {ELSEWHERE}"
+        case _:
+            return None
+
+
+def bind(path: Path, *, owner: str, advice: str = OTHER_DIRECTORY, mode: int | None = None) -> socket.socket:
+    """A non-blocking socket bound to `path`; raises `TransportError` when it cannot be.
+
+    `owner` is a phrase for who else may be there, and `advice` for what to do then if it shall go on running.
+    """
+    if len(str(path).encode()) > MAX_PATH:
+        raise TransportError(
+            f"the socket path {path} is longer than {MAX_PATH} bytes; "
+            "choose a directory with a shorter name for the local sockets"
+        )
+    if is_alive(path):
+        raise TransportError(f"{owner} is already running on {path}; stop it, or {advice}")
+    if (why := refusal(path)) is not None:
+        raise TransportError(why)
+    if path.exists() and not path.is_socket():
+        raise TransportError(f"{path} is in the way and is no socket; move it, or {ELSEWHERE}")
+    sock = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
+    try:
+        sock.setblocking(False)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.unlink(missing_ok=True)
+        sock.bind(str(path))
+        if mode is not None:
+            path.chmod(mode)
+    except OSError as error:
+        sock.close()
+        raise TransportError(f"cannot open the socket {path}: {error.strerror}; {ELSEWHERE}") from error
+    return sock
+
+
+def give_to_group(path: Path, group: str | None) -> None:
+    """Let another group own the socket; raises `TransportError` when this user may not."""
+    if group is None:
+        return
+    try:
+        shutil.chown(path, group=group)
+    except LookupError:
+        raise TransportError(f"local_group: there is no group {group!r} on this machine") from None
+    except OSError as error:
+        raise TransportError(f"local_group: cannot give {path} to {group!r}: {error.strerror}") from error
+
+
+def clean_up(path: Path) -> None:
+    """Remove a socket that nobody listens on; what cannot be removed stays, for whoever binds next."""
+    if path.is_socket() and is_dead(path):
+        with contextlib.suppress(OSError):
+            path.unlink()
+
+
+def _probe(path: Path) -> int:
+    """The error number of an attempt to connect, 0 when it worked."""
+    try:
+        with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as probe:
+            probe.connect(str(path))
+    except OSError as error:
+        return error.errno or errno.ENAMETOOLONG
+    return 0
