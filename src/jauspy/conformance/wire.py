@@ -14,7 +14,7 @@ from jauspy.errors import ProtocolError, TransportError
 from jauspy.ids import JausID
 from jauspy.protocol import judp
 from jauspy.transport import Transport, connect as connecting, multicast
-from jauspy.transport.memberships import Memberships
+from jauspy.transport.multicast import Memberships
 
 RAW: Final = "raw"
 """The bytes of a datagram reach the target as they are, several packets and garbage included."""

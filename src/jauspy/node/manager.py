@@ -25,7 +25,7 @@ from jauspy.protocol import junior
 from jauspy.protocol.addressing import GroupPort, LocalPort, Port, SerialPort, TcpPort, UdpPort
 from jauspy.protocol.routing import Router
 from jauspy.protocol.sources import SourceChecks
-from jauspy.transport import base, local as local_socket, memberships
+from jauspy.transport import base, local as local_socket, multicast as memberships
 
 if TYPE_CHECKING:
     from jauspy.node.mirror import Mirror

@@ -19,7 +19,7 @@ from jauspy.protocol.addressing import UdpPort
 from jauspy.protocol.authentication import Authenticator
 from jauspy.protocol.counters import Counters
 from jauspy.transport import multicast
-from jauspy.transport.memberships import Memberships
+from jauspy.transport.multicast import Memberships
 
 _LOGGER = logging.getLogger(__name__)
 _SO_MEMINFO: Final = 55

@@ -2,8 +2,17 @@
 
 from __future__ import annotations
 
+import contextlib
+import errno
+import logging
+import os
 import socket
+import sys
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from typing import Final
+
+from jauspy.transport import multicast
 
 ANY: Final = "0.0.0.0"  # noqa: S104  # the standard's node managers listen on every interface
 
@@ -68,3 +77,156 @@ def receiver(group: tuple[str, int]) -> socket.socket:
         sock.close()
         raise
     return sock
+
+
+_LOGGER = logging.getLogger(__name__)
+
+ALL_INTERFACES: Final = "all"
+"""Every interface of the machine that has an IPv4 address, but for the loopback interface."""
+WATCH_INTERVAL: Final = 5.0
+"""Seconds between two looks at the machine's interfaces; a robot may be up before its network is."""
+
+
+@dataclass(frozen=True, slots=True)
+class AddressFamily:
+    """How sockets of one address family join groups. `present` gives the interfaces, now, of what was chosen."""
+
+    level: int
+    join: int
+    leave: int
+    present: Callable[[Sequence[str]], tuple[str, ...]]
+    membership: Callable[[str, str], bytes]
+
+
+def addresses(chosen: Sequence[str]) -> tuple[str, ...]:
+    """The IPv4 addresses, present now, of what was chosen by address, by name, or as `ALL_INTERFACES`."""
+    present = _present(socket.AF_INET)
+    found: dict[str, None] = {}
+    for each in chosen:
+        if each == ALL_INTERFACES:
+            own = [address for name in present for address in present[name] if not address.startswith("127.")]
+        elif each in present:
+            own = present[each]
+        elif (
+            each == multicast.ANY or each.startswith("127.") or any(each in addresses for addresses in present.values())
+        ):
+            own = [each]
+        else:
+            own = []
+        found.update(dict.fromkeys(own))
+    return tuple(found)
+
+
+def names(chosen: Sequence[str]) -> tuple[str, ...]:
+    """The names of the interfaces with IPv6, present now; `ANY` stays, for the kernel's choice."""
+    present = _present(socket.AF_INET6)
+    addressed = _present(socket.AF_INET)
+    found: dict[str, None] = {}
+    for each in chosen:
+        if each == ALL_INTERFACES:
+            own = [name for name in present if "::1" not in present[name]]
+        elif each == multicast.ANY:
+            own = [each]
+        else:
+            own = [name for name in present if each in (name, *present[name], *addressed.get(name, ()))]
+        found.update(dict.fromkeys(own))
+    return tuple(found)
+
+
+def index(name: str) -> int:
+    """The kernel's number of an interface, 0 for `ANY`; raises `OSError` when it is gone."""
+    return 0 if name == multicast.ANY else socket.if_nametoindex(name)
+
+
+def _present(family: socket.AddressFamily) -> dict[str, list[str]]:
+    """Names and addresses, for those that have any; a link-local address is without its scope."""
+    import psutil  # noqa: PLC0415 - a component that hears no multicasts does without it
+
+    found = {
+        name: [each.address.partition("%")[0] for each in entries if each.family == family]
+        for name, entries in psutil.net_if_addrs().items()
+    }
+    return {name: own for name, own in found.items() if own}
+
+
+IPV4: Final = AddressFamily(
+    socket.IPPROTO_IP,
+    socket.IP_ADD_MEMBERSHIP,
+    socket.IP_DROP_MEMBERSHIP,
+    addresses,
+    lambda group, address: socket.inet_aton(group) + socket.inet_aton(address),
+)
+IPV6: Final = AddressFamily(
+    socket.IPPROTO_IPV6,
+    socket.IPV6_JOIN_GROUP,
+    socket.IPV6_LEAVE_GROUP,
+    names,
+    lambda group, name: socket.inet_pton(socket.AF_INET6, group) + index(name).to_bytes(4, sys.byteorder),
+)
+
+
+class Memberships:
+    """Keeps a socket in the group on all chosen interfaces. `current` are they, to send by: IPv4 addresses or names."""
+
+    def __init__(self, sock: socket.socket, group: str, chosen: Sequence[str], family: AddressFamily = IPV4) -> None:
+        self.current: tuple[str, ...] = ()
+        self._socket = sock
+        self._group = group
+        self._chosen = tuple(chosen)
+        self._family = family
+        self._joined: set[str] = set()
+        self._told: set[str] = set()
+        self.refresh()
+
+    @property
+    def joined(self) -> int:
+        """On how many interfaces multicasts arrive."""
+        return len(self._joined)
+
+    def refresh(self) -> None:
+        """Join everywhere, again: an interface that went and came back is a new one to the kernel."""
+        found = {each: self._family.present([each]) for each in self._chosen}
+        self.current = tuple(dict.fromkeys(interface for own in found.values() for interface in own))
+        for gone in self._joined.difference(self.current):
+            self._leave(gone)
+        for each, own in found.items():
+            if not own:
+                self._failed(each, os.strerror(errno.ENODEV))
+        for interface in self.current:
+            error = self._join(interface)
+            if error is None:
+                self._succeeded(interface)
+            else:
+                self._failed(interface, error.strerror)
+
+    def _join(self, interface: str) -> OSError | None:
+        family = self._family
+        try:
+            self._socket.setsockopt(family.level, family.join, family.membership(self._group, interface))
+        except OSError as error:
+            return None if error.errno == errno.EADDRINUSE else error  # in use: joined before
+        return None
+
+    def _succeeded(self, interface: str) -> None:
+        if interface not in self._joined:
+            level = logging.WARNING if interface in self._told else logging.DEBUG
+            _LOGGER.log(level, "joined %s on %s", self._group, interface)
+        self._joined.add(interface)
+        self._told.discard(interface)
+
+    def _failed(self, interface: str, reason: str | None) -> None:
+        self._joined.discard(interface)
+        if interface not in self._told:
+            self._told.add(interface)
+            _LOGGER.warning(
+                "no multicasts on interface %s: %s; is its network up? Trying again every %g s",
+                interface,
+                reason,
+                WATCH_INTERVAL,
+            )
+
+    def _leave(self, interface: str) -> None:
+        self._joined.discard(interface)
+        family = self._family
+        with contextlib.suppress(OSError):  # the kernel has left by itself with the interface
+            self._socket.setsockopt(family.level, family.leave, family.membership(self._group, interface))

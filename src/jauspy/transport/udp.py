@@ -13,9 +13,9 @@ from jauspy.protocol import addressing, judp
 from jauspy.protocol.address_book import Address, AddressBook
 from jauspy.protocol.addressing import UdpPort
 from jauspy.protocol.counters import Counters
-from jauspy.transport import base, memberships, multicast
+from jauspy.transport import base, multicast, multicast as memberships
 from jauspy.transport.base import Receiver, ignore
-from jauspy.transport.memberships import Memberships
+from jauspy.transport.multicast import Memberships
 
 _LOGGER = logging.getLogger(__name__)
 
