@@ -189,7 +189,7 @@ class LocalTransport:
 
     def _bind(self, id: JausID) -> socket.socket:
         path = self._path(id)
-        return local_socket.bind(path, owner=f"another component {id}", advice="use another id for this one")
+        return bind(path, owner=f"another component {id}", advice="use another id for this one")
 
     def _listen(self, loop: asyncio.AbstractEventLoop, sock: socket.socket) -> LocalSender:
         self._socket = sock
@@ -201,11 +201,11 @@ class LocalTransport:
         sender.send(self._node, junior.cancel(self.id))
         sender.close()
         base.stop_reading(asyncio.get_running_loop(), sock)
-        local_socket.clean_up(self.path)
+        clean_up(self.path)
 
     def _silence(self) -> str:
         """Why the node manager may not answer, and what to do."""
-        if (why := local_socket.refusal(Path(self._node))) is not None:
+        if (why := refusal(Path(self._node))) is not None:
             return why
         return (
             f"no node manager answers on {self._node}; start one with 'jauspy node-manager --local-root {self._root}', "
@@ -270,11 +270,11 @@ def refusal(path: Path) -> str | None:
     """One sentence on why this user cannot speak to whoever may listen on `path`; None when nothing stands between."""
     match _probe(path):
         case errno.ENOTDIR:
-            return f"{path.parent} is no directory, so it has no local sockets; {ELSEWHERE}"
+            return f"{path.parent} is no directory, so it has no local sockets; {OTHER_DIRECTORY}"
         case errno.EACCES | errno.EPERM:
-            return f"this user may not use {path}; run as its owner or in its group, or {ELSEWHERE}"
+            return f"this user may not use {path}; run as its owner or in its group, or {OTHER_DIRECTORY}"
         case errno.EPROTOTYPE:
-            return f"{path} is a socket of another kind; move it, or {ELSEWHERE}"
+            return f"{path} is a socket of another kind; move it, or {OTHER_DIRECTORY}"
         case _:
             return None
 
@@ -294,7 +294,7 @@ def bind(path: Path, *, owner: str, advice: str = OTHER_DIRECTORY, mode: int | N
     if (why := refusal(path)) is not None:
         raise TransportError(why)
     if path.exists() and not path.is_socket():
-        raise TransportError(f"{path} is in the way and is no socket; move it, or {ELSEWHERE}")
+        raise TransportError(f"{path} is in the way and is no socket; move it, or {OTHER_DIRECTORY}")
     sock = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
     try:
         sock.setblocking(False)
@@ -305,7 +305,7 @@ def bind(path: Path, *, owner: str, advice: str = OTHER_DIRECTORY, mode: int | N
             path.chmod(mode)
     except OSError as error:
         sock.close()
-        raise TransportError(f"cannot open the socket {path}: {error.strerror}; {ELSEWHERE}") from error
+        raise TransportError(f"cannot open the socket {path}: {error.strerror}; {OTHER_DIRECTORY}") from error
     return sock
 
 

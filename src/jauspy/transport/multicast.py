@@ -12,7 +12,6 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from jauspy.transport import multicast
 
 ANY: Final = "0.0.0.0"  # noqa: S104  # the standard's node managers listen on every interface
 
@@ -108,7 +107,7 @@ def addresses(chosen: Sequence[str]) -> tuple[str, ...]:
         elif each in present:
             own = present[each]
         elif (
-            each == multicast.ANY or each.startswith("127.") or any(each in addresses for addresses in present.values())
+            each == ANY or each.startswith("127.") or any(each in addresses for addresses in present.values())
         ):
             own = [each]
         else:
@@ -125,7 +124,7 @@ def names(chosen: Sequence[str]) -> tuple[str, ...]:
     for each in chosen:
         if each == ALL_INTERFACES:
             own = [name for name in present if "::1" not in present[name]]
-        elif each == multicast.ANY:
+        elif each == ANY:
             own = [each]
         else:
             own = [name for name in present if each in (name, *present[name], *addressed.get(name, ()))]
@@ -135,7 +134,7 @@ def names(chosen: Sequence[str]) -> tuple[str, ...]:
 
 def index(name: str) -> int:
     """The kernel's number of an interface, 0 for `ANY`; raises `OSError` when it is gone."""
-    return 0 if name == multicast.ANY else socket.if_nametoindex(name)
+    return 0 if name == ANY else socket.if_nametoindex(name)
 
 
 def _present(family: socket.AddressFamily) -> dict[str, list[str]]:

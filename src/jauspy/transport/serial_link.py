@@ -17,7 +17,7 @@ from jauspy.transport.base import SendQueue
 if TYPE_CHECKING:
     import serial
 
-_LOGGER = logging.getLogger(__name__)
+_LINK_LOGGER = logging.getLogger(__name__)
 
 READ_SIZE: Final = 4096
 REOPEN_INTERVAL: Final = 1.0
@@ -144,7 +144,7 @@ class SerialLink:
 
     def _lost(self, error: OSError) -> None:
         self._counters["serial.lost"] += 1
-        _LOGGER.warning("serial port %s: %s", self.line.device, error)
+        _LINK_LOGGER.warning("serial port %s: %s", self.line.device, error)
         self._release()
         self._retry = self._loop.call_later(REOPEN_INTERVAL, self._reopen)
 

@@ -12,7 +12,7 @@ from jauspy.protocol.address_book import Address
 from jauspy.protocol.counters import Counters
 from jauspy.transport.base import SendQueue
 
-_LOGGER = logging.getLogger(__name__)
+_LINK_LOGGER = logging.getLogger(__name__)
 
 HIGH_WATER: Final = 64 * 1024
 """Bytes handed to the kernel and not taken yet, from which on packets wait here, by priority and in bounds."""
@@ -165,7 +165,7 @@ class Dialer:
             except (OSError, TimeoutError) as error:
                 self.problem = str(error) or "no answer in time"
                 self._counters["tcp.connect_failed"] += 1
-                _LOGGER.debug("no JTCP connection to %s: %s", self.address, self.problem)
+                _LINK_LOGGER.debug("no JTCP connection to %s: %s", self.address, self.problem)
             else:
                 pause = FIRST_RETRY
                 await self._until_lost()
@@ -182,7 +182,7 @@ class Dialer:
         self.link = link
         self.connected.set()
         self._counters["tcp.connected"] += 1
-        _LOGGER.info("JTCP connection to %s", self.address)
+        _LINK_LOGGER.info("JTCP connection to %s", self.address)
 
     async def _until_lost(self) -> None:
         try:
