@@ -16,7 +16,7 @@ from jauspy.protocol import judp
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.header import Broadcast, Packet
 from jauspy.testing import until
-from jauspy.transport import LocalTransport, TcpTransport, stream
+from jauspy.transport import LocalTransport, TcpTransport, tcp as stream
 
 HERE, FAR, OTHER = JausID.parse("100.1.2"), JausID.parse("200.1.1"), JausID.parse("200.1.2")
 

@@ -12,7 +12,7 @@ from typing import Final
 from jauspy.errors import TransportError
 from jauspy.protocol.addressing import TcpPort
 from jauspy.protocol.counters import Counters
-from jauspy.transport.stream import Dialer, StreamLink
+from jauspy.transport.tcp import Dialer, StreamLink
 
 _LOGGER = logging.getLogger(__name__)
 

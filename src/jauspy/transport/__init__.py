@@ -5,8 +5,7 @@ from __future__ import annotations
 from jauspy.transport.base import Transport
 from jauspy.transport.local import LocalTransport
 from jauspy.transport.loopback import LoopbackHub, LoopbackTransport
-from jauspy.transport.serial import SerialTransport
-from jauspy.transport.serial_link import SerialLine
+from jauspy.transport.serial import SerialLine, SerialTransport
 from jauspy.transport.tcp import TcpTransport
 from jauspy.transport.udp import UdpTransport
 
