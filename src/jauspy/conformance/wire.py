@@ -172,9 +172,9 @@ def _sender(port: int, interface: str) -> socket.socket:
     sock = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
     try:
         sock.setblocking(False)
-        multicast.hold_bursts(sock)
+        multicast.set_receive_buffer(sock)
         multicast.prepare_sender(sock, interface, judp.MULTICAST_TTL)
-        multicast.hear_only_joined(sock)
+        multicast.receive_only_joined(sock)
         try:
             sock.bind((multicast.ANY, port))
         except OSError:

@@ -189,7 +189,7 @@ class Network:
         config = self.config
         if config.address == multicast.ANY:
             multicast.share_group(self._unicast)
-            multicast.hear_only_joined(self._unicast)
+            multicast.receive_only_joined(self._unicast)
             return Memberships(self._unicast, config.multicast_group, config.interfaces)
         try:
             self._group = multicast.receiver((config.multicast_group, self.port))

@@ -1,4 +1,4 @@
-"""How a component reaches others: through its node manager's socket, by UDP, TCP or a serial line, or in memory."""
+"""Transports of a component: its node manager's local socket, UDP, TCP, a serial line, or memory."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A component that reaches a node manager over a serial line. Needs the extra `serial`."""
+"""Serial lines (JSerial): a link that reopens its device, and a component's transport. Needs the extra `serial`."""
 
 from __future__ import annotations
 
@@ -18,6 +18,7 @@ from jauspy.transport.base import Receiver, SendQueue, ignore
 if TYPE_CHECKING:
     import serial
 
+_LOGGER = logging.getLogger(__name__)
 
 READ_SIZE: Final = 4096
 REOPEN_INTERVAL: Final = 1.0
@@ -25,7 +26,7 @@ REOPEN_INTERVAL: Final = 1.0
 
 @dataclass(frozen=True, slots=True)
 class SerialLine:
-    """A device and how it is set: 8 data bits; `parity` is N, E or O; `stop_bits` 1 or 2."""
+    """Settings of a serial device with 8 data bits; `parity` is N, E or O, `stop_bits` 1 or 2."""
 
     device: str
     baud_rate: int = 19200
@@ -36,12 +37,15 @@ class SerialLine:
 
 
 class SerialLink:
-    """Sends and receives datagrams; `took(datagram)` gets each one. While the device is away, they are dropped."""
+    """Sends datagrams, and calls `received(datagram)` for each received one.
 
-    def __init__(self, line: SerialLine, counters: Counters, took: Callable[[bytes], None]) -> None:
+    While the device is missing, datagrams are dropped, and opening is retried.
+    """
+
+    def __init__(self, line: SerialLine, counters: Counters, received: Callable[[bytes], None]) -> None:
         self.line = line
         self._counters = counters
-        self._took = took
+        self._received = received
         self._loop = asyncio.get_running_loop()
         self._port: serial.Serial | None = None
         self._decoder = jserial.FrameDecoder()
@@ -51,16 +55,16 @@ class SerialLink:
 
     @property
     def connected(self) -> bool:
-        """True while the device is there."""
+        """True while the device is open."""
         return self._port is not None
 
     @property
     def waiting(self) -> int:
-        """Packets that the line has not taken yet."""
+        """The number of queued packets."""
         return len(self._waiting)
 
     def open(self) -> None:
-        """Open the device; raises `TransportError` that says what to do."""
+        """Open the device; raises `TransportError`."""
         try:
             import serial  # noqa: PLC0415 - an extra
         except ImportError:
@@ -85,14 +89,14 @@ class SerialLink:
         self._loop.add_reader(self._port.fileno(), self._read)
 
     def close(self) -> None:
-        """Give the device back; a second call does nothing."""
+        """Close the device; a second call does nothing."""
         if self._retry is not None:
             self._retry.cancel()
             self._retry = None
         self._release()
 
     def send(self, datagram: bytes) -> bool:
-        """Send a checked datagram of one packet as soon as the line takes it; false when it was dropped."""
+        """Send a checked datagram of one packet as soon as the line has room; false when it was dropped."""
         if self._port is None:
             self._counters.drop("serial_closed", self.line.device)
             return False
@@ -120,10 +124,10 @@ class SerialLink:
         for problem in errors:
             self._counters.drop(f"malformed.{problem.reason}", problem)
         for datagram in datagrams:
-            self._took(datagram)
+            self._received(datagram)
 
     def _write(self) -> None:
-        """Send as much as the line takes; the rest of a frame goes first when it takes more."""
+        """Write as much as the line has room for; the rest of a frame is written first next time."""
         while self._port is not None and (self._rest or self._waiting):
             if not self._rest:
                 self._rest = jserial.frame(self._waiting.peek())
@@ -168,11 +172,8 @@ class SerialLink:
             port.close()
 
 
-_LOGGER = logging.getLogger(__name__)
-
-
 class SerialTransport:
-    """Speaks JSerial on one line."""
+    """A component's transport over one serial line to a node manager."""
 
     def __init__(self, id: JausID, line: SerialLine) -> None:
         self.id = id
@@ -183,17 +184,17 @@ class SerialTransport:
 
     @property
     def connected(self) -> bool:
-        """True while the device is there; a serial line tells no more."""
+        """True while the device is open; a serial line has no other state."""
         return self._link is not None and self._link.connected
 
     @property
     def waiting(self) -> int:
-        """Packets that the line has not taken yet."""
+        """The number of queued packets."""
         return 0 if self._link is None else self._link.waiting
 
     @property
     def counters(self) -> Mapping[str, int]:
-        """What was sent, received and dropped, by reason."""
+        """Counters of sent, received and dropped datagrams, by reason."""
         return self._counters
 
     async def open(self) -> None:
@@ -203,18 +204,18 @@ class SerialTransport:
         self._link = link
 
     async def close(self) -> None:
-        """Give the device back."""
+        """Close the device."""
         link, self._link = self._link, None
         if link is not None:
             link.close()
 
-    def move(self, id: JausID, goodbye: Callable[[], None]) -> None:
-        """Be another component; the way to it stays the same."""
-        goodbye()
+    def move(self, id: JausID, on_leave: Callable[[], None]) -> None:
+        """Change the id; the connection is kept."""
+        on_leave()
         self.id = id
 
     def send(self, datagram: bytes) -> None:
-        """Send each packet in a frame of its own, or drop and count."""
+        """Send each packet in a frame of its own; counted when dropped."""
         if self._link is None:
             self._counters.drop("closed")
             return

@@ -1,4 +1,4 @@
-"""A component that reaches a node manager by JTCP."""
+"""JTCP connections: an open one, one that is reconnected, and a component's transport."""
 
 from __future__ import annotations
 
@@ -14,55 +14,57 @@ from jauspy.protocol.address_book import Address
 from jauspy.protocol.counters import Counters
 from jauspy.transport.base import Receiver, SendQueue, ignore
 
+_LOGGER = logging.getLogger(__name__)
 
 HIGH_WATER: Final = 64 * 1024
-"""Bytes handed to the kernel and not taken yet, from which on packets wait here, by priority and in bounds."""
+"""Bytes in asyncio's write buffer above which packets wait in a bounded queue, by priority."""
 READ_SIZE: Final = 2048
-"""Bytes read per turn of the event loop: a hundred of the smallest packets, so that a flood delays nobody else."""
+"""Bytes read per turn of the event loop: about a hundred of the smallest packets, so that a flood delays nobody."""
 CONNECT_TIMEOUT: Final = 5.0
-FIRST_RETRY: Final = 0.1
-LAST_RETRY: Final = 10.0
+MIN_RETRY_INTERVAL: Final = 0.1
+MAX_RETRY_INTERVAL: Final = 10.0
 
 
 class StreamLink(asyncio.BufferedProtocol):
-    """An open connection. `took(link, datagram)` gets each packet, `ended(link)` is called once when it is closed.
+    """An open connection. `received(link, datagram)` is called for each packet, `ended(link)` once when it is closed.
 
-    A stream that lost its boundaries is closed: nothing else brings them back. A link is bound to one version: who
-    opens it greets with that of AS5669A; who was called (`began`) greets with what it has heard, before it sends.
+    A stream that has lost the packet boundaries is closed, because nothing restores them. A connection has one version:
+    the client sends the version byte of AS5669A; the server, which has the callback `accepted`, sends the version that
+    it has received.
     """
 
     def __init__(
         self,
         counters: Counters,
-        took: Callable[[StreamLink, bytes], None],
+        received: Callable[[StreamLink, bytes], None],
         ended: Callable[[StreamLink], None],
-        began: Callable[[StreamLink], None] | None = None,
+        accepted: Callable[[StreamLink], None] | None = None,
     ) -> None:
         self.peer: Address = ("", 0)
-        self.has_spoken = False
-        """True when a whole packet has come."""
+        self.has_received = False
+        """True when a complete packet has arrived."""
         self._counters = counters
-        self._took = took
+        self._received = received
         self._ended = ended
-        self._began = began
+        self._accepted = accepted
         self._decoder = jtcp.StreamDecoder()
         self._buffer = bytearray(READ_SIZE)
-        self._greeted: int | None = None
+        self._sent_version: int | None = None
         self._transport: asyncio.Transport | None = None
         self._paused = False
         self._waiting = SendQueue()
 
     @property
     def waiting(self) -> int:
-        """Datagrams that wait for room."""
+        """The number of queued datagrams."""
         return len(self._waiting)
 
     def send(self, datagram: bytes) -> bool:
-        """Send a checked datagram, or have it wait for room; false when it cannot go this way."""
+        """Send a checked datagram, or queue it; false when it cannot be sent on this connection."""
         if self._transport is None or self._transport.is_closing():
             self._counters.drop("tcp_closed", self.peer)
-        elif datagram[0] != self._greet(self._transport):
-            self._counters.drop("tcp_version", f"version {datagram[0]} to {self.peer}, which speaks {self._greeted}")
+        elif datagram[0] != self._send_version(self._transport):
+            self._counters.drop("tcp_version", f"version {datagram[0]} to {self.peer} with {self._sent_version}")
         elif not self._paused:
             self._transport.write(self._decoder.frame(datagram))
             return True
@@ -73,49 +75,49 @@ class StreamLink(asyncio.BufferedProtocol):
         return False
 
     def close(self) -> None:
-        """Close at once; what waits is lost."""
+        """Close at once; queued datagrams are lost."""
         if self._transport is not None:
             self._transport.abort()
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
-        """Greet, or tell the owner that somebody has called."""
+        """Send the version byte, or report an accepted connection to the owner."""
         self._transport = cast("asyncio.Transport", transport)
         self.peer = (transport.get_extra_info("peername") or self.peer)[:2]
         self._transport.set_write_buffer_limits(high=HIGH_WATER)
-        if self._began is not None:
-            self._began(self)
+        if self._accepted is not None:
+            self._accepted(self)
         else:
-            self._greet(self._transport)
+            self._send_version(self._transport)
 
     def get_buffer(self, _sizehint: int) -> bytearray:
-        """Where the next bytes are read to."""
+        """The buffer for the next bytes."""
         return self._buffer
 
     def buffer_updated(self, nbytes: int) -> None:
-        """Hand up whole packets."""
+        """Pass on complete packets."""
         if self._transport is None or self._transport.is_closing():
             return
         datagrams, error = self._decoder.feed(bytes(self._buffer[:nbytes]))
-        self.has_spoken = self.has_spoken or bool(datagrams)
+        self.has_received = self.has_received or bool(datagrams)
         for datagram in datagrams:
-            self._took(self, datagram)
+            self._received(self, datagram)
         if error is not None:
             self._counters.drop(f"malformed.{error.reason}", f"{self.peer}: {error}")
             self.close()
 
-    def _greet(self, transport: asyncio.Transport) -> int:
-        """Say once which version is spoken here; returns it."""
-        if self._greeted is None:
-            self._greeted = self._decoder.version or header.VERSION
-            transport.write(bytes([self._greeted]))
-        return self._greeted
+    def _send_version(self, transport: asyncio.Transport) -> int:
+        """Send the version byte once; returns the version."""
+        if self._sent_version is None:
+            self._sent_version = self._decoder.version or header.VERSION
+            transport.write(bytes([self._sent_version]))
+        return self._sent_version
 
     def pause_writing(self) -> None:
-        """The peer does not read: packets wait."""
+        """Queue packets, because the peer does not read."""
         self._paused = True
 
     def resume_writing(self) -> None:
-        """Send what waits, the most urgent first."""
+        """Send queued packets, those of the highest priority first."""
         self._paused = False
         while self._waiting and not self._paused and self._transport is not None:
             datagram = self._waiting.peek()
@@ -123,7 +125,7 @@ class StreamLink(asyncio.BufferedProtocol):
             self._transport.write(self._decoder.frame(datagram))
 
     def connection_lost(self, _error: Exception | None) -> None:
-        """Tell the owner, and count what waited."""
+        """Report the end to the owner, and count the queued packets as dropped."""
         for _ in range(len(self._waiting)):
             self._counters.drop("tcp_closed", self.peer)
         self._transport, self._waiting = None, SendQueue()
@@ -131,18 +133,19 @@ class StreamLink(asyncio.BufferedProtocol):
 
 
 class Dialer:
-    """Keeps a connection to one address: tries again after a growing pause. While there is none, packets are dropped.
+    """Keeps a connection to one address, and reconnects after a growing pause.
 
-    They do not wait for it: a command that comes seconds late is worse than one that does not come.
+    Packets are dropped while there is none: a command that arrives seconds late is worse than a lost one.
     """
 
-    def __init__(self, address: Address, counters: Counters, took: Callable[[StreamLink, bytes], None]) -> None:
+    def __init__(self, address: Address, counters: Counters, received: Callable[[StreamLink, bytes], None]) -> None:
         self.address = address
         self.link: StreamLink | None = None
         self.connected = asyncio.Event()
         self.problem = "it does not answer"
+        """Why the last attempt failed."""
         self._counters = counters
-        self._took = took
+        self._received = received
         self._lost = asyncio.Event()
         self._task = asyncio.get_running_loop().create_task(self._keep(), name=f"JTCP to {address[0]}:{address[1]}")
 
@@ -154,12 +157,12 @@ class Dialer:
         return self.link.send(datagram)
 
     async def close(self) -> None:
-        """Give up and close."""
+        """Close the connection, and do not reconnect."""
         self._task.cancel()
         await asyncio.gather(self._task, return_exceptions=True)
 
     async def _keep(self) -> None:
-        pause = FIRST_RETRY
+        pause = MIN_RETRY_INTERVAL
         while True:
             try:
                 await self._connect()
@@ -168,17 +171,17 @@ class Dialer:
                 self._counters["tcp.connect_failed"] += 1
                 _LOGGER.debug("no JTCP connection to %s: %s", self.address, self.problem)
             else:
-                pause = FIRST_RETRY
+                pause = MIN_RETRY_INTERVAL
                 await self._until_lost()
             await asyncio.sleep(pause)
-            pause = min(2 * pause, LAST_RETRY)
+            pause = min(2 * pause, MAX_RETRY_INTERVAL)
 
     async def _connect(self) -> None:
         loop = asyncio.get_running_loop()
         self._lost.clear()
         async with asyncio.timeout(CONNECT_TIMEOUT):
             _, link = await loop.create_connection(
-                lambda: StreamLink(self._counters, self._took, self._ended), *self.address
+                lambda: StreamLink(self._counters, self._received, self._ended), *self.address
             )
         self.link = link
         self.connected.set()
@@ -202,17 +205,17 @@ class Dialer:
         self._counters["tcp.closed"] += 1
 
 
-_LOGGER = logging.getLogger(__name__)
-
-
 class TcpTransport:
-    """One connection to `peer`, opened again when it is lost. `open` waits at most `patience` seconds for it."""
+    """A component's transport over a JTCP connection to a node manager at `peer`, reconnected when it is lost.
 
-    def __init__(self, id: JausID, peer: Address, *, patience: float | None = 5.0) -> None:
+    `open` waits at most `timeout` seconds for the connection, or not at all with None.
+    """
+
+    def __init__(self, id: JausID, peer: Address, *, timeout: float | None = 5.0) -> None:
         self.id = id
         self.received: Receiver = ignore
         self._peer = peer
-        self._patience = patience
+        self._timeout = timeout
         self._counters = Counters(_LOGGER)
         self._dialer: Dialer | None = None
 
@@ -223,21 +226,21 @@ class TcpTransport:
 
     @property
     def waiting(self) -> int:
-        """Datagrams that the connection has not taken yet."""
+        """The number of queued datagrams."""
         return 0 if self._dialer is None or self._dialer.link is None else self._dialer.link.waiting
 
     @property
     def counters(self) -> Mapping[str, int]:
-        """What was sent, received and dropped, by reason."""
+        """Counters of sent, received and dropped datagrams, by reason."""
         return self._counters
 
     async def open(self) -> None:
-        """Connect; raises `TransportError` when nobody answers. With `patience=None` it does not wait."""
+        """Connect; raises `TransportError` if there is no connection in time."""
         dialer = self._dialer = Dialer(self._peer, self._counters, self._take)
-        if self._patience is None:
+        if self._timeout is None:
             return
         try:
-            await asyncio.wait_for(dialer.connected.wait(), self._patience)
+            await asyncio.wait_for(dialer.connected.wait(), self._timeout)
         except BaseException as error:
             await self.close()
             if not isinstance(error, TimeoutError):
@@ -254,13 +257,13 @@ class TcpTransport:
         if dialer is not None:
             await dialer.close()
 
-    def move(self, id: JausID, goodbye: Callable[[], None]) -> None:
-        """Be another component; the way to it stays the same."""
-        goodbye()
+    def move(self, id: JausID, on_leave: Callable[[], None]) -> None:
+        """Change the id; the connection is kept."""
+        on_leave()
         self.id = id
 
     def send(self, datagram: bytes) -> None:
-        """Send, or drop and count."""
+        """Send a datagram; counted when dropped."""
         if self._dialer is None:
             self._counters.drop("closed")
             return
