@@ -91,7 +91,7 @@ async def test_takes_over_the_socket_of_a_dead_component(root: Path) -> None:
 
 async def test_leaves_a_file_alone_that_is_no_socket(root: Path) -> None:
     (root / str(int(A))).write_text("mine")
-    with pytest.raises(TransportError, match="is no socket"):
+    with pytest.raises(TransportError, match="is not a socket"):
         await LocalTransport(A, root).open()
     assert (root / str(int(A))).read_text() == "mine"
 
