@@ -10,7 +10,7 @@ from typing import Any, Final
 from jauspy.component import Shell
 from jauspy.modules.config import ModuleConfig
 from jauspy.modules.robot import RobotRunner
-from jauspy.modules.snapshot import Snapshot
+from jauspy.platform.contract import Snapshot
 from jauspy.services.core import AccessControl, Events
 from jauspy.services.core.subscriptions import Subscription
 from jauspy.video.camera_process import CameraProcess

@@ -14,7 +14,7 @@ from rich.text import Text
 
 from jauspy.cli.up_look import CameraLook, Look, ModuleLook, NodeLook
 from jauspy.modules.config import RobotConfig
-from jauspy.modules.snapshot import Snapshot
+from jauspy.platform.contract import Snapshot
 
 COLOURS: Final[Mapping[str, str]] = {
     "ready": "green",
