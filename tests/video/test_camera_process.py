@@ -178,7 +178,7 @@ async def test_the_edges_of_stills_are_smooth_unless_they_are_large(camera, size
 
 
 async def test_too_many_stills_and_receivers_are_refused(camera):
-    for _ in range(still_orders.MOST):
+    for _ in range(still_orders.MAX_PENDING_STILLS):
         camera.take(TINY, lambda _: None)
     with pytest.raises(ConfigError, match="8 still images of this camera are under way"):
         camera.take(TINY, lambda _: None)

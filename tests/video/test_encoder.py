@@ -19,7 +19,7 @@ from jauspy.video.stamp import read
 
 
 def kinds(nals):
-    return [nal.kind(unit) for unit in nals]
+    return [nal.nal_type(unit) for unit in nals]
 
 
 def test_every_idr_comes_with_its_parameter_sets(scene):
@@ -106,7 +106,7 @@ def test_profile_and_level_are_those_of_the_stream(scene, profile, number, prese
         decoder = H264Decoder()
         pictures = [tuple(encoder.encode(scene(each))) for each in range(3)]
         sps = pictures[0][0]
-        assert (nal.kind(sps), sps[1], sps[3]) == (nal.SPS, number, told)
+        assert (nal.nal_type(sps), sps[1], sps[3]) == (nal.SPS, number, told)
         images = [decoder.decode(Picture(each, units, whole=True)) for each, units in enumerate(pictures)]
         assert [read(image) for image in images] == [[0], [1], [2]]
 

@@ -90,7 +90,7 @@ class Film:
     def __init__(self, scene: Callable[..., np.ndarray]) -> None:
         encoder, decoder = H264Encoder(SETTINGS), H264Decoder()
         self.pictures = [encoder.encode(scene(n, SETTINGS.width, SETTINGS.height)) for n in range(PICTURES)]
-        self.idrs = {n for n, nals in enumerate(self.pictures) if any(nal.kind(unit) == nal.IDR for unit in nals)}
+        self.idrs = {n for n, nals in enumerate(self.pictures) if any(nal.nal_type(unit) == nal.IDR for unit in nals)}
         whole = (Picture(n, tuple(nals), whole=True) for n, nals in enumerate(self.pictures))
         self.true = [decoder.decode(picture) @ LUMA for picture in whole]
 

@@ -17,7 +17,7 @@ from jauspy.video.decoder import H264Decoder
 from jauspy.video.encoder import H264Encoder
 from jauspy.video.receiver import RtpReceiver
 from jauspy.video.recorder import Recorder
-from jauspy.video.sender import IDR_PAUSE, MAX_RECEIVERS, RtpSender
+from jauspy.video.sender import MAX_RECEIVERS, MIN_IDR_INTERVAL, RtpSender
 from jauspy.video.stamp import read
 
 RATE = 15
@@ -126,8 +126,8 @@ def test_wishes_for_whole_pictures_do_not_come_faster_than_they_may(sender, rece
     sender.add(at(receiver))
     sender.send([b"\x67\x01", b"\x65\x01"], 10.0, 1e9)
     sender._asked = True
-    assert not sender.needs_idr(10.0 + IDR_PAUSE / 2)
-    assert sender.needs_idr(10.0 + IDR_PAUSE)
+    assert not sender.needs_idr(10.0 + MIN_IDR_INTERVAL / 2)
+    assert sender.needs_idr(10.0 + MIN_IDR_INTERVAL)
 
 
 def test_a_report_says_which_time_a_stamp_means(sender):
@@ -137,9 +137,9 @@ def test_a_report_says_which_time_a_stamp_means(sender):
     assert first == (0x80, 200, 6, 7, 2_208_988_801, 1 << 31, 90, 3, 400)
     assert report[28:30] == b"\x81\xca"
     assert len(report) % 4 == 0
-    assert not rtcp.asks_for_picture(report)
-    assert rtcp.asks_for_picture(report + rtcp.picture_loss(1, 7))
-    assert not rtcp.asks_for_picture(report + rtcp.picture_loss(1, 7)[:8])
+    assert not rtcp.requests_picture(report)
+    assert rtcp.requests_picture(report + rtcp.picture_loss_indication(1, 7))
+    assert not rtcp.requests_picture(report + rtcp.picture_loss_indication(1, 7)[:8])
 
 
 def test_there_is_a_limit_to_receivers_and_names_are_not_looked_up(sender):
@@ -171,7 +171,7 @@ def test_a_taken_port_says_so(receivers):
 def test_with_lost_packets_the_picture_is_right_again_from_the_next_idr_on(scene):
     """2 % of the packets are lost; pictures from a whole IDR up to the next loss are what was sent."""
     from jauspy.video.depacketiser import Depacketiser
-    from jauspy.video.packetiser import payloads
+    from jauspy.video.packetiser import packetise
     from jauspy.video.rtp import RtpPacket
     from jauspy.video.stream import RtpStream
 
@@ -179,7 +179,7 @@ def test_with_lost_packets_the_picture_is_right_again_from_the_next_idr_on(scene
     stream, receiver, decoder = RtpStream("lossy"), Depacketiser(), H264Decoder()
     sound, checked, idrs = False, 0, 0
     for number in range(150):
-        packed = payloads(encoder.encode(scene(number)))
+        packed = packetise(encoder.encode(scene(number)))
         sent = stream.packets(packed, idr=number == 0, now=number / RATE)
         arrived = [data for data in sent if chance.random() >= 0.02]
         before = receiver.counters["lost"]

@@ -23,7 +23,7 @@ from jauspy.messages.environment_sensing import (
 from jauspy.ocu import OCU
 from jauspy.services.environment_sensing.digital_resource_discovery import RTP
 from jauspy.video.players import ffmpeg_source, gstreamer_source
-from jauspy.video.sdp import session
+from jauspy.video.sdp import session_description
 
 AGAIN: Final = 60.0
 """Seconds between two entries; the robot forgets after five minutes."""
@@ -114,7 +114,7 @@ async def record(
 def players(file: Path, name: str, address: tuple[str, int], *, show: bool) -> None:
     """Write the SDP, and say how to watch; with `show` open a window, if there is a screen."""
     try:
-        file.write_text(session(name, *address), newline="")
+        file.write_text(session_description(name, *address), newline="")
     except OSError as error:
         raise ConfigError(f"cannot write {file}: {error}; name another file with --sdp") from error
     ffplay = ["ffplay", *ffmpeg_source(file)]

@@ -26,7 +26,7 @@ from jauspy.workers import give_way
 POLITENESS: Final = 5
 """By how much it is nicer than the robot's process: clouds never delay control."""
 
-COUNTED: Final = 1.0
+COUNTER_INTERVAL: Final = 1.0
 """Seconds between two reports of the counters."""
 
 Say: TypeAlias = Callable[[dict[str, object]], None]
@@ -60,7 +60,7 @@ def _publish(stream: DepthStream, eye: Eye, publisher: CloudPublisher, source: i
         counters["skipped"] += late
         counters["points"] += _look(stream, eye, publisher)
         counters["published"] += 1
-        if time.monotonic() - told >= COUNTED:
+        if time.monotonic() - told >= COUNTER_INTERVAL:
             told = time.monotonic()
             say({"counters": counters})
 

@@ -22,7 +22,7 @@ from typing import Final
 from jauspy.errors import DecodeError
 
 MAGIC: Final = b"JPC1"
-MOST_POINTS: Final = 1_000_000
+MAX_POINTS: Final = 1_000_000
 """Of one message."""
 XYZ: Final = 3
 XYZ_RGB: Final = 6
@@ -54,7 +54,7 @@ class Cloud:
         """As bytes; `ValueError` for points that are not whole, or too many."""
         if self.values not in (XYZ, XYZ_RGB) or len(self.points) != len(self) * _FLOAT * self.values:
             raise ValueError(f"{len(self.points)} bytes are no points of {self.values} float32 values (3 or 6)")
-        if len(self) > MOST_POINTS:
+        if len(self) > MAX_POINTS:
             raise ValueError(f"{len(self)} points are too many for one message; {MOST_POINTS} are possible")
         name = self.frame.encode()
         header = _HEADER.pack(MAGIC, self.values, len(name), len(self), self.stream, self.number, self.time)
@@ -66,7 +66,7 @@ def decode(data: bytes) -> Cloud:
     if len(data) < _HEADER.size or data[:4] != MAGIC:
         raise DecodeError("not a point cloud: it does not begin with JPC1 and a header of 32 bytes")
     _, values, length, points, stream, number, time = _HEADER.unpack_from(data)
-    if values not in (XYZ, XYZ_RGB) or points > MOST_POINTS:
+    if values not in (XYZ, XYZ_RGB) or points > MAX_POINTS:
         raise DecodeError(f"{points} points of {values} values; there may be {MOST_POINTS}, of 3 or 6")
     start = _HEADER.size + length
     if len(data) != start + points * values * _FLOAT:

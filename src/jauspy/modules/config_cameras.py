@@ -8,7 +8,7 @@ from typing import Annotated, Self
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from jauspy.cloud.depth import DepthSettings
-from jauspy.cloud.message import MOST_POINTS
+from jauspy.cloud.message import MAX_POINTS
 from jauspy.errors import ConfigError
 from jauspy.modules.config_joints import JointName
 from jauspy.platform.camera import CameraSetup
@@ -31,8 +31,8 @@ class DepthConfig(BaseModel):
     def _fits(self) -> Self:
         if self.range[0] >= self.range[1]:
             raise ValueError(f"range: {list(self.range)} is empty; give the least distance and then the largest")
-        if self.size[0] * self.size[1] > MOST_POINTS:
-            raise ValueError(f"size: {list(self.size)} are too many points for one message; it has {MOST_POINTS}")
+        if self.size[0] * self.size[1] > MAX_POINTS:
+            raise ValueError(f"size: {list(self.size)} are too many points for one message; it has {MAX_POINTS}")
         return self
 
     def settings(self) -> DepthSettings:

@@ -9,7 +9,7 @@ if TYPE_CHECKING:
     from jauspy.testing.clock import VirtualClock as VirtualClock
     from jauspy.testing.network import VirtualNetwork as VirtualNetwork
     from jauspy.testing.node import LocalNode as LocalNode
-    from jauspy.testing.place import Place as Place
+    from jauspy.testing.place import TestEnvironment as Place
     from jauspy.testing.waiting import until as until
 
 _EXPORTS = {

@@ -18,7 +18,7 @@ from jauspy.modules.robot import RobotRunner
 from jauspy.protocol.header import Packet
 from jauspy.protocol.judp import unpack_all
 from jauspy.testing.clock import VirtualClock
-from jauspy.testing.place import Place
+from jauspy.testing.place import TestEnvironment
 from jauspy.testing.robot import VirtualTime
 from jauspy.transport import LoopbackHub, LoopbackTransport
 
@@ -28,7 +28,7 @@ MAX_LOG: Final = 100_000
 """Packets that `log` remembers: the latest."""
 
 
-class VirtualNetwork(Place):
+class VirtualNetwork(TestEnvironment):
     """`async with VirtualNetwork(loss=0.2, delay=0.05) as network: ...`; everything inside lives on virtual time.
 
     `loss`, `duplication` and `reordering` are fractions of the datagrams (0..1), `delay` and `jitter` seconds; jitter

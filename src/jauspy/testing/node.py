@@ -17,13 +17,13 @@ from jauspy.modules import robots
 from jauspy.modules.robot import RobotRunner
 from jauspy.node import NodeConfig, NodeManager
 from jauspy.sync.portal import Portal
-from jauspy.testing.place import Place
+from jauspy.testing.place import TestEnvironment
 from jauspy.transport import LocalTransport
 
 T = TypeVar("T")
 
 
-class LocalNode(Place):
+class LocalNode(TestEnvironment):
     """`with LocalNode() as node: ...`: a node manager in a thread, so that it serves whatever the test does.
 
     It listens on 127.0.0.1 only, on a free UDP port, and has its sockets

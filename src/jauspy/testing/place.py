@@ -16,7 +16,7 @@ from jauspy.services.service import Service
 from jauspy.transport import Transport
 
 
-class Place(ABC):
+class TestEnvironment(ABC):
     """Makes components and OCUs that reach each other; each is to be used with `async with`."""
 
     @abstractmethod

@@ -43,9 +43,9 @@ def node_manager() -> Iterator[LocalNode]:
 async def virtual_network() -> AsyncIterator[VirtualNetwork]:
     """A network in memory, on virtual time; fails a test that leaves tasks or unseen errors behind."""
     from jauspy.testing import VirtualNetwork  # noqa: PLC0415
-    from jauspy.testing.strict import tidy  # noqa: PLC0415
+    from jauspy.testing.strict import no_leftovers  # noqa: PLC0415
 
-    async with tidy(), VirtualNetwork() as network:
+    async with no_leftovers(), VirtualNetwork() as network:
         yield network
 
 

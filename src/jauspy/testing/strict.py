@@ -10,7 +10,7 @@ from typing import Any
 
 
 @asynccontextmanager
-async def tidy() -> AsyncIterator[None]:
+async def no_leftovers() -> AsyncIterator[None]:
     """`AssertionError` when the body leaves a task running, or an error reached only the event loop."""
     loop, before = asyncio.get_running_loop(), asyncio.all_tasks()
     complaints: list[dict[str, Any]] = []

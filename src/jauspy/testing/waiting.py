@@ -6,7 +6,7 @@ import asyncio
 from collections.abc import Callable
 from typing import Final
 
-LOOK: Final = 0.005
+POLL_INTERVAL: Final = 0.005
 """Seconds between two looks."""
 
 
@@ -17,7 +17,7 @@ async def until(condition: Callable[[], object], within: float = 20.0) -> None:
     while not condition():
         if clock() >= end:
             raise AssertionError(f"waited {within:g} s in vain for {_named(condition)}")
-        await asyncio.sleep(LOOK)
+        await asyncio.sleep(POLL_INTERVAL)
 
 
 def _named(condition: Callable[[], object]) -> str:

@@ -17,9 +17,20 @@ from jauspy.platform.camera import Camera, CameraSetup
 from jauspy.platform.stills import StillSettings
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.video.extra import need_video
-from jauspy.video.orders import Address, Begin, Change, Counted, Leave, Opened, Order, Take, Taken, Watch
+from jauspy.video.orders import (
+    AddReceiver,
+    Address,
+    CameraOpened,
+    ChangeSettings,
+    Command,
+    CountersReport,
+    RemoveReceiver,
+    Start,
+    StillTaken,
+    TakeStill,
+)
 from jauspy.video.sender import MAX_RECEIVERS
-from jauspy.video.still_orders import StillOrders, Then
+from jauspy.video.still_orders import PendingStills, StillCallback
 from jauspy.video.worker_process import WorkerProcess
 
 STILL_TIMEOUT: Final = 30.0
@@ -39,7 +50,7 @@ class CameraProcess:
     def __init__(self, camera: Camera, settings: VideoSettings, *, stamped: bool = False) -> None:
         self._camera, self._settings, self._stamped = camera, settings, stamped
         self._receivers: dict[Address, bool] = {}
-        self._stills = StillOrders()
+        self._stills = PendingStills()
         self._own: Counter[str] = Counter()
         self._sent: Counter[str] = Counter()
         self._before: Counter[str] = Counter()
@@ -78,7 +89,7 @@ class CameraProcess:
     @settings.setter
     def settings(self, settings: VideoSettings) -> None:
         self._settings = settings
-        self._order(Change(settings))
+        self._order(ChangeSettings(settings))
 
     @property
     def receivers(self) -> Mapping[Address, bool]:
@@ -91,14 +102,14 @@ class CameraProcess:
             raise ConfigError(f"{MAX_RECEIVERS} receivers watch this camera already; one must leave first")
         self._wake()
         self._receivers[address] = playing
-        self._order(Watch(address, playing))
+        self._order(AddReceiver(address, playing))
 
     def leave(self, address: Address) -> None:
         """Send there no longer; unknown ones are no error."""
         if self._receivers.pop(address, None) is not None:
-            self._order(Leave(address))
+            self._order(RemoveReceiver(address))
 
-    def take(self, settings: StillSettings, then: Then) -> None:
+    def take(self, settings: StillSettings, then: StillCallback) -> None:
         """Take a still image; `then` gets it, or None if its process dies.
 
         Raises `ConfigError` without the extra, or when too many wait.
@@ -142,11 +153,11 @@ class CameraProcess:
                 workers.keep(self._live, self._say), name=f"camera {self.setup.name}"
             )
 
-    def _order(self, order: Order) -> None:
+    def _order(self, order: Command) -> None:
         if self._process is not None and not self._process.order(order):
             self._kill(self._process)
 
-    def _look_after(self, order: Take) -> None:
+    def _look_after(self, order: TakeStill) -> None:
         if order not in self._stills or self._process is None:
             return
         left = self._heard_at + self._patience - time.monotonic()
@@ -163,9 +174,9 @@ class CameraProcess:
         self._process = process = await WorkerProcess.start(self._camera.descriptors)
         self._own["started"] += 1
         self._heard_at, self._patience = time.monotonic(), START_TIMEOUT
-        self._order(Begin(self._camera, self._settings, self._stamped))
+        self._order(Start(self._camera, self._settings, self._stamped))
         for address, playing in self._receivers.items():
-            self._order(Watch(address, playing))
+            self._order(AddReceiver(address, playing))
         for order in self._stills:
             self._order(order)
         return process
@@ -186,15 +197,15 @@ class CameraProcess:
     def _hear(self, word: object) -> None:
         self._heard_at, self._patience = time.monotonic(), STILL_TIMEOUT
         match word:
-            case Opened(description, reduced):
+            case CameraOpened(description, reduced):
                 if description != self._description:
                     level = logging.WARNING if reduced else logging.INFO
                     _LOG.log(level, "camera %s: %s", self._camera.setup.name, description)
                 self._description = description
-            case Taken():
+            case StillTaken():
                 self._own["stills"] += 1
                 self._stills.deliver(word, time.monotonic())
-            case Counted(counters):
+            case CountersReport(counters):
                 self._sent = Counter(counters)
 
     def _end(self) -> None:

@@ -31,7 +31,7 @@ class H264Decoder:
     def decode(self, picture: Picture) -> Image | None:
         """The image, red, green and blue; None when the decoder cannot make one of it."""
         try:
-            frames = self._codec.decode(av.Packet(nal.join(picture.nals)))
+            frames = self._codec.decode(av.Packet(nal.join_nals(picture.nals)))
         except FFmpegError:
             frames = []
         if not frames:

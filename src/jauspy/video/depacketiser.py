@@ -11,10 +11,10 @@ from jauspy.video import nal
 from jauspy.video.packetiser import FU_A, FU_END, FU_START, STAP_A
 from jauspy.video.rtp import RtpPacket
 
-MAX_PICTURE: Final = 8 << 20
+MAX_PICTURE_SIZE: Final = 8 << 20
 """Bytes of one picture; longer ones are given up."""
 
-MISORDER: Final = 100
+MAX_MISORDER: Final = 100
 """Packets by which one may come late; one that is farther behind is the first after a long gap (RFC 3550, A.1)."""
 
 
@@ -30,7 +30,7 @@ class Picture:
     @property
     def is_idr(self) -> bool:
         """A decoder can begin with it."""
-        return any(nal.kind(unit) == nal.IDR for unit in self.nals)
+        return any(nal.nal_type(unit) == nal.IDR for unit in self.nals)
 
 
 class Depacketiser:
@@ -56,7 +56,7 @@ class Depacketiser:
         if packet.ssrc != self._ssrc:
             self._begin(packet)
         ahead = (packet.sequence - self._expected) & 0xFFFF
-        if 0x10000 - ahead <= MISORDER:
+        if 0x10000 - ahead <= MAX_MISORDER:
             self.counters["late"] += 1
             return []
         self.counters["packets"] += 1
@@ -84,7 +84,7 @@ class Depacketiser:
 
     def _take(self, payload: bytes) -> None:
         self._size += len(payload)
-        if self._size > MAX_PICTURE:
+        if self._size > MAX_PICTURE_SIZE:
             self.counters["oversize"] += 1
             self._nals, self._fragment, self._whole = [], None, False
             return
@@ -95,11 +95,11 @@ class Depacketiser:
             self._whole = False
 
     def _unpack(self, payload: bytes) -> None:
-        match nal.kind(payload):
+        match nal.nal_type(payload):
             case kind if 1 <= kind < STAP_A:
                 self._nals.append(payload)
             case kind if kind == STAP_A:
-                self._nals.extend(_apart(payload))
+                self._nals.extend(_disaggregate(payload))
             case kind if kind == FU_A:
                 self._part(payload)
             case kind:
@@ -134,7 +134,7 @@ class Depacketiser:
         return [picture]
 
 
-def _apart(payload: bytes) -> list[bytes]:
+def _disaggregate(payload: bytes) -> list[bytes]:
     found, at = [], 1
     while at < len(payload):
         length = int.from_bytes(payload[at : at + 2], "big")

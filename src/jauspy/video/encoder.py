@@ -21,7 +21,7 @@ from jauspy.video.packetiser import MAX_PAYLOAD
 if TYPE_CHECKING:
     from jauspy.platform.camera import Image
 
-BUFFER: Final = 0.25
+VBV_BUFFER: Final = 0.25
 """Seconds of the bit rate that one picture may take at most, so that an IDR is no flood."""
 
 
@@ -60,7 +60,7 @@ class H264Encoder:
         frame.pts = self._count
         frame.pict_type = PictureType.I if idr else PictureType.NONE
         self._count += 1
-        return nal.split(b"".join(bytes(packet) for packet in self._codec.encode(frame)))
+        return nal.split_nals(b"".join(bytes(packet) for packet in self._codec.encode(frame)))
 
 
 def _open(settings: VideoSettings) -> VideoCodecContext:
@@ -91,7 +91,7 @@ def _parameters(settings: VideoSettings) -> dict[str, object]:
     return level | {
         "slice-max-size": MAX_PAYLOAD,
         "vbv-maxrate": rate,
-        "vbv-bufsize": round(rate * BUFFER),
+        "vbv-bufsize": round(rate * VBV_BUFFER),
         "scenecut": 0,
         "cabac": int(profile is not Profile.BASELINE),
         "8x8dct": int(profile is Profile.HIGH),

@@ -11,17 +11,17 @@ SPS: Final = 7
 PPS: Final = 8
 """Types of NAL units: a slice of a picture that needs no other, and the parameter sets that decoders need first."""
 
-START: Final = b"\x00\x00\x00\x01"
+START_CODE: Final = b"\x00\x00\x00\x01"
 
 _STARTS: Final = re.compile(rb"\x00\x00\x01")
 
 
-def kind(nal: bytes) -> int:
+def nal_type(nal: bytes) -> int:
     """The type of a NAL unit, 0..31."""
     return nal[0] & 0x1F
 
 
-def split(stream: bytes) -> list[bytes]:
+def split_nals(stream: bytes) -> list[bytes]:
     """The NAL units of a byte stream (annex B), without start codes and the zeros that may follow a unit."""
     marks = [match.span() for match in _STARTS.finditer(stream)]
     ends = [start for start, _ in marks[1:]] + [len(stream)]
@@ -29,6 +29,6 @@ def split(stream: bytes) -> list[bytes]:
     return [unit for unit in units if unit]
 
 
-def join(nals: Iterable[bytes]) -> bytes:
+def join_nals(nals: Iterable[bytes]) -> bytes:
     """A byte stream (annex B) of NAL units."""
-    return b"".join(START + nal for nal in nals)
+    return b"".join(START_CODE + nal for nal in nals)

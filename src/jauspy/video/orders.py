@@ -19,7 +19,7 @@ LENGTH: Final = 4
 
 
 @dataclass(frozen=True, slots=True)
-class Begin:
+class Start:
     """The first order: through which camera. `stamped`: pictures show their number and time, as `stamp` draws them."""
 
     camera: Camera
@@ -28,14 +28,14 @@ class Begin:
 
 
 @dataclass(frozen=True, slots=True)
-class Change:
+class ChangeSettings:
     """Encode like this from the next picture on."""
 
     settings: VideoSettings
 
 
 @dataclass(frozen=True, slots=True)
-class Watch:
+class AddReceiver:
     """Send to that address, or pause sending there; anew with an IDR when it plays."""
 
     address: Address
@@ -43,25 +43,25 @@ class Watch:
 
 
 @dataclass(frozen=True, slots=True)
-class Leave:
+class RemoveReceiver:
     """Send there no longer."""
 
     address: Address
 
 
 @dataclass(frozen=True, slots=True)
-class Take:
+class TakeStill:
     """Take a still image."""
 
     number: int
     settings: StillSettings
 
 
-Order: TypeAlias = Begin | Change | Watch | Leave | Take
+Command: TypeAlias = Start | ChangeSettings | AddReceiver | RemoveReceiver | TakeStill
 
 
 @dataclass(frozen=True, slots=True)
-class Opened:
+class CameraOpened:
     """The camera is open; how it comes to its pictures, and whether they are worse than elsewhere."""
 
     description: str
@@ -69,7 +69,7 @@ class Opened:
 
 
 @dataclass(frozen=True, slots=True)
-class Taken:
+class StillTaken:
     """The image that was to be taken, as a file's content; `at`: seconds of the machine's monotonic clock."""
 
     number: int
@@ -78,16 +78,16 @@ class Taken:
 
 
 @dataclass(frozen=True, slots=True)
-class Counted:
+class CountersReport:
     """What the camera's process has counted."""
 
     counters: Mapping[str, int]
 
 
-Word: TypeAlias = Opened | Taken | Counted
+Report: TypeAlias = CameraOpened | StillTaken | CountersReport
 
 
-def packed(message: Order | Word) -> bytes:
+def packed(message: Command | Report) -> bytes:
     """A message with its length before it."""
     body = pickle.dumps(message)
     return len(body).to_bytes(LENGTH, "big") + body

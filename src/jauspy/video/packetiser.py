@@ -19,20 +19,20 @@ FU_END: Final = 0x40
 _NRI: Final = 0x60
 
 
-def payloads(nals: Sequence[bytes], limit: int = MAX_PAYLOAD) -> list[bytes]:
+def packetise(nals: Sequence[bytes], limit: int = MAX_PAYLOAD) -> list[bytes]:
     """The payloads, in order, that carry the NAL units of one picture; none is longer than `limit` bytes."""
     made: list[bytes] = []
-    for group in _groups(nals, limit):
+    for group in _payload_groups(nals, limit):
         if len(group) > 1:
-            made.append(_together(group))
+            made.append(_aggregate(group))
         elif len(group[0]) <= limit:
             made.append(group[0])
         else:
-            made.extend(_parts(group[0], limit))
+            made.extend(_fragments(group[0], limit))
     return made
 
 
-def _groups(nals: Sequence[bytes], limit: int) -> Iterator[list[bytes]]:
+def _payload_groups(nals: Sequence[bytes], limit: int) -> Iterator[list[bytes]]:
     """Neighbours that fit into one payload."""
     group: list[bytes] = []
     size = 1
@@ -46,12 +46,12 @@ def _groups(nals: Sequence[bytes], limit: int) -> Iterator[list[bytes]]:
         yield group
 
 
-def _together(nals: Sequence[bytes]) -> bytes:
+def _aggregate(nals: Sequence[bytes]) -> bytes:
     importance = max(nal[0] & _NRI for nal in nals)
     return bytes([importance | STAP_A]) + b"".join(len(nal).to_bytes(2, "big") + nal for nal in nals)
 
 
-def _parts(nal: bytes, limit: int) -> Iterator[bytes]:
+def _fragments(nal: bytes, limit: int) -> Iterator[bytes]:
     indicator, kind = nal[0] & _NRI | FU_A, nal[0] & 0x1F
     room = limit - 2
     for begin in range(1, len(nal), room):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from jauspy.video.rtp import CLOCK, PAYLOAD_TYPE
+from jauspy.video.rtp import CLOCK_RATE, PAYLOAD_TYPE
 
 
 def ffmpeg_source(sdp: Path) -> list[str]:
@@ -15,6 +15,6 @@ def ffmpeg_source(sdp: Path) -> list[str]:
 
 def gstreamer_source(port: int) -> list[str]:
     """The beginning of a pipeline of gst-launch-1.0, up to decoded pictures. It waits for late packets for 20 ms."""
-    caps = f"application/x-rtp,media=video,clock-rate={CLOCK},encoding-name=H264,payload={PAYLOAD_TYPE}"
+    caps = f"application/x-rtp,media=video,clock-rate={CLOCK_RATE},encoding-name=H264,payload={PAYLOAD_TYPE}"
     stages = [["rtpjitterbuffer", "latency=20"], ["rtph264depay"], ["avdec_h264", "max-threads=1"]]
     return ["udpsrc", f"port={port}", f"caps={caps}", *(word for stage in stages for word in ("!", *stage))]

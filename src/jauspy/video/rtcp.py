@@ -5,7 +5,7 @@ from __future__ import annotations
 import struct
 from typing import Final
 
-INTERVAL: Final = 5.0
+REPORT_INTERVAL: Final = 5.0
 """Seconds between two reports to a receiver."""
 
 _SENDER: Final = struct.Struct("!BBHIIIIII")
@@ -24,17 +24,19 @@ def sender_report(ssrc: int, name: str, *, utc: float, timestamp: int, packets: 
     seconds, fraction = divmod(utc + _NTP_EPOCH, 1.0)
     counts = (packets & 0xFFFFFFFF, octets & 0xFFFFFFFF)
     ntp = (int(seconds) & 0xFFFFFFFF, int(fraction * 2**32))
-    return _SENDER.pack(0x80, _SENDER_REPORT, 6, ssrc, *ntp, timestamp & 0xFFFFFFFF, *counts) + _named(ssrc, name)
+    return _SENDER.pack(0x80, _SENDER_REPORT, 6, ssrc, *ntp, timestamp & 0xFFFFFFFF, *counts) + _source_description(
+        ssrc, name
+    )
 
 
-def _named(ssrc: int, name: str) -> bytes:
+def _source_description(ssrc: int, name: str) -> bytes:
     text = name.encode()[:255]
     item = bytes([_CNAME, len(text)]) + text
     chunk = ssrc.to_bytes(4, "big") + item + bytes(4 - len(item) % 4)
     return struct.pack("!BBH", 0x81, _SOURCE_DESCRIPTION, len(chunk) // 4) + chunk
 
 
-def clock_of(data: bytes) -> tuple[float, int] | None:
+def sender_clock(data: bytes) -> tuple[float, int] | None:
     """Seconds since 1970, and what the stream's clock showed then, of a sender report; None of anything else."""
     if len(data) < _SENDER.size or data[0] & 0xC0 != 0x80 or data[1] != _SENDER_REPORT:
         return None
@@ -42,12 +44,12 @@ def clock_of(data: bytes) -> tuple[float, int] | None:
     return seconds - _NTP_EPOCH + fraction / 2**32, timestamp
 
 
-def picture_loss(receiver: int, source: int) -> bytes:
+def picture_loss_indication(receiver: int, source: int) -> bytes:
     """A receiver asks a source for a whole picture (PLI)."""
     return struct.pack("!BBHII", 0x80 | _PICTURE_LOSS, _FEEDBACK, 2, receiver, source)
 
 
-def asks_for_picture(data: bytes) -> bool:
+def requests_picture(data: bytes) -> bool:
     """Whether a receiver's packets ask for a whole picture (PLI or FIR); anything else does not."""
     while len(data) >= 4 and data[0] & 0xC0 == 0x80:
         length = 4 * (1 + int.from_bytes(data[2:4], "big"))

@@ -8,7 +8,7 @@ from typing import Final
 
 from jauspy.errors import ProtocolError
 
-CLOCK: Final = 90_000
+CLOCK_RATE: Final = 90_000
 """Ticks of a video time stamp in a second (RFC 6184, 8.1)."""
 
 PAYLOAD_TYPE: Final = 96
@@ -22,7 +22,7 @@ _MARKER: Final = 0x80
 
 @dataclass(frozen=True, slots=True)
 class RtpPacket:
-    """One packet. `marker`: the last of its picture. `timestamp`: in ticks of `CLOCK`, modulo 2**32."""
+    """One packet. `marker`: the last of its picture. `timestamp`: in ticks of `CLOCK_RATE`, modulo 2**32."""
 
     sequence: int
     timestamp: int

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from jauspy.video.rtp import CLOCK, PAYLOAD_TYPE
+from jauspy.video.rtp import CLOCK_RATE, PAYLOAD_TYPE
 
 
-def session(name: str, address: str, port: int) -> str:
+def session_description(name: str, address: str, port: int) -> str:
     """The SDP with which a player receives the stream at that address and port."""
     family = "IP6" if ":" in address else "IP4"
     title = " ".join(name.split()) or "-"
@@ -16,7 +16,7 @@ def session(name: str, address: str, port: int) -> str:
         f"c=IN {family} {address}",
         "t=0 0",
         f"m=video {port} RTP/AVP {PAYLOAD_TYPE}",
-        f"a=rtpmap:{PAYLOAD_TYPE} H264/{CLOCK}",
+        f"a=rtpmap:{PAYLOAD_TYPE} H264/{CLOCK_RATE}",
         f"a=fmtp:{PAYLOAD_TYPE} packetization-mode=1",
         "a=recvonly",
     ]

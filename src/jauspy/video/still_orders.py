@@ -7,40 +7,40 @@ from typing import Final, TypeAlias
 
 from jauspy.errors import ConfigError
 from jauspy.platform.stills import Still, StillSettings
-from jauspy.video.orders import Take, Taken
+from jauspy.video.orders import StillTaken, TakeStill
 
-MOST: Final = 8
+MAX_PENDING_STILLS: Final = 8
 """Images that may be under way; one more is refused."""
 
-Then: TypeAlias = Callable[[Still | None], None]
+StillCallback: TypeAlias = Callable[[Still | None], None]
 
 
-class StillOrders:
+class PendingStills:
     """By number, which counts on over processes that die."""
 
     def __init__(self) -> None:
-        self._waiting: dict[int, tuple[Take, Then]] = {}
+        self._waiting: dict[int, tuple[TakeStill, StillCallback]] = {}
         self._number = 0
 
-    def __iter__(self) -> Iterator[Take]:
+    def __iter__(self) -> Iterator[TakeStill]:
         return (order for order, _ in self._waiting.values())
 
-    def __contains__(self, order: Take) -> bool:
+    def __contains__(self, order: TakeStill) -> bool:
         return order.number in self._waiting
 
     def check(self) -> None:
         """Raise `ConfigError` when there are too many."""
-        if len(self._waiting) >= MOST:
+        if len(self._waiting) >= MAX_PENDING_STILLS:
             raise ConfigError(f"{MOST} still images of this camera are under way; ask again when one has come")
 
-    def add(self, settings: StillSettings, then: Then) -> Take:
+    def add(self, settings: StillSettings, then: StillCallback) -> TakeStill:
         """One more."""
         self._number += 1
-        order = Take(self._number, settings)
+        order = TakeStill(self._number, settings)
         self._waiting[order.number] = (order, then)
         return order
 
-    def deliver(self, taken: Taken, now: float) -> None:
+    def deliver(self, taken: StillTaken, now: float) -> None:
         """It is there; `now`: seconds of the machine's monotonic clock."""
         _, then = self._waiting.pop(taken.number)
         then(Still(taken.content, now - taken.at))

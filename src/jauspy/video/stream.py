@@ -6,8 +6,8 @@ import secrets
 from collections.abc import Iterator, Sequence
 from typing import Final
 
-from jauspy.video.rtcp import INTERVAL, sender_report
-from jauspy.video.rtp import CLOCK, RtpPacket
+from jauspy.video.rtcp import REPORT_INTERVAL, sender_report
+from jauspy.video.rtp import CLOCK_RATE, RtpPacket
 
 _NEVER: Final = float("-inf")
 
@@ -48,7 +48,7 @@ class RtpStream:
 
     def report(self, now: float, utc: float) -> bytes | None:
         """The sender report that is due, if one is; `utc`: seconds since 1970 at `now`."""
-        if now - self._reported < INTERVAL or not self._packets:
+        if now - self._reported < REPORT_INTERVAL or not self._packets:
             return None
         self._reported = now
         return sender_report(
@@ -61,4 +61,4 @@ class RtpStream:
         )
 
     def _timestamp(self, now: float) -> int:
-        return (self._epoch + round(now * CLOCK)) & 0xFFFFFFFF
+        return (self._epoch + round(now * CLOCK_RATE)) & 0xFFFFFFFF

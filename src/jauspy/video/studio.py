@@ -12,30 +12,42 @@ import numpy as np
 from jauspy.errors import JausError
 from jauspy.video import stamp
 from jauspy.video.encoder import H264Encoder
-from jauspy.video.orders import Begin, Change, Counted, Leave, Opened, Take, Taken, Watch, Word
+from jauspy.video.orders import (
+    AddReceiver,
+    CameraOpened,
+    ChangeSettings,
+    CountersReport,
+    RemoveReceiver,
+    Report,
+    Start,
+    StillTaken,
+    TakeStill,
+)
 from jauspy.video.sender import RtpSender
 
 if TYPE_CHECKING:
     from jauspy.platform.camera import Image
 
-COUNTED: Final = 1.0
+COUNTER_INTERVAL: Final = 1.0
 """Seconds between two reports of the counters."""
 
-QUALITY: Final = 90
+JPEG_QUALITY: Final = 90
 """Of JPEGs, out of 100."""
 
 
-FINER: Final = 2
+SUPERSAMPLING: Final = 2
 """How many times as wide and high a still image is looked at, so that its edges are smooth."""
 
-SMOOTHED: Final = 1280 * 720
+MAX_SUPERSAMPLED: Final = 1280 * 720
 """Pixels of the largest image that is: four times as many take a small machine half a second."""
 
 
-class Studio:
+class CameraWorker:
     """One camera, for one thread. `say` takes what the robot's process is to know."""
 
-    def __init__(self, begin: Begin, say: Callable[[Word], None], clock: Callable[[], float] = time.monotonic) -> None:
+    def __init__(
+        self, begin: Start, say: Callable[[Report], None], clock: Callable[[], float] = time.monotonic
+    ) -> None:
         self._say, self._clock = say, clock
         self._stamped = begin.stamped
         self._eye = begin.camera.open()
@@ -44,7 +56,7 @@ class Studio:
         self._number = 0
         self._due = clock()
         self._count_due = clock()
-        say(Opened(self._eye.description, self._eye.reduced))
+        say(CameraOpened(self._eye.description, self._eye.reduced))
 
     def wait(self) -> float | None:
         """Seconds until the next picture is due; None when nobody watches."""
@@ -53,13 +65,13 @@ class Studio:
     def obey(self, order: object) -> None:
         """Do what the robot's process wants."""
         match order:
-            case Change(settings):
+            case ChangeSettings(settings):
                 self._encoder.settings = settings
-            case Watch(address, playing):
+            case AddReceiver(address, playing):
                 self._watch(address, playing=playing)
-            case Leave(address):
+            case RemoveReceiver(address):
                 self._sender.remove(address)
-            case Take():
+            case TakeStill():
                 self._take(order)
 
     def film(self) -> None:
@@ -73,8 +85,8 @@ class Studio:
         self._due += period * (1 + late)
         self._picture(now)
         if now >= self._count_due:
-            self._count_due = now + COUNTED
-            self._say(Counted(dict(self._sender.counters)))
+            self._count_due = now + COUNTER_INTERVAL
+            self._say(CountersReport(dict(self._sender.counters)))
 
     def close(self) -> None:
         """Give camera and sockets back; twice is fine."""
@@ -101,16 +113,16 @@ class Studio:
         nals = self._encoder.encode(frame.image, idr=self._sender.needs_idr(now))
         self._sender.send(nals, now, utc)
 
-    def _take(self, order: Take) -> None:
+    def _take(self, order: TakeStill) -> None:
         width, height = order.settings.width, order.settings.height
-        finer = FINER if width * height <= SMOOTHED else 1
+        finer = SUPERSAMPLING if width * height <= MAX_SUPERSAMPLED else 1
         frame = self._eye.look(finer * width, finer * height, thoroughly=True)
         image = np.asarray(cv2.resize(frame.image, (width, height), interpolation=cv2.INTER_AREA), np.uint8)
-        self._say(Taken(order.number, _file(image, order.settings.format.value), frame.taken))
+        self._say(StillTaken(order.number, _file(image, order.settings.format.value), frame.taken))
 
 
 def _file(image: Image, ending: str) -> bytes:
-    options = [cv2.IMWRITE_JPEG_QUALITY, QUALITY] if ending == ".jpg" else []
+    options = [cv2.IMWRITE_JPEG_QUALITY, JPEG_QUALITY] if ending == ".jpg" else []
     done, content = cv2.imencode(ending, cv2.cvtColor(image, cv2.COLOR_RGB2BGR), options)
     if not done:
         raise ValueError(f"OpenCV cannot write {ending}")

@@ -11,7 +11,7 @@ import sys
 from collections.abc import Iterator
 from typing import Final
 
-from jauspy.video.orders import LENGTH, Begin, Word, length, packed, unpacked
+from jauspy.video.orders import LENGTH, Report, Start, length, packed, unpacked
 from jauspy.workers import give_way
 
 POLITENESS: Final = 15
@@ -61,23 +61,23 @@ def main() -> None:
     begin: object = None
     while begin is None and not inbox.ended:
         begin = next(inbox.wait(None), None)
-    if isinstance(begin, Begin):
+    if isinstance(begin, Start):
         _film(begin, inbox, out)
 
 
-def _film(begin: Begin, inbox: Inbox, out: int) -> None:
+def _film(begin: Start, inbox: Inbox, out: int) -> None:
     import cv2  # noqa: PLC0415 - the robot's process has looked for the extra
 
-    from jauspy.video.studio import Studio  # noqa: PLC0415
+    from jauspy.video.studio import CameraWorker  # noqa: PLC0415
 
     cv2.setNumThreads(1)  # others would spin while they wait for the next picture
 
-    def say(word: Word) -> None:
+    def say(word: Report) -> None:
         rest = packed(word)
         while rest:
             rest = rest[os.write(out, rest) :]
 
-    studio = Studio(begin, say)
+    studio = CameraWorker(begin, say)
     try:
         while not inbox.ended:
             for order in inbox.wait(studio.wait()):

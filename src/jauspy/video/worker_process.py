@@ -8,7 +8,7 @@ from contextlib import suppress
 from typing import Final, Self
 
 from jauspy import workers
-from jauspy.video.orders import LENGTH, Order, length, packed, unpacked
+from jauspy.video.orders import LENGTH, Command, length, packed, unpacked
 
 BACKLOG: Final = 1 << 22
 """Bytes of orders, the first of which carries the model of the world, that the process may leave unread; one that
@@ -33,7 +33,7 @@ class WorkerProcess:
         """Its number."""
         return self._process.pid
 
-    def order(self, order: Order) -> bool:
+    def order(self, order: Command) -> bool:
         """Tell it what to do; false when it hangs."""
         if self._orders.is_closing():
             return True
