@@ -11,8 +11,7 @@ from functools import cache
 from pathlib import Path
 
 from jauspy.platform.video_settings import VideoSettings
-from jauspy.video.players import ffmpeg_source, gstreamer_source
-from jauspy.video.sdp import session_description
+from jauspy.video.rtp import ffmpeg_source, gstreamer_source, session_description
 
 
 def ffmpeg(folder: Path, port: int, _: VideoSettings) -> list[str]:

@@ -12,7 +12,7 @@ pytest.importorskip("cv2", reason="the extra 'video' is not installed")
 
 from jauspy.errors import ConfigError, TransportError
 from jauspy.platform.video_settings import VideoSettings
-from jauspy.video import extra, rtcp
+from jauspy.video import extra, rtp
 from jauspy.video.decoder import H264Decoder
 from jauspy.video.encoder import H264Encoder
 from jauspy.video.receiver import RtpReceiver
@@ -132,14 +132,14 @@ def test_wishes_for_whole_pictures_do_not_come_faster_than_they_may(sender, rece
 
 def test_a_report_says_which_time_a_stamp_means(sender):
     sender._sockets.clear()
-    report = rtcp.sender_report(7, "front", utc=1.5, timestamp=90, packets=3, octets=400)
+    report = rtp.sender_report(7, "front", utc=1.5, timestamp=90, packets=3, octets=400)
     first = struct.unpack_from("!BBHIIIIII", report)
     assert first == (0x80, 200, 6, 7, 2_208_988_801, 1 << 31, 90, 3, 400)
     assert report[28:30] == b"\x81\xca"
     assert len(report) % 4 == 0
-    assert not rtcp.requests_picture(report)
-    assert rtcp.requests_picture(report + rtcp.picture_loss_indication(1, 7))
-    assert not rtcp.requests_picture(report + rtcp.picture_loss_indication(1, 7)[:8])
+    assert not rtp.requests_picture(report)
+    assert rtp.requests_picture(report + rtp.picture_loss_indication(1, 7))
+    assert not rtp.requests_picture(report + rtp.picture_loss_indication(1, 7)[:8])
 
 
 def test_there_is_a_limit_to_receivers_and_names_are_not_looked_up(sender):

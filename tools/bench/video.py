@@ -36,9 +36,8 @@ from jauspy.platform import backends
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.video.camera_process import CameraProcess
 from jauspy.video.decoder import H264Decoder
-from jauspy.video.players import ffmpeg_source, gstreamer_source
 from jauspy.video.receiver import RtpReceiver
-from jauspy.video.sdp import session_description
+from jauspy.video.rtp import ffmpeg_source, gstreamer_source, session_description
 from jauspy.video.stamp import read
 
 LOUD = {**os.environ, "GST_DEBUG": "2", "GST_DEBUG_NO_COLOR": "1"}

@@ -22,8 +22,7 @@ from jauspy.messages.environment_sensing import (
 )
 from jauspy.ocu import OCU
 from jauspy.services.environment_sensing.digital_resource_discovery import RTP
-from jauspy.video.players import ffmpeg_source, gstreamer_source
-from jauspy.video.sdp import session_description
+from jauspy.video.rtp import ffmpeg_source, gstreamer_source, session_description
 
 AGAIN: Final = 60.0
 """Seconds between two entries; the robot forgets after five minutes."""

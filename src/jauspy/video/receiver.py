@@ -11,8 +11,7 @@ from typing import Final, Self
 
 from jauspy.errors import ProtocolError, TransportError
 from jauspy.video.depacketiser import Depacketiser, Picture
-from jauspy.video.rtcp import picture_loss_indication, sender_clock
-from jauspy.video.rtp import CLOCK_RATE, RtpPacket
+from jauspy.video.rtp import CLOCK_RATE, RtpPacket, picture_loss_indication, sender_clock
 
 MAX_DATAGRAMS: Final = 256
 """Datagrams taken in one go."""

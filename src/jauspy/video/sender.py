@@ -13,7 +13,7 @@ from jauspy.errors import ConfigError, TransportError
 from jauspy.video import nal
 from jauspy.video.orders import Address
 from jauspy.video.packetiser import packetise
-from jauspy.video.rtcp import requests_picture
+from jauspy.video.rtp import requests_picture
 from jauspy.video.stream import RtpStream
 
 MAX_RECEIVERS: Final = 8

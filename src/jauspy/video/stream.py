@@ -6,8 +6,7 @@ import secrets
 from collections.abc import Iterator, Sequence
 from typing import Final
 
-from jauspy.video.rtcp import REPORT_INTERVAL, sender_report
-from jauspy.video.rtp import CLOCK_RATE, RtpPacket
+from jauspy.video.rtp import CLOCK_RATE, REPORT_INTERVAL, RtpPacket, sender_report
 
 _NEVER: Final = float("-inf")
 
