@@ -4,9 +4,8 @@ import pytest
 from hypothesis import given, strategies as st
 
 from jauspy.errors import ProtocolError
-from jauspy.video import nal
-from jauspy.video.depacketiser import MAX_PICTURE_SIZE, Depacketiser
-from jauspy.video.packetiser import FU_A, MAX_PACKET, STAP_A, packetise
+from jauspy.video import h264_payload
+from jauspy.video.h264_payload import FU_A, MAX_PACKET, MAX_PICTURE_SIZE, STAP_A, Depacketiser, packetise
 from jauspy.video.rtp import RtpPacket
 from jauspy.video.stream import RtpStream
 
@@ -36,7 +35,7 @@ def test_parameter_sets_travel_together_and_a_large_unit_in_parts():
     assert made[0] == bytes([0x60 | STAP_A]) + b"\x00\x04" + SPS + b"\x00\x04" + PPS
     assert [part[0] & 0x1F for part in made[1:]] == [FU_A] * 11
     assert [part[1] >> 6 for part in made[1:]] == [2] + [0] * 9 + [1]
-    assert {part[1] & 0x1F for part in made[1:]} == {nal.IDR}
+    assert {part[1] & 0x1F for part in made[1:]} == {h264_payload.IDR}
     assert max(map(len, made)) == 1000
 
 
@@ -53,7 +52,7 @@ def test_what_is_packed_comes_out_again(nals, limit):
 @given(units)
 def test_a_byte_stream_is_split_where_it_was_joined(nals):
     plain = [unit.replace(b"\x00", b"\x03") for unit in nals]  # an encoder never leaves start codes inside
-    assert nal.split_nals(nal.join_nals(plain)) == plain
+    assert h264_payload.split_nals(h264_payload.join_nals(plain)) == plain
 
 
 def test_packets_are_short_and_end_with_the_marker():

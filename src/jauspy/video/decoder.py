@@ -10,8 +10,8 @@ from av.codec.context import Flags
 from av.error import FFmpegError
 from av.video.codeccontext import VideoCodecContext
 
-from jauspy.video import nal
-from jauspy.video.depacketiser import Picture
+from jauspy.video import h264_payload
+from jauspy.video.h264_payload import Picture
 
 if TYPE_CHECKING:
     from jauspy.platform.camera import Image
@@ -31,7 +31,7 @@ class H264Decoder:
     def decode(self, picture: Picture) -> Image | None:
         """The image, red, green and blue; None when the decoder cannot make one of it."""
         try:
-            frames = self._codec.decode(av.Packet(nal.join_nals(picture.nals)))
+            frames = self._codec.decode(av.Packet(h264_payload.join_nals(picture.nals)))
         except FFmpegError:
             frames = []
         if not frames:

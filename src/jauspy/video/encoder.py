@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 from jauspy.errors import ConfigError
 from jauspy.platform.h264 import LEVELS, Profile
 from jauspy.platform.video_settings import VideoSettings
-from jauspy.video import nal
-from jauspy.video.packetiser import MAX_PAYLOAD
+from jauspy.video import h264_payload
+from jauspy.video.h264_payload import MAX_PAYLOAD
 
 if TYPE_CHECKING:
     from jauspy.platform.camera import Image
@@ -60,7 +60,7 @@ class H264Encoder:
         frame.pts = self._count
         frame.pict_type = PictureType.I if idr else PictureType.NONE
         self._count += 1
-        return nal.split_nals(b"".join(bytes(packet) for packet in self._codec.encode(frame)))
+        return h264_payload.split_nals(b"".join(bytes(packet) for packet in self._codec.encode(frame)))
 
 
 def _open(settings: VideoSettings) -> VideoCodecContext:

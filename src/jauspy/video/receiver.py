@@ -10,7 +10,7 @@ from types import TracebackType
 from typing import Final, Self
 
 from jauspy.errors import ProtocolError, TransportError
-from jauspy.video.depacketiser import Depacketiser, Picture
+from jauspy.video.h264_payload import Depacketiser, Picture
 from jauspy.video.rtp import CLOCK_RATE, RtpPacket, picture_loss_indication, sender_clock
 
 MAX_DATAGRAMS: Final = 256

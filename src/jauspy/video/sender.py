@@ -10,9 +10,9 @@ from types import TracebackType
 from typing import Final, Self
 
 from jauspy.errors import ConfigError, TransportError
-from jauspy.video import nal
+from jauspy.video import h264_payload
+from jauspy.video.h264_payload import packetise
 from jauspy.video.orders import Address
-from jauspy.video.packetiser import packetise
 from jauspy.video.rtp import requests_picture
 from jauspy.video.stream import RtpStream
 
@@ -96,7 +96,7 @@ class RtpSender:
 
     def send(self, nals: Sequence[bytes], now: float, utc: float) -> None:
         """Send a picture taken at `now` (monotonic seconds), `utc` (seconds since 1970), to all that play."""
-        idr = any(nal.nal_type(unit) == nal.IDR for unit in nals)
+        idr = any(h264_payload.nal_type(unit) == h264_payload.IDR for unit in nals)
         if idr:
             self._asked, self._last_idr = False, now
         packed = packetise(nals)
