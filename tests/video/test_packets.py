@@ -7,7 +7,7 @@ from jauspy.errors import ProtocolError
 from jauspy.video import h264_payload
 from jauspy.video.h264_payload import FU_A, MAX_PACKET, MAX_PICTURE_SIZE, STAP_A, Depacketiser, packetise
 from jauspy.video.rtp import RtpPacket
-from jauspy.video.stream import RtpStream
+from jauspy.video.sender import RtpStream
 
 SPS, PPS = b"\x67\x42\xc0\x1e", b"\x68\xce\x38\x80"
 IDR = b"\x65" + bytes(range(1, 251)) * 40

@@ -172,7 +172,7 @@ def test_with_lost_packets_the_picture_is_right_again_from_the_next_idr_on(scene
     """2 % of the packets are lost; pictures from a whole IDR up to the next loss are what was sent."""
     from jauspy.video.h264_payload import Depacketiser, packetise
     from jauspy.video.rtp import RtpPacket
-    from jauspy.video.stream import RtpStream
+    from jauspy.video.sender import RtpStream
 
     chance, encoder = random.Random(5), H264Encoder(VideoSettings(gop=10))
     stream, receiver, decoder = RtpStream("lossy"), Depacketiser(), H264Decoder()
