@@ -31,7 +31,7 @@ from jauspy.platform.stills import StillFormat, StillSettings
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.video import camera_process, still_orders, worker_process
 from jauspy.video.camera_process import CameraProcess
-from jauspy.video.decoder import H264Decoder
+from jauspy.video.h264 import H264Decoder
 from jauspy.video.receiver import RtpReceiver
 from jauspy.video.sender import MAX_RECEIVERS
 from jauspy.video.stamp import read

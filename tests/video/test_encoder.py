@@ -11,8 +11,7 @@ from jauspy.errors import ConfigError
 from jauspy.platform.h264 import H264Settings, Preset, Profile
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.video import h264_payload
-from jauspy.video.decoder import H264Decoder
-from jauspy.video.encoder import H264Encoder
+from jauspy.video.h264 import H264Decoder, H264Encoder
 from jauspy.video.h264_payload import MAX_PAYLOAD, Picture
 from jauspy.video.stamp import read
 

@@ -21,8 +21,7 @@ import numpy as np
 
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.video import h264_payload
-from jauspy.video.decoder import H264Decoder
-from jauspy.video.encoder import H264Encoder
+from jauspy.video.h264 import H264Decoder, H264Encoder
 from jauspy.video.h264_payload import Picture
 from jauspy.video.receiver import RtpReceiver
 from jauspy.video.rtp import RtpPacket

@@ -13,8 +13,7 @@ pytest.importorskip("cv2", reason="the extra 'video' is not installed")
 from jauspy.errors import ConfigError, TransportError
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.video import extra, rtp
-from jauspy.video.decoder import H264Decoder
-from jauspy.video.encoder import H264Encoder
+from jauspy.video.h264 import H264Decoder, H264Encoder
 from jauspy.video.receiver import RtpReceiver
 from jauspy.video.recorder import Recorder
 from jauspy.video.sender import MAX_RECEIVERS, MIN_IDR_INTERVAL, RtpSender

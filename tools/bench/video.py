@@ -35,7 +35,7 @@ from jauspy.modules.robots import load
 from jauspy.platform import backends
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.video.camera_process import CameraProcess
-from jauspy.video.decoder import H264Decoder
+from jauspy.video.h264 import H264Decoder
 from jauspy.video.receiver import RtpReceiver
 from jauspy.video.rtp import ffmpeg_source, gstreamer_source, session_description
 from jauspy.video.stamp import read

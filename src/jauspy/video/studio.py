@@ -11,7 +11,7 @@ import numpy as np
 
 from jauspy.errors import JausError
 from jauspy.video import stamp
-from jauspy.video.encoder import H264Encoder
+from jauspy.video.h264 import H264Encoder
 from jauspy.video.orders import (
     AddReceiver,
     CameraOpened,

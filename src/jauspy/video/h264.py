@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from fractions import Fraction
 from typing import TYPE_CHECKING, Final
 
 import av
 import cv2
 import numpy as np
+from av.codec.context import Flags
+from av.error import FFmpegError
 from av.video.codeccontext import VideoCodecContext
 from av.video.frame import PictureType
 from numpy.typing import NDArray
@@ -16,7 +19,7 @@ from jauspy.errors import ConfigError
 from jauspy.platform.h264 import LEVELS, Profile
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.video import h264_payload
-from jauspy.video.h264_payload import MAX_PAYLOAD
+from jauspy.video.h264_payload import MAX_PAYLOAD, Picture
 
 if TYPE_CHECKING:
     from jauspy.platform.camera import Image
@@ -97,3 +100,27 @@ def _parameters(settings: VideoSettings) -> dict[str, object]:
         "8x8dct": int(profile is Profile.HIGH),
         "intra-refresh": int(settings.coding.gradual),
     }
+
+
+class H264Decoder:
+    """Counters: `decoded`, `undecodable` (pictures from which the decoder made none, or an error)."""
+
+    def __init__(self) -> None:
+        self.counters: Counter[str] = Counter()
+        codec = av.CodecContext.create("h264", "r")
+        assert isinstance(codec, VideoCodecContext)
+        codec.thread_count = 1
+        codec.flags |= Flags.low_delay
+        self._codec = codec
+
+    def decode(self, picture: Picture) -> Image | None:
+        """The image, red, green and blue; None when the decoder cannot make one of it."""
+        try:
+            frames = self._codec.decode(av.Packet(h264_payload.join_nals(picture.nals)))
+        except FFmpegError:
+            frames = []
+        if not frames:
+            self.counters["undecodable"] += 1
+            return None
+        self.counters["decoded"] += 1
+        return frames[-1].to_ndarray(format="rgb24")  # type: ignore[return-value]  # PyAV does not say of which numbers
