@@ -18,8 +18,7 @@ from jauspy.modules.robot import announced
 from jauspy.platform import backends
 from jauspy.platform.description import RobotModel
 from jauspy.platform.stills import Still, StillSettings
-from jauspy.video.camera_process import CameraProcess
-from jauspy.video.still_orders import StillCallback
+from jauspy.video.camera_process import CameraProcess, StillCallback
 
 START = datetime(2026, 3, 14, 15, 9, 26, 535000, tzinfo=UTC)
 TARGET = JausID(105, 1, 255)

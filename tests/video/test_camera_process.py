@@ -29,7 +29,7 @@ from jauspy.platform.kinematic import KinematicRobot
 from jauspy.platform.kinematic_camera import SKY
 from jauspy.platform.stills import StillFormat, StillSettings
 from jauspy.platform.video_settings import VideoSettings
-from jauspy.video import camera_process, still_orders, worker_process
+from jauspy.video import camera_process, camera_process as still_orders, worker_process
 from jauspy.video.camera_process import CameraProcess
 from jauspy.video.h264 import H264Decoder
 from jauspy.video.receiver import RtpReceiver

@@ -6,15 +6,15 @@ import asyncio
 import logging
 import time
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from types import TracebackType
-from typing import Final, Self
+from typing import Final, Self, TypeAlias
 
 from jauspy import workers
 from jauspy.errors import ConfigError
 from jauspy.platform.camera import Camera, CameraSetup
-from jauspy.platform.stills import StillSettings
+from jauspy.platform.stills import Still, StillSettings
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.video.extra import need_video
 from jauspy.video.orders import (
@@ -30,8 +30,51 @@ from jauspy.video.orders import (
     TakeStill,
 )
 from jauspy.video.sender import MAX_RECEIVERS
-from jauspy.video.still_orders import PendingStills, StillCallback
 from jauspy.video.worker_process import WorkerProcess
+
+MAX_PENDING_STILLS: Final = 8
+"""Images that may be under way; one more is refused."""
+
+StillCallback: TypeAlias = Callable[[Still | None], None]
+
+
+class PendingStills:
+    """By number, which counts on over processes that die."""
+
+    def __init__(self) -> None:
+        self._waiting: dict[int, tuple[TakeStill, StillCallback]] = {}
+        self._number = 0
+
+    def __iter__(self) -> Iterator[TakeStill]:
+        return (order for order, _ in self._waiting.values())
+
+    def __contains__(self, order: TakeStill) -> bool:
+        return order.number in self._waiting
+
+    def check(self) -> None:
+        """Raise `ConfigError` when there are too many."""
+        if len(self._waiting) >= MAX_PENDING_STILLS:
+            raise ConfigError(f"{MOST} still images of this camera are under way; ask again when one has come")
+
+    def add(self, settings: StillSettings, then: StillCallback) -> TakeStill:
+        """One more."""
+        self._number += 1
+        order = TakeStill(self._number, settings)
+        self._waiting[order.number] = (order, then)
+        return order
+
+    def deliver(self, taken: StillTaken, now: float) -> None:
+        """It is there; `now`: seconds of the machine's monotonic clock."""
+        _, then = self._waiting.pop(taken.number)
+        then(Still(taken.content, now - taken.at))
+
+    def lose(self) -> int:
+        """Those that are under way will not come; how many they are."""
+        lost, self._waiting = self._waiting, {}
+        for _, then in lost.values():
+            then(None)
+        return len(lost)
+
 
 STILL_TIMEOUT: Final = 30.0
 """Seconds that a process may be silent while a still image is wanted; one that is longer hangs."""
