@@ -18,8 +18,7 @@ pytest.importorskip("numpy", reason="the extra 'cloud' is not installed")
 
 import numpy as np
 
-from jauspy.cloud.depth import DepthSettings, DepthStream
-from jauspy.cloud.depth_process import DepthProcess
+from jauspy.cloud.depth import DepthProcess, DepthSettings, DepthStream
 from jauspy.cloud.message import XYZ_RGB, Cloud
 from jauspy.cloud.socket import CloudPublisher, CloudSubscriber
 from jauspy.errors import TransportError
