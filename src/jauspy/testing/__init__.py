@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from jauspy.testing.clock import VirtualClock as VirtualClock
+    from jauspy.testing.environment import TestEnvironment as Place
     from jauspy.testing.network import VirtualNetwork as VirtualNetwork
     from jauspy.testing.node import LocalNode as LocalNode
-    from jauspy.testing.place import TestEnvironment as Place
     from jauspy.testing.waiting import until as until
 
 _EXPORTS = {
     "LocalNode": "jauspy.testing.node",
-    "Place": "jauspy.testing.place",
+    "Place": "jauspy.testing.environment",
     "until": "jauspy.testing.waiting",
     "VirtualClock": "jauspy.testing.clock",
     "VirtualNetwork": "jauspy.testing.network",

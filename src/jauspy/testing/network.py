@@ -18,8 +18,7 @@ from jauspy.modules.robot import RobotRunner
 from jauspy.protocol.header import Packet
 from jauspy.protocol.judp import unpack_all
 from jauspy.testing.clock import VirtualClock
-from jauspy.testing.place import TestEnvironment
-from jauspy.testing.robot import VirtualTime
+from jauspy.testing.environment import TestEnvironment, VirtualTime
 from jauspy.transport import LoopbackHub, LoopbackTransport
 
 HELD_BACK: Final = 0.01

@@ -17,7 +17,7 @@ from jauspy.modules import robots
 from jauspy.modules.robot import RobotRunner
 from jauspy.node import NodeConfig, NodeManager
 from jauspy.sync.portal import Portal
-from jauspy.testing.place import TestEnvironment
+from jauspy.testing.environment import TestEnvironment
 from jauspy.transport import LocalTransport
 
 T = TypeVar("T")

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+import asyncio
 from abc import ABC, abstractmethod
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from contextlib import AbstractAsyncContextManager
 from datetime import datetime
-from typing import Any
+from typing import Any, Final
 
 from jauspy.component import Component
+from jauspy.component.shell import loop_time
 from jauspy.ids import JausID
+from jauspy.modules.realtime import RealTime
 from jauspy.modules.robot import RobotRunner
 from jauspy.ocu import OCU
+from jauspy.platform.contract import Robot
 from jauspy.services.service import Service
 from jauspy.transport import Transport
 
@@ -42,3 +46,35 @@ class TestEnvironment(ABC):
     def ocu(self, id: str | JausID = "42.1.1", **options: Any) -> OCU:
         """An OCU; `options` are those of `OCU`."""
         return OCU(id, transport=self.transport(id), **options)
+
+
+STEP: Final = 0.01
+"""Seconds; longer than in real time, since whoever waits for the robot here waits on the same clock."""
+
+
+class VirtualTime(RealTime):
+    """As `RealTime`, with a task of the event loop in place of the thread."""
+
+    def __init__(self, robot: Robot) -> None:
+        super().__init__(robot, step=STEP, clock=loop_time)
+        self._stop: Final[Callable[[], None]] = robot.drive.stop
+        self._task: asyncio.Task[None] | None = None
+
+    def open(self) -> None:
+        """Start the task; twice is fine."""
+        if self._task is None:
+            self._task = asyncio.create_task(self._step_on(), name="virtual robot")
+
+    def close(self) -> None:
+        """Stop the robot and end the task; twice is fine."""
+        task, self._task = self._task, None
+        if task is not None:
+            task.cancel()
+            self._stop()
+
+    async def _step_on(self) -> None:
+        due = loop_time()
+        while True:
+            due += STEP
+            await asyncio.sleep(due - loop_time())
+            self._make_step()
