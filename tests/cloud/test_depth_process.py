@@ -99,7 +99,7 @@ async def test_a_process_that_dies_is_started_again(
         while (await next_cloud(subscriber)).stream == first.stream:
             pass
     assert process.counters["started"] == 2
-    assert "clouds of front: their process ended (-9); it starts again in 0.5 s" in caplog.text
+    assert "depth camera front: its process ended (-9); it starts again in 0.5 s" in caplog.text
 
 
 async def test_it_ends_when_it_is_closed(stream: DepthStream, subscriber: CloudSubscriber) -> None:

@@ -10,9 +10,10 @@ import pytest
 pytest.importorskip("av", reason="the extra 'video' is not installed")
 pytest.importorskip("cv2", reason="the extra 'video' is not installed")
 
+from jauspy import video as extra
 from jauspy.errors import ConfigError, TransportError
 from jauspy.platform.video_settings import VideoSettings
-from jauspy.video import extra, rtp
+from jauspy.video import rtp
 from jauspy.video.h264 import H264Decoder, H264Encoder
 from jauspy.video.receiver import RtpReceiver
 from jauspy.video.recorder import Recorder

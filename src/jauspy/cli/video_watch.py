@@ -75,7 +75,7 @@ async def record(
     ocu: OCU, camera: JausID, sensor: int, address: tuple[str, int], *, file: Path, seconds: float | None
 ) -> None:
     """Write the video to a film; ends when the size of the pictures changes, too."""
-    from jauspy.video.extra import need_video
+    from jauspy.video import need_video
 
     need_video()
     from jauspy.video.receiver import RtpReceiver

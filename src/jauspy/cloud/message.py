@@ -56,7 +56,7 @@ class Cloud:
         if self.values not in (XYZ, XYZ_RGB) or len(self.points) != len(self) * _FLOAT * self.values:
             raise ValueError(f"{len(self.points)} bytes are no points of {self.values} float32 values (3 or 6)")
         if len(self) > MAX_POINTS:
-            raise ValueError(f"{len(self)} points are too many for one message; {MOST_POINTS} are possible")
+            raise ValueError(f"{len(self)} points are too many for one message; {MAX_POINTS} are possible")
         name = self.frame.encode()
         header = _HEADER.pack(MAGIC, self.values, len(name), len(self), self.stream, self.number, self.time)
         return header + name + self.points
@@ -68,7 +68,7 @@ def decode(data: bytes) -> Cloud:
         raise DecodeError("not a point cloud: it does not begin with JPC1 and a header of 32 bytes")
     _, values, length, points, stream, number, time = _HEADER.unpack_from(data)
     if values not in (XYZ, XYZ_RGB) or points > MAX_POINTS:
-        raise DecodeError(f"{points} points of {values} values; there may be {MOST_POINTS}, of 3 or 6")
+        raise DecodeError(f"{points} points of {values} values; there may be {MAX_POINTS}, of 3 or 6")
     start = _HEADER.size + length
     if len(data) != start + points * values * _FLOAT:
         raise DecodeError(f"{len(data)} bytes; the header says {start + points * values * _FLOAT}")

@@ -1,4 +1,4 @@
-"""Where components under test meet: the same few methods in memory and on a real node manager."""
+"""What test environments have in common, in memory and on a real node manager; and the stepping of their robots."""
 
 from __future__ import annotations
 
@@ -23,9 +23,12 @@ from jauspy.transport import Transport
 class TestEnvironment(ABC):
     """Makes components and OCUs that reach each other; each is to be used with `async with`."""
 
+    __test__ = False
+    """Not collected by pytest."""
+
     @abstractmethod
     def transport(self, id: str | JausID) -> Transport:
-        """A way in for the component of this id."""
+        """A transport for the component of this id."""
 
     @abstractmethod
     def robot(self, name: str = "inc1") -> AbstractAsyncContextManager[RobotRunner]:
@@ -33,7 +36,7 @@ class TestEnvironment(ABC):
 
     @abstractmethod
     def now(self) -> float:
-        """Seconds of the monotonic clock that components here live on."""
+        """Seconds of the monotonic clock that components use here."""
 
     @abstractmethod
     def utc_now(self) -> datetime:
@@ -49,11 +52,11 @@ class TestEnvironment(ABC):
 
 
 STEP: Final = 0.01
-"""Seconds; longer than in real time, since whoever waits for the robot here waits on the same clock."""
+"""Seconds of one step; longer than in real time, since tests wait on the same clock."""
 
 
 class VirtualTime(RealTime):
-    """As `RealTime`, with a task of the event loop in place of the thread."""
+    """Steps a robot as `RealTime` does, in a task of the event loop in place of a thread."""
 
     def __init__(self, robot: Robot) -> None:
         super().__init__(robot, step=STEP, clock=loop_time)
@@ -61,12 +64,12 @@ class VirtualTime(RealTime):
         self._task: asyncio.Task[None] | None = None
 
     def open(self) -> None:
-        """Start the task; twice is fine."""
+        """Start the task; without effect when started."""
         if self._task is None:
             self._task = asyncio.create_task(self._step_on(), name="virtual robot")
 
     def close(self) -> None:
-        """Stop the robot and end the task; twice is fine."""
+        """Stop the robot and end the task; without effect when closed."""
         task, self._task = self._task, None
         if task is not None:
             task.cancel()

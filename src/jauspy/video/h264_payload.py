@@ -112,7 +112,7 @@ class Picture:
     @property
     def is_idr(self) -> bool:
         """A decoder can begin with it."""
-        return any(nal.nal_type(unit) == nal.IDR for unit in self.nals)
+        return any(nal_type(unit) == IDR for unit in self.nals)
 
 
 class Depacketiser:
@@ -177,7 +177,7 @@ class Depacketiser:
             self._whole = False
 
     def _unpack(self, payload: bytes) -> None:
-        match nal.nal_type(payload):
+        match nal_type(payload):
             case kind if 1 <= kind < STAP_A:
                 self._nals.append(payload)
             case kind if kind == STAP_A:

@@ -12,8 +12,8 @@ from typing import Final, Self
 
 from jauspy.errors import ConfigError, TransportError
 from jauspy.video import h264_payload
+from jauspy.video.camera_protocol import Address
 from jauspy.video.h264_payload import packetise
-from jauspy.video.orders import Address
 from jauspy.video.rtp import CLOCK_RATE, REPORT_INTERVAL, RtpPacket, requests_picture, sender_report
 
 _NEVER: Final = float("-inf")
