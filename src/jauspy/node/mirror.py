@@ -18,8 +18,8 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Final, Self
 
+from jauspy.capture import writer
 from jauspy.errors import TransportError
-from jauspy.node import pcapng
 from jauspy.protocol import judp
 from jauspy.protocol.addressing import GroupPort, LocalPort, Port
 from jauspy.protocol.counters import Counters
@@ -39,10 +39,10 @@ PATIENCE: Final = 1.0
 class Mirror:
     """`group` gives the multicast address and port of a network. Writing is done by a thread of its own."""
 
-    def __init__(self, target: str, limit: int, counters: Counters, group: Callable[[str], pcapng.Endpoint]) -> None:
+    def __init__(self, target: str, limit: int, counters: Counters, group: Callable[[str], writer.Endpoint]) -> None:
         self._counters = counters
         self._group = group
-        self._names: dict[Port, pcapng.Endpoint] = {}
+        self._names: dict[Port, writer.Endpoint] = {}
         self._blocks: list[bytes] = []
         self._size = 0
         self._loop = asyncio.get_running_loop()
@@ -68,7 +68,7 @@ class Mirror:
 
     def add(self, source: Port, destination: Port, datagram: bytes) -> None:
         """Note a routed packet."""
-        block = pcapng.packet(self._name(source), self._name(destination), datagram, time.time_ns())
+        block = writer.packet(self._name(source), self._name(destination), datagram, time.time_ns())
         if self._size + len(block) > self._chunk:
             self.flush()
         if self._timer is None:
@@ -105,7 +105,7 @@ class Mirror:
                 _LOGGER.warning("the mirror ends: %s", error)
                 self._write = _nowhere
 
-    def _name(self, port: Port) -> pcapng.Endpoint:
+    def _name(self, port: Port) -> writer.Endpoint:
         name = self._names.get(port)
         if name is None:
             if len(self._names) > 4096:
@@ -113,7 +113,7 @@ class Mirror:
             name = self._names[port] = self._make_name(port)
         return name
 
-    def _make_name(self, port: Port) -> pcapng.Endpoint:
+    def _make_name(self, port: Port) -> writer.Endpoint:
         if isinstance(port, LocalPort):
             number = port.path.rpartition("/")[2]
             id = int(number) if number.isdecimal() else 1
@@ -139,7 +139,7 @@ def _to_udp(target: str) -> tuple[Callable[[bytes], object], Callable[[], None]]
 
     def write(chunk: bytes) -> None:
         try:
-            sock.sendto(pcapng.preamble() + chunk, address)
+            sock.sendto(writer.preamble() + chunk, address)
         except OSError as error:  # too long, or no way there just now
             raise _NotSentError from error
 
@@ -152,7 +152,7 @@ def _to_file(path: Path, limit: int) -> tuple[Callable[[bytes], object], Callabl
     except OSError as error:
         why = "it is a pipe that nobody reads yet" if error.errno == errno.ENXIO else error.strerror
         raise TransportError(f"cannot write the mirror {path}: {why}") from error
-    left = limit - len(pcapng.preamble())
+    left = limit - len(writer.preamble())
 
     def write(chunk: bytes) -> None:
         nonlocal left
@@ -169,7 +169,7 @@ def _begun(path: Path) -> int:
     descriptor = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_TRUNC | os.O_NONBLOCK, 0o666)
     try:
         os.set_blocking(descriptor, True)
-        os.write(descriptor, pcapng.preamble())
+        os.write(descriptor, writer.preamble())
     except OSError:
         os.close(descriptor)
         raise
