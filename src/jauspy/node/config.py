@@ -12,7 +12,7 @@ from typing import Any, Literal, Self
 from pydantic import Field, ValidationError, model_validator
 
 from jauspy.errors import ConfigError
-from jauspy.node.addresses import Entries, entries, load
+from jauspy.node.address_books import AddressEntries, load_address_book, parse_entries
 from jauspy.node.explain import explain
 from jauspy.node.settings import (
     Addresses,
@@ -27,7 +27,7 @@ from jauspy.node.settings import (
     Mirror,
     Mode,
     Name,
-    Settings,
+    NodeSettings,
 )
 from jauspy.protocol import judp
 from jauspy.protocol.address_book import ADDRESS_LIFETIME
@@ -36,7 +36,7 @@ from jauspy.transport.multicast import ANY, RECEIVE_BUFFER
 from jauspy.transport.serial import SerialLine
 
 
-class NetworkConfig(Settings):
+class NetworkConfig(NodeSettings):
     """A network that the node manager is on."""
 
     name: Name = DEFAULT_NETWORK
@@ -72,7 +72,7 @@ class NetworkConfig(Settings):
         return self
 
 
-class RuleConfig(Settings):
+class RuleConfig(NodeSettings):
     """One rule of a gateway; it goes for packets that match all of it."""
 
     action: Literal["allow", "deny"] = "allow"
@@ -91,7 +91,7 @@ class RuleConfig(Settings):
     """Messages per second from each source that it allows; what is more is dropped."""
 
 
-class GatewayConfig(Settings):
+class GatewayConfig(NodeSettings):
     """What crosses between the networks of this node manager."""
 
     subsystem: int = Field(ge=1, le=65534, examples=[101])
@@ -103,7 +103,7 @@ class GatewayConfig(Settings):
     everything addressed to the subsystem may enter. What is not addressed to it never does."""
 
 
-class SerialConfig(Settings):
+class SerialConfig(NodeSettings):
     """A serial line, with 8 data bits."""
 
     device: str = Field(examples=["/dev/ttyUSB0"])
@@ -194,11 +194,11 @@ class NodeConfig(NetworkConfig):
             told = (explain(problem, cls) for problem in error.errors(include_url=False))
             raise ConfigError(f"node manager setting {'; '.join(told)}") from None
 
-    def known_addresses(self) -> Entries:
+    def known_addresses(self) -> AddressEntries:
         """All entries of `addresses` and `address_books`; raises `ConfigError` that names the file."""
-        found = {id: list(ports) for id, ports in entries(self.addresses).items()}
+        found = {id: list(ports) for id, ports in parse_entries(self.addresses).items()}
         for path in self.address_books:
-            for id, ports in load(path).items():
+            for id, ports in load_address_book(path).items():
                 found.setdefault(id, []).extend(ports)
         return {
             id: tuple(dict.fromkeys(port._replace(network=self.name) for port in ports)) for id, ports in found.items()

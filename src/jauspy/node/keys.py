@@ -11,7 +11,7 @@ from jauspy.protocol import authentication
 from jauspy.protocol.authentication import Authenticator
 
 
-def load(path: Path | None) -> Authenticator | None:
+def load_key(path: Path | None) -> Authenticator | None:
     """A seal with the key in this file, without white space around it; None without a file.
 
     Raises `ConfigError` when the key is short, or when everybody may read it.

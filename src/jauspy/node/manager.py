@@ -56,8 +56,8 @@ class NodeManager:
             compression=self.config.header_compression,
             is_dead=dead,
             networks=[network.name for network in self.config.all_networks],
-            gateway=policy.gateway(self.config),
-            sources=SourceChecks(policy.limits(self.config)),
+            gateway=policy.make_gateway(self.config),
+            sources=SourceChecks(policy.source_limits(self.config)),
             changed=self._changed,
         )
         self._shortcuts = Shortcuts(self._core, self._way_to)
@@ -130,7 +130,7 @@ class NodeManager:
         try:
             local_socket.give_to_group(self.path, config.local_group)
             for each in config.all_networks:
-                seal = keys.load(each.key_file)
+                seal = keys.load_key(each.key_file)
                 self._networks[each.name] = Network(
                     each, self._core.counters, config.receive_buffer, seal, self._core.remove_dead
                 )
@@ -177,10 +177,10 @@ class NodeManager:
 
         Raises `ConfigError`, and then nothing has changed. New TCP peers are connected to after a restart.
         """
-        gateway, known = policy.gateway(config), config.known_addresses()
+        gateway, known = policy.make_gateway(config), config.known_addresses()
         self._core.gateway = gateway
         self._core.address_book.set_static({int(id): ports for id, ports in known.items()})
-        self._core.sources.set_limits(policy.limits(config))
+        self._core.sources.set_limits(policy.source_limits(config))
         self._shortcuts.clear()
         names = type(config).model_fields
         changed = [name for name in names if getattr(config, name) != getattr(self.config, name)]

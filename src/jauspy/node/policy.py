@@ -10,32 +10,32 @@ from jauspy.protocol.gateway import Gateway, GatewayRule, GatewayRules
 from jauspy.protocol.sources import SourceLimits
 
 
-def limits(config: NodeConfig) -> SourceLimits:
+def source_limits(config: NodeConfig) -> SourceLimits:
     """What is asked of sources."""
     return SourceLimits(check_address=config.source_check, rate=config.rate_limit, burst=config.rate_burst)
 
 
-def gateway(config: NodeConfig) -> Gateway | None:
+def make_gateway(config: NodeConfig) -> Gateway | None:
     """The gateway, if there is one; raises `ConfigError` for a message that nobody knows."""
     told = config.gateway
     if told is None:
         return None
-    rules = GatewayRules([_rule(number, rule) for number, rule in enumerate(told.rules)], inside=told.inside)
+    rules = GatewayRules([_make_rule(number, rule) for number, rule in enumerate(told.rules)], inside=told.inside)
     return Gateway(told.subsystem, [network.name for network in config.all_networks], told.inside, rules)
 
 
-def _rule(number: int, config: RuleConfig) -> GatewayRule:
+def _make_rule(number: int, config: RuleConfig) -> GatewayRule:
     return GatewayRule(
         allow=config.action == "allow",
         source=parse_pattern(config.source),
         destination=parse_pattern(config.destination),
         network=config.network,
-        messages=None if config.messages is None else tuple(_codes(number, each) for each in config.messages),
+        messages=None if config.messages is None else tuple(_message_ids(number, each) for each in config.messages),
         rate=config.rate,
     )
 
 
-def _codes(number: int, text: str) -> range:
+def _message_ids(number: int, text: str) -> range:
     codes = parse_codes(text)
     if codes is not None:
         return codes

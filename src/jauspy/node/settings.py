@@ -11,12 +11,12 @@ from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Fie
 
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
-from jauspy.node.addresses import entries
+from jauspy.node.address_books import parse_entries
 
 _RANGE: Final = re.compile(r"(0[xX][0-9a-fA-F]{1,4})(?:-(0[xX][0-9a-fA-F]{1,4}))?")
 
 
-class Settings(BaseModel):
+class NodeSettings(BaseModel):
     """Frozen, without unknown keys; the docstring under each field is its comment in the configuration file."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", use_attribute_docstrings=True)
@@ -56,7 +56,7 @@ def _interface(text: str) -> str:
 
 def _addresses(table: Mapping[str, Any]) -> Mapping[str, Any]:
     try:
-        entries(table)
+        parse_entries(table)
     except ConfigError as error:
         raise ValueError(str(error)) from None
     return table
