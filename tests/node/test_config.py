@@ -6,7 +6,7 @@ import pytest
 from pydantic import BaseModel
 
 from jauspy.errors import ConfigError
-from jauspy.node import NodeConfig, config_file, policy
+from jauspy.node import NodeConfig, config as policy, config_file
 from jauspy.node.config import GatewayConfig, NetworkConfig, RuleConfig
 
 GATEWAY = """

@@ -12,7 +12,7 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Final, Self
 
 from jauspy.ids import JausID
-from jauspy.node import keys, operations, policy, sweep
+from jauspy.node import config as keys, config as policy, operations, sweep
 from jauspy.node.config import NodeConfig
 from jauspy.node.ingress import Ingress
 from jauspy.node.links import Links
