@@ -9,7 +9,7 @@ from jauspy.errors import TransportError
 from jauspy.node import owner
 
 
-def bind(address: str, port: int, receive_buffer: int) -> socket.socket:
+def bind_udp(address: str, port: int, receive_buffer: int) -> socket.socket:
     """A non-blocking socket, IPv4 or IPv6; raises `TransportError` that names who has the port."""
     family = socket.AF_INET6 if ":" in address else socket.AF_INET
     sock = socket.socket(family, socket.SOCK_DGRAM)
@@ -23,7 +23,7 @@ def bind(address: str, port: int, receive_buffer: int) -> socket.socket:
         sock.close()
         if error.errno == errno.EADDRINUSE:
             raise TransportError(
-                f"UDP port {port} is used by {owner.of_udp_port(port)}; stop it, or choose another port with --port"
+                f"UDP port {port} is used by {owner.udp_port_owner(port)}; stop it, or choose another port with --port"
             ) from None
         if error.errno == errno.EADDRNOTAVAIL:
             raise TransportError(f"{address} is no address of this machine; choose another with --address") from None

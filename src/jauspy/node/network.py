@@ -11,7 +11,7 @@ from typing import Final, NamedTuple
 
 from jauspy.errors import ProtocolError
 from jauspy.node import udp_errors
-from jauspy.node.binding import bind
+from jauspy.node.binding import bind_udp
 from jauspy.node.config import NetworkConfig
 from jauspy.node.network6 import Network6
 from jauspy.protocol import authentication as seal_format
@@ -56,13 +56,13 @@ class Network:
         self.config = config
         self.seal = seal
         self._counters = counters
-        self._unicast = bind(config.address, config.port, receive_buffer)
+        self._unicast = bind_udp(config.address, config.port, receive_buffer)
         self._group: socket.socket | None = None
         self._six: Network6 | None = None
         self._memberships: Memberships | None = None
         try:
             multicast.prepare_sender(self._unicast, multicast.ANY, config.multicast_ttl)
-            udp_errors.watch(self._unicast)
+            udp_errors.report_unreachable(self._unicast)
             self._memberships = self._join()
             if self._memberships is None or not self._memberships.joined:
                 counters["multicast.not_joined"] += 1
@@ -152,7 +152,7 @@ class Network:
 
     def take_back(self) -> None:
         """Tell the owner where nobody listens, as datagrams say that came back since the last call."""
-        for port in udp_errors.refused(self._unicast):
+        for port in udp_errors.unreachable_ports(self._unicast):
             self._lost(port._replace(network=self.config.name))
 
     def watch_interfaces(self) -> None:

@@ -6,7 +6,7 @@ import logging
 import socket
 from collections.abc import Iterator
 
-from jauspy.node.binding import bind
+from jauspy.node.binding import bind_udp
 from jauspy.node.config import NetworkConfig
 from jauspy.protocol.counters import Counters
 from jauspy.transport import multicast, multicast as memberships
@@ -20,7 +20,7 @@ class Network6:
     """As with IPv4: on `::` one exclusive socket does all, on another address multicasts come by a second one."""
 
     def __init__(self, config: NetworkConfig, address: str, port: int, receive_buffer: int, counters: Counters) -> None:
-        self.unicast = bind(address, port, receive_buffer)
+        self.unicast = bind_udp(address, port, receive_buffer)
         self._config = config
         self._counters = counters
         self._group: socket.socket | None = None

@@ -5,7 +5,7 @@ from __future__ import annotations
 import psutil
 
 
-def of_udp_port(port: int) -> str:
+def udp_port_owner(port: int) -> str:
     """A phrase such as `process 1234 (jauspy node-manager)`; `another process` when the system does not tell."""
     try:
         pids = {c.pid for c in psutil.net_connections("udp") if c.laddr and c.laddr.port == port and c.pid}

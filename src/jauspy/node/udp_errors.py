@@ -12,12 +12,12 @@ _MSG_ERRQUEUE: Final = 0x2000
 """Both from linux/in.h and linux/socket.h; Python has no names for them."""
 
 
-def watch(sock: socket.socket) -> None:
+def report_unreachable(sock: socket.socket) -> None:
     """Have the kernel keep what comes back for datagrams that could not be delivered."""
     sock.setsockopt(socket.IPPROTO_IP, _IP_RECVERR, 1)
 
 
-def refused(sock: socket.socket) -> list[UdpPort]:
+def unreachable_ports(sock: socket.socket) -> list[UdpPort]:
     """Where datagrams came back from since the last call."""
     found: list[UdpPort] = []
     while True:
