@@ -191,8 +191,8 @@ class CaptureReader:
         self._file = _Whole(file)
         self._frames = _open(file.peek(4)[:4], self._file, name)
         self._link_type: int = self._frames.datalink()
-        if self._link_type not in link.NAMES:
-            known = ", ".join(dict.fromkeys(link.NAMES.values()))
+        if self._link_type not in NAMES:
+            known = ", ".join(dict.fromkeys(NAMES.values()))
             raise ConfigError(f"{name}: link type {self._link_type} is not supported; these are: {known}")
 
     @property
@@ -202,7 +202,7 @@ class CaptureReader:
 
     def __iter__(self) -> Iterator[Datagram]:
         for number, (time, frame) in enumerate(self._each_frame(), 1):
-            packet = link.ip_packet(self._link_type, frame)
+            packet = ip_packet(self._link_type, frame)
             if packet is None:
                 self.skipped["not UDP over IPv4"] += 1
                 continue

@@ -119,10 +119,10 @@ def _yaml(data: bytes) -> _Pairs:
     for transport, table in book.items():
         if transport not in ("udp", "tcp"):
             raise ConfigError(f"addrbook/{transport}: only udp and tcp are known")
-        parse_entries = _plain(table) or {}
-        if not isinstance(parse_entries, dict):
+        table_entries = _plain(table) or {}
+        if not isinstance(table_entries, dict):
             raise ConfigError(f'addrbook/{transport} = {entries!r}: write lines such as "10.0.0.5:3794": 101.1.1')
-        for where, ids in parse_entries.items():
+        for where, ids in table_entries.items():
             for id in _as_list(_plain(ids)):
                 yield JausID.parse(str(id)), parse_address(f"{transport}://{where}")
 

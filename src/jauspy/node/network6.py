@@ -12,7 +12,6 @@ from jauspy.protocol.counters import Counters
 from jauspy.transport import multicast, multicast as memberships
 from jauspy.transport.multicast import Memberships
 
-_LOGGER = logging.getLogger(__name__)
 _ANY = "::"
 
 
