@@ -14,7 +14,7 @@ import pytest
 from jauspy.conformance.wire import UdpWire
 from jauspy.errors import TransportError
 from jauspy.ids import JausID
-from jauspy.node import binding
+from jauspy.node import network as binding
 from jauspy.protocol import judp
 from jauspy.protocol.header import Packet
 from jauspy.transport import multicast

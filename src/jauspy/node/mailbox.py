@@ -11,16 +11,16 @@ from typing import Final
 from jauspy.protocol.counters import Counters
 from jauspy.transport.base import SendQueue
 
-BURST: Final = 64
+SEND_BURST: Final = 64
 """Datagrams sent from the queue before others get their turn."""
-ATTEMPT_EVERY: Final = 8
+RETRY_EVERY: Final = 8
 """Datagrams that have to wait until sending is tried again, without being told that there is room. In a flood that
 takes too long: ten datagrams that a component can hold are read long before the event loop gets its turn."""
 
-_GONE: Final = (errno.ECONNREFUSED, errno.ENOENT, errno.ENOTCONN)
+_NOT_LISTENING: Final = (errno.ECONNREFUSED, errno.ENOENT, errno.ENOTCONN)
 
 
-class Mailbox:
+class ComponentSender:
     """A connected socket of its own, and a queue for what the component is too slow to take.
 
     A datagram that a component has not read yet fills its receive queue and its sender's send buffer. With one sender
@@ -61,7 +61,7 @@ class Mailbox:
         for _ in range(self._waiting.push(datagram)):
             self._counters.drop("queue_full", self._path)
         self._untried += 1
-        if self._untried == ATTEMPT_EVERY:
+        if self._untried == RETRY_EVERY:
             self._drain()
 
     def refresh(self) -> None:
@@ -81,7 +81,7 @@ class Mailbox:
         self._untried = 0
         try:
             if self._socket is not None:
-                self._waiting.drain(self._socket.send, BURST)
+                self._waiting.drain(self._socket.send, SEND_BURST)
         except BlockingIOError:
             return
         except OSError:
@@ -120,7 +120,7 @@ class Mailbox:
             try:
                 self._socket.send(datagram)
             except OSError as error:
-                if error.errno not in _GONE:
+                if error.errno not in _NOT_LISTENING:
                     raise
                 self._disconnect()
             else:
@@ -128,8 +128,8 @@ class Mailbox:
         self._connect().send(datagram)
 
     def _lost(self, error: OSError) -> None:
-        self._counters.drop("component_gone" if error.errno in _GONE else "local_send", error)
-        if error.errno in _GONE:
+        self._counters.drop("component_gone" if error.errno in _NOT_LISTENING else "local_send", error)
+        if error.errno in _NOT_LISTENING:
             if self._waiting:
                 self._waiting.pop()  # the one that was counted just now
             self.close()

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from jauspy.node.mailbox import Mailbox
+from jauspy.node.mailbox import ComponentSender
 from jauspy.protocol import junior
 from jauspy.protocol.addressing import LocalPort
 from jauspy.transport import local as local_socket
@@ -16,13 +16,13 @@ if TYPE_CHECKING:
     from jauspy.protocol.routing import Router
 
 
-class Mailboxes:
+class ComponentSenders:
     """By the path of the component's socket. The core is told of components that nobody listens for any more."""
 
     def __init__(self, root: Path, core: Router) -> None:
         self._root = root
         self._core = core
-        self._by_path: dict[str, Mailbox] = {}
+        self._by_path: dict[str, ComponentSender] = {}
 
     @property
     def waiting(self) -> Mapping[str, int]:
@@ -36,12 +36,12 @@ class Mailboxes:
             mailbox.refresh()
         mailbox.send(datagram)
 
-    def of(self, path: str) -> Mailbox:
+    def of(self, path: str) -> ComponentSender:
         """The way to this component."""
         mailbox = self._by_path.get(path)
         if mailbox is None:
             self._forget_cancelled()
-            mailbox = self._by_path[path] = Mailbox(path, self._core.counters, self._gone)
+            mailbox = self._by_path[path] = ComponentSender(path, self._core.counters, self._gone)
         return mailbox
 
     def buried(self, port: ComponentPort) -> None:
@@ -59,7 +59,7 @@ class Mailboxes:
     def _gone(self, path: str) -> None:
         self._by_path.pop(path, None)
         self._core.remove_dead(LocalPort(path))
-        bury(self._root, path)
+        remove_socket(self._root, path)
 
     def _forget_cancelled(self) -> None:
         alive = {port.path for _, port in self._core.components if isinstance(port, LocalPort)}
@@ -71,11 +71,11 @@ def is_dead(root: Path, path: str) -> bool:
     """True when nobody listens there any more; what is left of the socket is removed."""
     if not local_socket.is_dead(Path(path)):
         return False
-    bury(root, path)
+    remove_socket(root, path)
     return True
 
 
-def bury(root: Path, path: str) -> None:
+def remove_socket(root: Path, path: str) -> None:
     """Remove the socket that a component has left behind, when its name says that it is one's."""
     socket_path = Path(path)
     if socket_path.parent == root and socket_path.name.isdecimal():

@@ -16,7 +16,7 @@ from jauspy.node import config as keys, config as policy, operations, sweep
 from jauspy.node.config import NodeConfig
 from jauspy.node.ingress import Ingress
 from jauspy.node.links import Links
-from jauspy.node.mailboxes import Mailboxes, is_dead
+from jauspy.node.mailboxes import ComponentSenders, is_dead
 from jauspy.node.network import Network
 from jauspy.node.shortcuts import Send, Shortcuts
 from jauspy.node.state import NodeState
@@ -64,7 +64,7 @@ class NodeManager:
         self._networks: dict[str, Network] = {}
         self._local: socket.socket | None = None
         self._ingress: Ingress | None = None
-        self._mailboxes = Mailboxes(self.config.local_root, self._core)
+        self._mailboxes = ComponentSenders(self.config.local_root, self._core)
         self._senders: dict[str | bytes | None, LocalPort] = {}
         self._mirror: Mirror | None = None
         self._mirrored: Port = LocalPort("")

@@ -2,24 +2,125 @@
 
 from __future__ import annotations
 
+import errno
 import logging
 import socket
 import struct
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Final, NamedTuple
 
-from jauspy.errors import ProtocolError
-from jauspy.node import udp_errors
-from jauspy.node.binding import bind_udp
+import psutil
+
+from jauspy.errors import ProtocolError, TransportError
 from jauspy.node.config import NetworkConfig
-from jauspy.node.network6 import Network6
 from jauspy.protocol import authentication as seal_format
 from jauspy.protocol.addressing import UdpPort
 from jauspy.protocol.authentication import Authenticator
 from jauspy.protocol.counters import Counters
-from jauspy.transport import multicast
+from jauspy.transport import multicast, multicast as memberships
 from jauspy.transport.multicast import Memberships
+
+_IP_RECVERR: Final = 11
+_MSG_ERRQUEUE: Final = 0x2000
+"""Both from linux/in.h and linux/socket.h; Python has no names for them."""
+
+
+def report_unreachable(sock: socket.socket) -> None:
+    """Have the kernel keep what comes back for datagrams that could not be delivered."""
+    sock.setsockopt(socket.IPPROTO_IP, _IP_RECVERR, 1)
+
+
+def unreachable_ports(sock: socket.socket) -> list[UdpPort]:
+    """Where datagrams came back from since the last call."""
+    found: list[UdpPort] = []
+    while True:
+        try:
+            _, _, _, destination = sock.recvmsg(0, 0, _MSG_ERRQUEUE)
+        except OSError:
+            return found
+        if destination:
+            found.append(UdpPort(*destination[:2]))
+
+
+def bind_udp(address: str, port: int, receive_buffer: int) -> socket.socket:
+    """A non-blocking socket, IPv4 or IPv6; raises `TransportError` that names who has the port."""
+    family = socket.AF_INET6 if ":" in address else socket.AF_INET
+    sock = socket.socket(family, socket.SOCK_DGRAM)
+    try:
+        sock.setblocking(False)
+        if family == socket.AF_INET6:
+            sock.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_V6ONLY, 1)
+        sock.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, receive_buffer)
+        sock.bind((address, port))
+    except OSError as error:
+        sock.close()
+        if error.errno == errno.EADDRINUSE:
+            raise TransportError(
+                f"UDP port {port} is used by {owner.udp_port_owner(port)}; stop it, or choose another port with --port"
+            ) from None
+        if error.errno == errno.EADDRNOTAVAIL:
+            raise TransportError(f"{address} is no address of this machine; choose another with --address") from None
+        raise TransportError(f"cannot bind UDP {address}:{port}: {error.strerror}") from error
+    return sock
+
+
+_ANY = "::"
+
+
+class Network6:
+    """As with IPv4: on `::` one exclusive socket does all, on another address multicasts come by a second one."""
+
+    def __init__(self, config: NetworkConfig, address: str, port: int, receive_buffer: int, counters: Counters) -> None:
+        self.unicast = bind_udp(address, port, receive_buffer)
+        self._config = config
+        self._counters = counters
+        self._group: socket.socket | None = None
+        self._memberships: Memberships | None = None
+        try:
+            multicast.prepare_ipv6(self.unicast, config.multicast_ttl)
+            if config.multicast_group6 is not None:
+                self._memberships = self._join(config.multicast_group6, address, port)
+                if self._memberships is None or not self._memberships.joined:
+                    counters["multicast.not_joined"] += 1
+        except BaseException:
+            for sock in self.sockets:
+                sock.close()
+            raise
+
+    @property
+    def sockets(self) -> list[socket.socket]:
+        """The sockets to read from."""
+        return [self.unicast, *([self._group] if self._group else ())]
+
+    def watch_interfaces(self) -> None:
+        """Join the group on interfaces that have come; to be called now and then."""
+        if self._memberships is not None:
+            self._memberships.refresh()
+
+    def groups(self) -> Iterator[str]:
+        """The group, once for each interface; multicasts leave by that one until the next is taken."""
+        group = self._config.multicast_group6
+        if group is None:
+            return
+        for name in self._memberships.current if self._memberships else ():
+            try:
+                self.unicast.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_MULTICAST_IF, memberships.index(name))
+            except OSError as error:
+                self._counters.drop("udp_unreachable", error)
+            else:
+                yield group
+
+    def _join(self, group: str, address: str, port: int) -> Memberships | None:
+        sock = self.unicast
+        if address != _ANY:
+            try:
+                sock = self._group = multicast.receiver((group, port))
+            except OSError as error:
+                _LOGGER.warning("no IPv6 multicasts will be received: %s", error.strerror)
+                return None
+        return Memberships(sock, group, self._config.interfaces, memberships.IPV6)
+
 
 _LOGGER = logging.getLogger(__name__)
 _SO_MEMINFO: Final = 55
@@ -197,3 +298,20 @@ class Network:
             _LOGGER.warning("no multicasts will be received: %s", error.strerror)
             return None
         return Memberships(self._group, config.multicast_group, config.interfaces)
+
+
+def udp_port_owner(port: int) -> str:
+    """A phrase such as `process 1234 (jauspy node-manager)`; `another process` when the system does not tell."""
+    try:
+        pids = {c.pid for c in psutil.net_connections("udp") if c.laddr and c.laddr.port == port and c.pid}
+    except psutil.Error:
+        pids = set()
+    return " and ".join(_describe(pid) for pid in sorted(pids)) or "another process"
+
+
+def _describe(pid: int) -> str:
+    try:
+        command = " ".join(psutil.Process(pid).cmdline())
+    except psutil.Error:
+        command = ""
+    return f"process {pid} ({command[:100]})" if command else f"process {pid}"
