@@ -12,15 +12,15 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Final, Self
 
 from jauspy.ids import JausID
-from jauspy.node import config as keys, config as policy, operations, sweep
+from jauspy.node import config as keys, config as policy, liveness, operations
+from jauspy.node.component_senders import ComponentSenders, is_dead
 from jauspy.node.config import NodeConfig
 from jauspy.node.ingress import Ingress
 from jauspy.node.links import Links
-from jauspy.node.mailboxes import ComponentSenders, is_dead
+from jauspy.node.liveness import LivenessCheck
 from jauspy.node.network import Network
 from jauspy.node.shortcuts import Send, Shortcuts
 from jauspy.node.state import NodeState
-from jauspy.node.sweep import Sweep
 from jauspy.protocol import junior
 from jauspy.protocol.addressing import GroupPort, LocalPort, Port, SerialPort, TcpPort, UdpPort
 from jauspy.protocol.routing import Router
@@ -71,7 +71,7 @@ class NodeManager:
         self._links = Links(self._core.counters, self.config.name, self._take, self._core.disconnected)
         self._timer: asyncio.TimerHandle | None = None
         self._watch: asyncio.TimerHandle | None = None
-        self._sweep = Sweep(self._core.components, dead, self._mailboxes.buried)
+        self._sweep = LivenessCheck(self._core.components, dead, self._mailboxes.buried)
         self._sweeping: asyncio.TimerHandle | None = None
         self._extras = AsyncExitStack()
         self._closed = asyncio.Event()
@@ -147,7 +147,7 @@ class NodeManager:
             for sock in network.sockets:
                 self._ingress.attach(sock, name, self._udp_error, skip=network.skip)
         self._watch = self._loop.call_later(memberships.WATCH_INTERVAL, self._watch_interfaces)
-        self._sweeping = self._loop.call_later(sweep.INTERVAL, self._sweep_components)
+        self._sweeping = self._loop.call_later(liveness.CHECK_INTERVAL, self._sweep_components)
 
     async def close(self) -> None:
         """Give everything back; a second call does nothing."""
@@ -262,7 +262,7 @@ class NodeManager:
             network.watch_interfaces()
 
     def _sweep_components(self) -> None:
-        self._sweeping = self._loop.call_later(sweep.INTERVAL, self._sweep_components)
+        self._sweeping = self._loop.call_later(liveness.CHECK_INTERVAL, self._sweep_components)
         self._sweep.turn()
 
     # --- time ----------------------------------------------------------------------------------------------------

@@ -10,12 +10,12 @@ from typing import Final
 from jauspy.protocol.addressing import LocalPort, UdpPort
 from jauspy.protocol.directory import ComponentDirectory, ComponentPort
 
-INTERVAL: Final = 1.0
-PER_TURN: Final = 32
+CHECK_INTERVAL: Final = 1.0
+MAX_CHECKS: Final = 32
 """Ports looked at in one turn, so that a thousand components do not hold up the routing."""
 
 
-class Sweep:
+class LivenessCheck:
     """`is_dead(path)` says whether nobody listens on a local socket; `gone(port)` is told of each that is dead."""
 
     def __init__(
@@ -30,14 +30,14 @@ class Sweep:
         """Look at the next few."""
         if not self._left:
             self._left = list({port for _, port in self._components})
-        now, self._left = self._left[:PER_TURN], self._left[PER_TURN:]
+        now, self._left = self._left[:MAX_CHECKS], self._left[MAX_CHECKS:]
         for port in now:
-            dead = self._is_dead(port.path) if isinstance(port, LocalPort) else nobody_has(port)
+            dead = self._is_dead(port.path) if isinstance(port, LocalPort) else is_unbound(port)
             if dead and self._components.has_port(port):
                 self._gone(port)
 
 
-def nobody_has(port: UdpPort) -> bool:
+def is_unbound(port: UdpPort) -> bool:
     """True when a UDP port of this machine could be bound: asking its owner would be one more packet to understand."""
     try:
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:

@@ -5,11 +5,19 @@ from __future__ import annotations
 import asyncio
 import errno
 import socket
-from collections.abc import Callable
-from typing import Final
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
 
+from jauspy.protocol import junior
+from jauspy.protocol.addressing import LocalPort
 from jauspy.protocol.counters import Counters
+from jauspy.transport import local as local_socket
 from jauspy.transport.base import SendQueue
+
+if TYPE_CHECKING:
+    from jauspy.protocol.directory import ComponentPort
+    from jauspy.protocol.routing import Router
 
 SEND_BURST: Final = 64
 """Datagrams sent from the queue before others get their turn."""
@@ -153,3 +161,69 @@ class ComponentSender:
         if sock is not None:
             self._stop_waiting(sock)
             sock.close()
+
+
+class ComponentSenders:
+    """By the path of the component's socket. The core is told of components that nobody listens for any more."""
+
+    def __init__(self, root: Path, core: Router) -> None:
+        self._root = root
+        self._core = core
+        self._by_path: dict[str, ComponentSender] = {}
+
+    @property
+    def waiting(self) -> Mapping[str, int]:
+        """Datagrams that wait for each component."""
+        return {path: len(mailbox) for path, mailbox in self._by_path.items()}
+
+    def send(self, path: str, datagram: bytes) -> None:
+        """To this component; a message of Junior itself goes to a socket that may be a new one."""
+        mailbox = self.of(path)
+        if junior.parse(datagram) is not None:
+            mailbox.refresh()
+        mailbox.send(datagram)
+
+    def of(self, path: str) -> ComponentSender:
+        """The way to this component."""
+        mailbox = self._by_path.get(path)
+        if mailbox is None:
+            self._forget_cancelled()
+            mailbox = self._by_path[path] = ComponentSender(path, self._core.counters, self._gone)
+        return mailbox
+
+    def buried(self, port: ComponentPort) -> None:
+        """The component is dead, and its socket gone."""
+        if isinstance(port, LocalPort) and (mailbox := self._by_path.pop(port.path, None)) is not None:
+            mailbox.close()
+        self._core.remove_dead(port)
+
+    def close(self) -> None:
+        """Close all; twice is fine."""
+        for mailbox in self._by_path.values():
+            mailbox.close()
+        self._by_path.clear()
+
+    def _gone(self, path: str) -> None:
+        self._by_path.pop(path, None)
+        self._core.remove_dead(LocalPort(path))
+        remove_socket(self._root, path)
+
+    def _forget_cancelled(self) -> None:
+        alive = {port.path for _, port in self._core.components if isinstance(port, LocalPort)}
+        for path in [path for path in self._by_path if path not in alive]:
+            self._by_path.pop(path).close()
+
+
+def is_dead(root: Path, path: str) -> bool:
+    """True when nobody listens there any more; what is left of the socket is removed."""
+    if not local_socket.is_dead(Path(path)):
+        return False
+    remove_socket(root, path)
+    return True
+
+
+def remove_socket(root: Path, path: str) -> None:
+    """Remove the socket that a component has left behind, when its name says that it is one's."""
+    socket_path = Path(path)
+    if socket_path.parent == root and socket_path.name.isdecimal():
+        local_socket.clean_up(socket_path)
