@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from jauspy.ids import EVERYONE, JausID
-from jauspy.node import NodeConfig, NodeManager, shortcuts
-from jauspy.node.shortcuts import Shortcuts
+from jauspy.node import NodeConfig, NodeManager, routing_cache
+from jauspy.node.routing_cache import RoutingCache
 from jauspy.protocol import judp, junior
 from jauspy.protocol.addressing import LocalPort, Port, UdpPort
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet, Priority
@@ -34,9 +34,9 @@ class CountingRouter:
         self.out: list[tuple[Port, bytes]] = []
         self.short_ways = 0
         self.core = Router("/tmp", changed=self._changed)
-        self.shortcuts = Shortcuts(self.core, self._open if short else lambda _: None)
+        self.shortcuts = RoutingCache(self.core, self._open if short else lambda _: None)
 
-    def _open(self, port: LocalPort | UdpPort) -> shortcuts.Send:
+    def _open(self, port: LocalPort | UdpPort) -> routing_cache.Send:
         def send(datagram: bytes) -> None:
             self.short_ways += 1
             self.out.append((port, datagram))
@@ -107,7 +107,7 @@ async def test_nobody_can_tell_the_difference(seed: int) -> None:
 
 
 async def test_ways_are_looked_for_again_after_a_while(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(shortcuts, "LIFETIME", 0.0)
+    monkeypatch.setattr(routing_cache, "LIFETIME", 0.0)
     router = CountingRouter(short=True)
     now = asyncio.get_running_loop().time()
     port = LocalPort(f"/tmp/{int(HERE)}")
@@ -121,7 +121,7 @@ async def test_ways_are_looked_for_again_after_a_while(monkeypatch: pytest.Monke
 
 
 async def test_made_up_destinations_do_not_pile_up(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(shortcuts, "MAX_WAYS", 3)
+    monkeypatch.setattr(routing_cache, "MAX_WAYS", 3)
     router = CountingRouter(short=True)
     now = asyncio.get_running_loop().time()
     sender = JausID(101, 1, 1)

@@ -19,7 +19,7 @@ from jauspy.node.ingress import Ingress
 from jauspy.node.links import Links
 from jauspy.node.liveness import LivenessCheck
 from jauspy.node.network import Network
-from jauspy.node.shortcuts import Send, Shortcuts
+from jauspy.node.routing_cache import RoutingCache, Send
 from jauspy.node.state import NodeState
 from jauspy.protocol import junior
 from jauspy.protocol.addressing import GroupPort, LocalPort, Port, SerialPort, TcpPort, UdpPort
@@ -60,7 +60,7 @@ class NodeManager:
             sources=SourceChecks(policy.source_limits(self.config)),
             changed=self._changed,
         )
-        self._shortcuts = Shortcuts(self._core, self._way_to)
+        self._shortcuts = RoutingCache(self._core, self._way_to)
         self._networks: dict[str, Network] = {}
         self._local: socket.socket | None = None
         self._ingress: Ingress | None = None

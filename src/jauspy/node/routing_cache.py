@@ -12,9 +12,9 @@ from jauspy.protocol.addressing import LocalPort, Port, UdpPort
 from jauspy.protocol.egress import ROUTED_COUNTERS
 from jauspy.protocol.routing import RECEIVED_COUNTERS, Router
 
-LIFETIME: Final = 0.5
+CACHE_LIFETIME: Final = 0.5
 """Seconds until all ways are looked for again, so that what the core learns from packets is only this much late."""
-MAX_WAYS: Final = 1024
+MAX_ROUTES: Final = 1024
 
 _IDS: Final = 0xFFFFFFFF
 _plain: Final = struct.Struct("<IBQxx").unpack_from
@@ -23,7 +23,7 @@ _plain: Final = struct.Struct("<IBQxx").unpack_from
 Send: TypeAlias = Callable[[bytes], object]
 
 
-class Shortcuts:
+class RoutingCache:
     """Sends what needs no decision past the core, and counts it there.
 
     `open_way` makes what sends to a port, or None when its datagrams are to go the whole way.
@@ -77,10 +77,10 @@ class Shortcuts:
         send = None if where is None else self._open_way(where)
         if where is None or send is None:
             return None
-        if len(self._ways) >= MAX_WAYS:
+        if len(self._ways) >= MAX_ROUTES:
             self.clear()
         way = self._ways[port, ids] = (send, RECEIVED_COUNTERS[type(port)], ROUTED_COUNTERS[type(where)])
         self._ids.update((source, destination))
         if self._timer is None:
-            self._timer = loop.call_later(LIFETIME, self.clear)
+            self._timer = loop.call_later(CACHE_LIFETIME, self.clear)
         return way
