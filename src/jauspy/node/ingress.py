@@ -8,7 +8,7 @@ from collections import deque
 from collections.abc import Callable, Iterable
 from typing import Any, Final
 
-from jauspy.node import sieve
+from jauspy.node import kernel_filter
 from jauspy.protocol import judp
 from jauspy.protocol.addressing import UdpPort
 from jauspy.protocol.counters import Counters
@@ -110,14 +110,14 @@ class Ingress:
         below = 0
         for priority in (Priority.LOW, Priority.STANDARD, Priority.HIGH):
             below += len(self._queues[priority])
-            if 2 * below > self._waiting and sieve.hold_back(sock, priority, skip):
+            if 2 * below > self._waiting and kernel_filter.attach(sock, priority, skip):
                 self._held_back.append(sock)
                 self._counters["held_back"] += 1
                 return
 
     def _let_through(self) -> None:
         for sock in self._held_back:
-            sieve.let_through(sock)
+            kernel_filter.detach(sock)
         self._held_back.clear()
 
     def _drop(self, count: int) -> None:

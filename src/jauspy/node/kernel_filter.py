@@ -21,7 +21,7 @@ _PROGRAM: Final = struct.Struct("HP")
 _WHOLE: Final = 0xFFFF
 
 
-def hold_back(sock: socket.socket, up_to: Priority, skip: int) -> bool:
+def attach(sock: socket.socket, up_to: Priority, skip: int) -> bool:
     """Drop plain packets of AS5669A up to this priority; all others still arrive. False where there is no such filter.
 
     `skip` bytes come before the packet's version byte. What is dropped counts with what the socket's buffer could not
@@ -43,7 +43,7 @@ def hold_back(sock: socket.socket, up_to: Priority, skip: int) -> bool:
     return _set(sock, _SO_ATTACH_FILTER, _PROGRAM.pack(len(code), ctypes.addressof(program)))
 
 
-def let_through(sock: socket.socket) -> None:
+def detach(sock: socket.socket) -> None:
     """Let everything arrive again."""
     _set(sock, _SO_DETACH_FILTER, bytes(4))
 
