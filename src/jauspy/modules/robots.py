@@ -11,9 +11,9 @@ from typing import Any, Final
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
+from jauspy.config_errors import explain
 from jauspy.errors import ConfigError
 from jauspy.modules.config import RobotConfig
-from jauspy.node.explain import explain
 
 SUFFIX: Final = ".toml"
 _FOLDER: Final = files("jauspy") / "robots"

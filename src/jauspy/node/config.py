@@ -16,11 +16,11 @@ from typing import Annotated, Any, Final, Literal, Self
 
 from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, model_validator
 
+from jauspy.config_errors import explain
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages import registry
 from jauspy.node.address_books import AddressEntries, load_address_book, parse_entries
-from jauspy.node.explain import explain
 from jauspy.protocol import authentication, judp
 from jauspy.protocol.address_book import ADDRESS_LIFETIME
 from jauspy.protocol.addressing import DEFAULT_NETWORK

@@ -19,13 +19,13 @@ READ_BURST: Final = 384
 urgent is found in it, and not in the kernel, which drops whatever comes last."""
 ROUTE_BURST: Final = 128
 """Datagrams routed before the event loop gets its turn: a few milliseconds at most."""
-SHARE: Final = 8
+LOW_PRIORITY_SHARE: Final = 8
 """Of these, for the least urgent: while more urgent ones fill every turn, they are late, but not starved."""
-MAX_WAITING: Final = 4096
+MAX_QUEUED: Final = 4096
 """Datagrams that wait in all; what comes beyond drops the oldest of the lowest priority."""
-CROWDED: Final = 1024
+FILTER_ABOVE: Final = 1024
 """With more than this waiting, the kernel is asked to drop what most of it is."""
-CALM: Final = 256
+UNFILTER_BELOW: Final = 256
 """With no more than this waiting, everything may come again."""
 _BUFFER: Final = 65536
 _PRIORITIES: Final = 4
@@ -88,7 +88,7 @@ class Ingress:
                 data, sender = sock.recvfrom(_BUFFER)
                 port = ports.get(sender)
                 if port is None:
-                    if len(ports) > MAX_WAITING:
+                    if len(ports) > MAX_QUEUED:
                         ports.clear()
                     port = ports[sender] = _port(sender, network)
                 self._queues[judp.peek_priority(data, skip)].append((data, port))
@@ -99,10 +99,10 @@ class Ingress:
         except OSError as error:
             failed(error)
         self._waiting += count
-        if self._waiting > CROWDED and count == READ_BURST and sock not in self._held_back:
+        if self._waiting > FILTER_ABOVE and count == READ_BURST and sock not in self._held_back:
             self._hold_back(sock, skip)
-        if self._waiting > MAX_WAITING:
-            self._drop(self._waiting - MAX_WAITING)
+        if self._waiting > MAX_QUEUED:
+            self._drop(self._waiting - MAX_QUEUED)
         if not self._scheduled:
             self._route()
 
@@ -131,10 +131,10 @@ class Ingress:
 
     def _route(self) -> None:
         self._scheduled = False
-        left = self._route_from(reversed(self._queues), ROUTE_BURST - SHARE) + SHARE
+        left = self._route_from(reversed(self._queues), ROUTE_BURST - LOW_PRIORITY_SHARE) + LOW_PRIORITY_SHARE
         left = self._route_from(self._queues, left)
         self._waiting -= ROUTE_BURST - left
-        if self._held_back and self._waiting <= CALM:
+        if self._held_back and self._waiting <= UNFILTER_BELOW:
             self._let_through()
         if self._waiting:
             self._scheduled = True

@@ -20,7 +20,7 @@ from jauspy.node.links import Links
 from jauspy.node.liveness import LivenessCheck
 from jauspy.node.network import Network
 from jauspy.node.routing_cache import RoutingCache, Send
-from jauspy.node.state import NodeState
+from jauspy.node.status import NodeState
 from jauspy.protocol import junior
 from jauspy.protocol.addressing import GroupPort, LocalPort, Port, SerialPort, TcpPort, UdpPort
 from jauspy.protocol.routing import Router

@@ -14,10 +14,10 @@ from prometheus_client.registry import Collector
 
 from jauspy.errors import TransportError
 from jauspy.ids import JausID
-from jauspy.node.state import NodeState
+from jauspy.node.status import NodeState
 from jauspy.protocol.addressing import format_port
 
-PATIENCE: Final = 5.0
+REQUEST_TIMEOUT: Final = 5.0
 """Seconds for a request and its answer."""
 MAX_REQUEST: Final = 8192
 MAX_READERS: Final = 16
@@ -81,7 +81,7 @@ class MetricsServer:
             return
         self._readers += 1
         try:
-            async with asyncio.timeout(PATIENCE):
+            async with asyncio.timeout(REQUEST_TIMEOUT):
                 request = await reader.readuntil(b"\r\n\r\n")
                 writer.write(self._answer(request))
                 await writer.drain()

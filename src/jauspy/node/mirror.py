@@ -26,13 +26,13 @@ from jauspy.protocol.counters import Counters
 
 _LOGGER = logging.getLogger(__name__)
 
-CHUNK: Final = 32768
-"""Bytes that are handed over to be written at once; with `FLUSH` after the first of them, whichever is earlier."""
-DATAGRAM: Final = 1400
+MAX_CHUNK_SIZE: Final = 32768
+"""Bytes that are handed over to be written at once; with `FLUSH_INTERVAL` after the first of them, whichever is earlier."""
+MAX_DATAGRAM_SIZE: Final = 1400
 MAX_CHUNKS: Final = 128
-FLUSH: Final = 0.2
+FLUSH_INTERVAL: Final = 0.2
 """Seconds."""
-PATIENCE: Final = 1.0
+STOP_TIMEOUT: Final = 1.0
 """Seconds that a reader has at the end, for what it was too slow to take."""
 
 
@@ -48,7 +48,7 @@ class Mirror:
         self._loop = asyncio.get_running_loop()
         self._timer: asyncio.TimerHandle | None = None
         self._chunks: queue.Queue[tuple[bytes, int] | None] = queue.Queue(MAX_CHUNKS)
-        self._chunk = DATAGRAM if target.startswith("udp:") else CHUNK
+        self._chunk = MAX_DATAGRAM_SIZE if target.startswith("udp:") else MAX_CHUNK_SIZE
         self._write, self._end = _to_udp(target[4:]) if target.startswith("udp:") else _to_file(Path(target), limit)
         self._thread = threading.Thread(target=self._work, name="mirror", daemon=True)
 
@@ -59,8 +59,8 @@ class Mirror:
     def __exit__(self, *error: object) -> None:
         self.flush()
         with suppress(queue.Full):
-            self._chunks.put(None, timeout=PATIENCE)
-        self._thread.join(PATIENCE)
+            self._chunks.put(None, timeout=STOP_TIMEOUT)
+        self._thread.join(STOP_TIMEOUT)
         if self._thread.is_alive():  # as when nobody reads a pipe; it ends with the process
             _LOGGER.warning("the mirror was not read to its end")
         else:
@@ -72,7 +72,7 @@ class Mirror:
         if self._size + len(block) > self._chunk:
             self.flush()
         if self._timer is None:
-            self._timer = self._loop.call_later(FLUSH, self.flush)
+            self._timer = self._loop.call_later(FLUSH_INTERVAL, self.flush)
         self._blocks.append(block)
         self._size += len(block)
 

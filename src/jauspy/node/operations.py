@@ -9,7 +9,7 @@ from contextlib import AsyncExitStack
 from typing import TYPE_CHECKING
 
 from jauspy.node.config import NodeConfig
-from jauspy.node.state import NodeState
+from jauspy.node.status import NodeState
 
 if TYPE_CHECKING:
     from jauspy.node.mirror import Mirror
