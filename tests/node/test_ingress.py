@@ -87,7 +87,7 @@ async def test_the_kernel_drops_a_flood_until_what_was_read_is_routed(udp, count
     reader = Ingress(lambda data, _: routed.append(data), counters)
     low, urgent = packet(1, Priority.LOW), packet(2, Priority.SAFETY_CRITICAL)
     where = receiver.getsockname()
-    while not counters["held_back"]:
+    while not counters["kernel_filter.attached"]:
         for _ in range(ingress.READ_BURST):
             sender.sendto(low, where)
         reader._wake(receiver, "lan", 0, {}, lambda error: None)

@@ -121,7 +121,7 @@ def _yaml(data: bytes) -> _Pairs:
             raise ConfigError(f"addrbook/{transport}: only udp and tcp are known")
         table_entries = _plain(table) or {}
         if not isinstance(table_entries, dict):
-            raise ConfigError(f'addrbook/{transport} = {entries!r}: write lines such as "10.0.0.5:3794": 101.1.1')
+            raise ConfigError(f'addrbook/{transport} = {table_entries!r}: write lines such as "10.0.0.5:3794": 101.1.1')
         for where, ids in table_entries.items():
             for id in _as_list(_plain(ids)):
                 yield JausID.parse(str(id)), parse_address(f"{transport}://{where}")

@@ -1,4 +1,4 @@
-"""The way from the node manager to one component, which cannot delay the way to any other."""
+"""Sending to components: a socket and a bounded queue for each, so that a slow one delays no other."""
 
 from __future__ import annotations
 
@@ -7,33 +7,31 @@ import errno
 import socket
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
+from jauspy.node.liveness import remove_socket
 from jauspy.protocol import junior
 from jauspy.protocol.addressing import LocalPort
 from jauspy.protocol.counters import Counters
-from jauspy.transport import local as local_socket
+from jauspy.protocol.directory import ComponentPort
+from jauspy.protocol.routing import Router
 from jauspy.transport.base import SendQueue
 
-if TYPE_CHECKING:
-    from jauspy.protocol.directory import ComponentPort
-    from jauspy.protocol.routing import Router
-
 SEND_BURST: Final = 64
-"""Datagrams sent from the queue before others get their turn."""
+"""Datagrams sent from a queue before others get their turn."""
 RETRY_EVERY: Final = 8
-"""Datagrams that have to wait until sending is tried again, without being told that there is room. In a flood that
-takes too long: ten datagrams that a component can hold are read long before the event loop gets its turn."""
+"""Queued datagrams after which sending is tried without waiting for a writable socket. In a flood that would take too
+long: the ten datagrams that a component's socket holds are read long before the event loop gets its turn."""
 
 _NOT_LISTENING: Final = (errno.ECONNREFUSED, errno.ENOENT, errno.ENOTCONN)
 
 
 class ComponentSender:
-    """A connected socket of its own, and a queue for what the component is too slow to take.
+    """Sends to one component by a connected socket, with a queue for datagrams that the component has no room for.
 
-    A datagram that a component has not read yet fills its receive queue and its sender's send buffer. With one sender
-    for all, a component that stops reading would silence the others as soon as that buffer is full.
-    `gone` is called when nobody listens on `path` any more.
+    An unread datagram occupies the receive queue of the component and the send buffer of its sender. With one socket
+    for all, a component that stops reading would block the others as soon as that buffer is full.
+    `gone(path)` is called when nobody listens on the socket any more.
     """
 
     def __init__(self, path: str, counters: Counters, gone: Callable[[str], None]) -> None:
@@ -42,79 +40,79 @@ class ComponentSender:
         self._gone = gone
         self._loop = asyncio.get_running_loop()
         self._socket: socket.socket | None = None
-        self._direct: Callable[[bytes], object] | None = None
-        """Sends at once; only while there is a socket and nothing waits."""
-        self._waiting = SendQueue()
+        self._fast_path: Callable[[bytes], object] | None = None
+        """The socket's `send`; only while it is connected and the queue is empty."""
+        self._queue = SendQueue()
         self._watched = False
-        self._untried = 0
+        self._since_attempt = 0
 
     def __len__(self) -> int:
-        return len(self._waiting)
+        return len(self._queue)
 
     def send(self, datagram: bytes) -> None:
-        """Send now, or as soon as the component reads; what does not fit the queue is dropped and counted."""
-        if self._direct is not None:
+        """Send now, or as soon as the component reads; what the queue has no room for is dropped and counted."""
+        if self._fast_path is not None:
             try:
-                self._direct(datagram)
+                self._fast_path(datagram)
             except OSError:
-                self._send_carefully(datagram)
+                self._slow_path(datagram)
         else:
-            self._send_carefully(datagram)
+            self._slow_path(datagram)
 
-    def _send_carefully(self, datagram: bytes) -> None:
-        if not self._waiting:
+    def _slow_path(self, datagram: bytes) -> None:
+        if not self._queue:
             if self._try(datagram):
                 return
-            self._wait_for_room()
-        for _ in range(self._waiting.push(datagram)):
+            self._wait_until_writable()
+        for _ in range(self._queue.push(datagram)):
             self._counters.drop("queue_full", self._path)
-        self._untried += 1
-        if self._untried == RETRY_EVERY:
+        self._since_attempt += 1
+        if self._since_attempt == RETRY_EVERY:
             self._drain()
 
-    def refresh(self) -> None:
-        """The component has introduced itself: it may be a new one, on a new socket under the old name."""
+    def reconnect(self) -> None:
+        """Connect again: a new component may have a new socket of the same name."""
         self._disconnect()
-        if self._waiting:
+        if self._queue:
             self._drain()
 
     def close(self) -> None:
-        """Forget the component, and count what waited for it; a second call does nothing."""
+        """Close the socket, and count queued datagrams as dropped; a second call does nothing."""
         self._disconnect()
-        for _ in range(len(self._waiting)):
+        for _ in range(len(self._queue)):
             self._counters.drop("component_gone", self._path)
-        self._waiting = SendQueue()
+        self._queue = SendQueue()
 
     def _drain(self) -> None:
-        self._untried = 0
+        self._since_attempt = 0
         try:
             if self._socket is not None:
-                self._waiting.drain(self._socket.send, SEND_BURST)
+                self._queue.drain(self._socket.send, SEND_BURST)
         except BlockingIOError:
             return
         except OSError:
             self._disconnect()
-        if self._waiting and self._socket is None and self._try(self._waiting.peek()) and self._waiting:
-            self._waiting.pop()
-        if self._waiting:
-            self._wait_for_room()
+        if self._queue and self._socket is None and self._try(self._queue.peek()) and self._queue:
+            self._queue.pop()
+        if self._queue:
+            self._wait_until_writable()
         elif self._socket is not None:
-            self._stop_waiting(self._socket)
-            self._direct = self._socket.send
+            self._stop_watching(self._socket)
+            self._fast_path = self._socket.send
 
-    def _wait_for_room(self) -> None:
-        self._direct, self._untried = None, 0
+    def _wait_until_writable(self) -> None:
+        self._fast_path, self._since_attempt = None, 0
         if self._socket is not None and not self._watched:
             self._loop.add_writer(self._socket.fileno(), self._drain)
             self._watched = True
 
-    def _stop_waiting(self, sock: socket.socket) -> None:
+    def _stop_watching(self, sock: socket.socket) -> None:
         if self._watched:
             self._loop.remove_writer(sock.fileno())
             self._watched = False
 
     def _try(self, datagram: bytes) -> bool:
-        """False when it must wait; true when it was sent, or is lost because the component is gone."""
+        """False when the socket is full; true when it was sent, or is lost because the component is dead."""
         try:
             self._attempt(datagram)
         except BlockingIOError:
@@ -138,8 +136,8 @@ class ComponentSender:
     def _lost(self, error: OSError) -> None:
         self._counters.drop("component_gone" if error.errno in _NOT_LISTENING else "local_send", error)
         if error.errno in _NOT_LISTENING:
-            if self._waiting:
-                self._waiting.pop()  # the one that was counted just now
+            if self._queue:
+                self._queue.pop()  # which was counted just now
             self.close()
             self._gone(self._path)
 
@@ -152,78 +150,66 @@ class ComponentSender:
             sock.close()
             raise
         self._socket = sock
-        if not self._waiting:
-            self._direct = sock.send
+        if not self._queue:
+            self._fast_path = sock.send
         return sock
 
     def _disconnect(self) -> None:
-        sock, self._socket, self._direct = self._socket, None, None
+        sock, self._socket, self._fast_path = self._socket, None, None
         if sock is not None:
-            self._stop_waiting(sock)
+            self._stop_watching(sock)
             sock.close()
 
 
 class ComponentSenders:
-    """By the path of the component's socket. The core is told of components that nobody listens for any more."""
+    """The senders of all components, by the path of their socket; the router removes dead components.
 
-    def __init__(self, root: Path, core: Router) -> None:
+    A sender is made when it is first needed, and closed when its component is gone.
+    """
+
+    def __init__(self, root: Path, router: Router) -> None:
         self._root = root
-        self._core = core
-        self._by_path: dict[str, ComponentSender] = {}
+        self._router = router
+        self._senders: dict[str, ComponentSender] = {}
 
     @property
-    def waiting(self) -> Mapping[str, int]:
-        """Datagrams that wait for each component."""
-        return {path: len(mailbox) for path, mailbox in self._by_path.items()}
+    def queued(self) -> Mapping[str, int]:
+        """The number of queued datagrams of each component."""
+        return {path: len(sender) for path, sender in self._senders.items()}
 
     def send(self, path: str, datagram: bytes) -> None:
-        """To this component; a message of Junior itself goes to a socket that may be a new one."""
-        mailbox = self.of(path)
+        """Send to a component; a control message of the Junior protocol goes to a socket that may be new."""
+        sender = self.sender_for(path)
         if junior.parse(datagram) is not None:
-            mailbox.refresh()
-        mailbox.send(datagram)
+            sender.reconnect()
+        sender.send(datagram)
 
-    def of(self, path: str) -> ComponentSender:
-        """The way to this component."""
-        mailbox = self._by_path.get(path)
-        if mailbox is None:
-            self._forget_cancelled()
-            mailbox = self._by_path[path] = ComponentSender(path, self._core.counters, self._gone)
-        return mailbox
+    def sender_for(self, path: str) -> ComponentSender:
+        """The sender for this path."""
+        sender = self._senders.get(path)
+        if sender is None:
+            self._remove_cancelled()
+            sender = self._senders[path] = ComponentSender(path, self._router.counters, self._gone)
+        return sender
 
-    def buried(self, port: ComponentPort) -> None:
-        """The component is dead, and its socket gone."""
-        if isinstance(port, LocalPort) and (mailbox := self._by_path.pop(port.path, None)) is not None:
-            mailbox.close()
-        self._core.remove_dead(port)
+    def remove_dead(self, port: ComponentPort) -> None:
+        """Remove a component that is dead and whose socket is removed."""
+        if isinstance(port, LocalPort) and (sender := self._senders.pop(port.path, None)) is not None:
+            sender.close()
+        self._router.remove_dead(port)
 
     def close(self) -> None:
-        """Close all; twice is fine."""
-        for mailbox in self._by_path.values():
-            mailbox.close()
-        self._by_path.clear()
+        """Close all senders; a second call does nothing."""
+        for sender in self._senders.values():
+            sender.close()
+        self._senders.clear()
 
     def _gone(self, path: str) -> None:
-        self._by_path.pop(path, None)
-        self._core.remove_dead(LocalPort(path))
+        self._senders.pop(path, None)
+        self._router.remove_dead(LocalPort(path))
         remove_socket(self._root, path)
 
-    def _forget_cancelled(self) -> None:
-        alive = {port.path for _, port in self._core.components if isinstance(port, LocalPort)}
-        for path in [path for path in self._by_path if path not in alive]:
-            self._by_path.pop(path).close()
-
-
-def is_dead(root: Path, path: str) -> bool:
-    """True when nobody listens there any more; what is left of the socket is removed."""
-    if not local_socket.is_dead(Path(path)):
-        return False
-    remove_socket(root, path)
-    return True
-
-
-def remove_socket(root: Path, path: str) -> None:
-    """Remove the socket that a component has left behind, when its name says that it is one's."""
-    socket_path = Path(path)
-    if socket_path.parent == root and socket_path.name.isdecimal():
-        local_socket.clean_up(socket_path)
+    def _remove_cancelled(self) -> None:
+        alive = {port.path for _, port in self._router.components if isinstance(port, LocalPort)}
+        for path in [path for path in self._senders if path not in alive]:
+            self._senders.pop(path).close()

@@ -1,4 +1,4 @@
-"""What a node manager speaks beside UDP and local sockets: JTCP connections and serial lines."""
+"""JTCP connections and serial lines of a node manager."""
 
 from __future__ import annotations
 
@@ -19,47 +19,50 @@ from jauspy.transport.tcp import Dialer, StreamLink
 _LOGGER = logging.getLogger(__name__)
 
 MAX_CONNECTIONS: Final = 64
-"""Connections from outside; one more takes the place of the oldest that never sent a packet, or is closed at once."""
+"""Accepted connections; another one replaces the oldest that never sent a packet, or is closed at once."""
 
 
 class TcpPeers:
-    """`took(datagram, port)` gets every packet, `gone(port)` is told when a connection has ended."""
+    """JTCP connections: accepted ones, and those to peers of the address book.
+
+    `received(datagram, port)` is called for each packet, `disconnected(port)` when a connection has ended.
+    """
 
     def __init__(
         self,
         counters: Counters,
         network: str,
-        took: Callable[[bytes, TcpPort], None],
-        gone: Callable[[TcpPort], None],
+        received: Callable[[bytes, TcpPort], None],
+        disconnected: Callable[[TcpPort], None],
     ) -> None:
         self._counters = counters
         self._network = network
-        self._took = took
-        self._gone = gone
+        self._received = received
+        self._disconnected = disconnected
         self._server: asyncio.Server | None = None
         self._links: dict[TcpPort, StreamLink] = {}
         self._dialers: dict[TcpPort, Dialer] = {}
 
     @property
     def port(self) -> int | None:
-        """The TCP port in use; with 0 in the configuration, that of the first address."""
+        """The TCP port in use; if the configuration says 0, that of the first address."""
         return self._server.sockets[0].getsockname()[1] if self._server and self._server.sockets else None
 
     async def open(self, hosts: Sequence[str], number: int, peers: Iterable[TcpPort]) -> None:
-        """Listen on these addresses, and begin to connect; raises `TransportError` when the port is taken."""
+        """Listen on these addresses, and start connecting to `peers`; raises `TransportError`."""
         if hosts:
             try:
-                self._server = await asyncio.get_running_loop().create_server(self._accept, hosts, number)
+                self._server = await asyncio.get_running_loop().create_server(self._make_link, hosts, number)
             except OSError as error:
                 if error.errno == errno.EADDRINUSE:
-                    why = "it is used by another process"
+                    why = "another process uses it"
                 else:
                     why = os.strerror(error.errno) if error.errno else str(error)
                 raise TransportError(
                     f"cannot listen on TCP {hosts[0]}:{number}: {why}; choose another tcp_port"
                 ) from error
         for port in peers:
-            self._dialers[port] = Dialer((port.host, port.port), self._counters, self._receive_from(port))
+            self._dialers[port] = Dialer((port.host, port.port), self._counters, self._receiver_for(port))
 
     async def close(self) -> None:
         """Close all connections; a second call does nothing."""
@@ -73,30 +76,30 @@ class TcpPeers:
             await dialer.close()
 
     def send(self, port: TcpPort, datagram: bytes) -> None:
-        """Send to one peer, or drop and count."""
-        way = self._links.get(port) or self._dialers.get(port)
-        if way is None:
+        """Send to one peer; counted when dropped."""
+        link = self._links.get(port) or self._dialers.get(port)
+        if link is None:
             self._counters.drop("tcp_unconnected", port)
         else:
-            way.send(datagram)
+            link.send(datagram)
 
     def broadcast(self, datagram: bytes) -> None:
-        """Send to all that are connected: JTCP has no groups."""
+        """Send on all connections, because JTCP has no multicast."""
         for link in list(self._links.values()):
             link.send(datagram)
         for dialer in self._dialers.values():
             if dialer.link is not None:
                 dialer.link.send(datagram)
 
-    def _accept(self) -> StreamLink:
+    def _make_link(self) -> StreamLink:
         return StreamLink(
             self._counters,
-            lambda link, datagram: self._took(datagram, self._port(link)),
+            lambda link, datagram: self._received(datagram, self._port(link)),
             self._ended,
-            self._began,
+            self._accepted,
         )
 
-    def _began(self, link: StreamLink) -> None:
+    def _accepted(self, link: StreamLink) -> None:
         if len(self._links) >= MAX_CONNECTIONS:
             refused = next((each for each in self._links.values() if not each.has_received), link)
             self._counters["tcp.refused"] += 1
@@ -116,29 +119,32 @@ class TcpPeers:
         port = self._port(link)
         del self._links[port]
         self._counters["tcp.closed"] += 1
-        self._gone(port)
+        self._disconnected(port)
 
     def _port(self, link: StreamLink) -> TcpPort:
         return TcpPort(*link.peer, self._network)
 
-    def _receive_from(self, port: TcpPort) -> Callable[[StreamLink, bytes], None]:
-        return lambda _, datagram: self._took(datagram, port)
+    def _receiver_for(self, port: TcpPort) -> Callable[[StreamLink, bytes], None]:
+        return lambda _, datagram: self._received(datagram, port)
 
 
 class Links:
-    """They belong to `network`. `took(datagram, port)` gets every packet, `gone(port)` is told of ended connections."""
+    """JTCP connections and serial lines, as ports of `network`.
+
+    `received(datagram, port)` is called for each packet, `disconnected(port)` when a connection has ended.
+    """
 
     def __init__(
         self,
         counters: Counters,
         network: str,
-        took: Callable[[bytes, NetworkPort], None],
-        gone: Callable[[NetworkPort], None],
+        received: Callable[[bytes, NetworkPort], None],
+        disconnected: Callable[[NetworkPort], None],
     ) -> None:
-        self._took = took
+        self._received = received
         self._counters = counters
         self._network = network
-        self._tcp = TcpPeers(counters, network, took, gone)
+        self._tcp = TcpPeers(counters, network, received, disconnected)
         self._serial: dict[SerialPort, SerialLink] = {}
 
     @property
@@ -147,9 +153,9 @@ class Links:
         return self._tcp.port
 
     async def open(self, config: NodeConfig, udp_port: int, known: Iterable[NetworkPort]) -> None:
-        """Open what the configuration says, and connect to the TCP peers of the address book; all or nothing.
+        """Open the configured lines and ports, and connect to the TCP peers of the address book; all or nothing.
 
-        Raises `TransportError` when a port or a device cannot be used, `ConfigError` when they would go round a key.
+        Raises `TransportError` when a port or device cannot be used, `ConfigError` when the network has a key.
         """
         peers = {port for port in known if isinstance(port, TcpPort)}
         if config.key_file is not None and (config.tcp or config.serial or peers):
@@ -164,14 +170,14 @@ class Links:
             raise
 
     async def close(self) -> None:
-        """Give everything back; a second call does nothing."""
+        """Close everything; a second call does nothing."""
         for line in self._serial.values():
             line.close()
         self._serial.clear()
         await self._tcp.close()
 
     def send(self, port: TcpPort | SerialPort, datagram: bytes) -> None:
-        """Send to one peer, or drop and count."""
+        """Send to one peer; counted when dropped."""
         if isinstance(port, TcpPort):
             self._tcp.send(port, datagram)
         elif port in self._serial:
@@ -187,6 +193,6 @@ class Links:
 
     def _open_line(self, line: SerialLine) -> None:
         port = SerialPort(line.device, network=self._network)
-        link = SerialLink(line, self._counters, lambda datagram: self._took(datagram, port))
+        link = SerialLink(line, self._counters, lambda datagram: self._received(datagram, port))
         link.open()
         self._serial[port] = link

@@ -1,4 +1,4 @@
-"""The ways of plain packets that were found a moment ago: most packets go where the one before them went."""
+"""Routing cache: plain packets between two ids are usually sent where the last one was, without asking the router."""
 
 from __future__ import annotations
 
@@ -13,58 +13,58 @@ from jauspy.protocol.egress import ROUTED_COUNTERS
 from jauspy.protocol.routing import RECEIVED_COUNTERS, Router
 
 CACHE_LIFETIME: Final = 0.5
-"""Seconds until all ways are looked for again, so that what the core learns from packets is only this much late."""
+"""Seconds after which the cache is cleared, so that what the router learns from packets is at most this much late."""
 MAX_ROUTES: Final = 1024
 
 _IDS: Final = 0xFFFFFFFF
-_plain: Final = struct.Struct("<IBQxx").unpack_from
+_unpack_plain: Final = struct.Struct("<IBQxx").unpack_from
 """Version, flags and data size as one number, the control byte, and destination and source as one number."""
 
 Send: TypeAlias = Callable[[bytes], object]
 
 
 class RoutingCache:
-    """Sends what needs no decision past the core, and counts it there.
+    """Sends packets whose route is known, and counts them like the router.
 
-    `open_way` makes what sends to a port, or None when its datagrams are to go the whole way.
+    `sender_for(port)` returns a function that sends to the port, or None if its datagrams must pass the router.
     """
 
-    def __init__(self, core: Router, open_way: Callable[[LocalPort | UdpPort], Send | None]) -> None:
-        self._core = core
-        self._counters = core.counters
-        self._open_way = open_way
-        self._ways: dict[tuple[Port, int], tuple[Send, str, str]] = {}
+    def __init__(self, router: Router, sender_for: Callable[[LocalPort | UdpPort], Send | None]) -> None:
+        self._router = router
+        self._counters = router.counters
+        self._sender_for = sender_for
+        self._routes: dict[tuple[Port, int], tuple[Send, str, str]] = {}
         self._ids: set[int] = set()
         self._timer: asyncio.TimerHandle | None = None
 
     def __len__(self) -> int:
-        return len(self._ways)
+        return len(self._routes)
 
-    def take(self, datagram: bytes, port: Port) -> bool:
-        """False when the core must look at this datagram."""
+    def forward(self, datagram: bytes, port: Port) -> bool:
+        """Send a datagram from `port` by its cached route; false if the router must process it."""
         try:
-            start, _, ids = _plain(datagram)
+            start, _, ids = _unpack_plain(datagram)
         except struct.error:
             return False
         if start != (len(datagram) - 1) << 16 | header.VERSION:
             return False
-        way = self._ways.get((port, ids)) or self._find(port, ids)
-        if way is None:
+        route = self._routes.get((port, ids)) or self._find(port, ids)
+        if route is None:
             return False
-        send, received, routed = way
+        send, received, routed = route
         self._counters[received] += 1
         self._counters[routed] += 1
         send(datagram)
         return True
 
-    def forget(self, id: int | None) -> None:
-        """Something about this id has changed, or, when it is None, about any."""
+    def invalidate(self, id: int | None) -> None:
+        """Clear the cache if it has routes of this id; None stands for any id."""
         if id is None or id in self._ids:
             self.clear()
 
     def clear(self) -> None:
-        """Look for all ways again."""
-        self._ways.clear()
+        """Remove all routes."""
+        self._routes.clear()
         self._ids.clear()
         if self._timer is not None:
             self._timer.cancel()
@@ -73,14 +73,14 @@ class RoutingCache:
     def _find(self, port: Port, ids: int) -> tuple[Send, str, str] | None:
         source, destination = ids >> 32, ids & _IDS
         loop = asyncio.get_running_loop()
-        where = self._core.cacheable_route(source, destination, port, loop.time())
-        send = None if where is None else self._open_way(where)
-        if where is None or send is None:
+        to = self._router.cacheable_route(source, destination, port, loop.time())
+        send = None if to is None else self._sender_for(to)
+        if to is None or send is None:
             return None
-        if len(self._ways) >= MAX_ROUTES:
+        if len(self._routes) >= MAX_ROUTES:
             self.clear()
-        way = self._ways[port, ids] = (send, RECEIVED_COUNTERS[type(port)], ROUTED_COUNTERS[type(where)])
+        route = self._routes[port, ids] = (send, RECEIVED_COUNTERS[type(port)], ROUTED_COUNTERS[type(to)])
         self._ids.update((source, destination))
         if self._timer is None:
             self._timer = loop.call_later(CACHE_LIFETIME, self.clear)
-        return way
+        return route

@@ -22,7 +22,7 @@ LIVING, DEAD = JausID.parse("126.1.11"), JausID.parse("126.1.20")
 @pytest.fixture
 def swept(monkeypatch: pytest.MonkeyPatch) -> None:
     """The node manager looks after its components all the time."""
-    monkeypatch.setattr(liveness, "INTERVAL", 0.01)
+    monkeypatch.setattr(liveness, "CHECK_INTERVAL", 0.01)
 
 
 @pytest.fixture
@@ -96,7 +96,7 @@ async def test_what_waited_for_one_that_died_is_counted(root: Path, node: NodeMa
     with await connected(root, LIVING, root / str(int(LIVING))) as living:
         dead = await connected(root, DEAD, root / str(int(DEAD)))
         sent = 0
-        while not (waiting := node.state.waiting.get(str(root / str(int(DEAD))), 0)) > 20:
+        while not (waiting := node.state.queued.get(str(root / str(int(DEAD))), 0)) > 20:
             with contextlib.suppress(BlockingIOError):
                 living.sendto(judp.pack(Packet(LIVING, DEAD, b"\x02\x20", sent)), str(node.path))
                 sent += 1
@@ -133,7 +133,7 @@ def test_many_components_are_looked_at_a_few_at_a_time() -> None:
     gone: list[ComponentPort] = []
     looking = liveness.LivenessCheck(components, is_dead, gone.append)
     for turn in range(1, 4):
-        looking.turn()
+        looking.check_next()
         assert len(asked) == turn * liveness.MAX_CHECKS
     assert len(set(asked)) == len(asked)
     assert gone == [LocalPort("/7")]
