@@ -18,11 +18,12 @@ from tests.conformance.mistakes import goes_on, stuck, wrong_report
 
 from jauspy.codec.base import Message, Struct
 from jauspy.codec.items import Composite
-from jauspy.conformance import Bench, Part
+from jauspy.conformance import Bench, Part, state_tables
 from jauspy.conformance.state_tests import sample_messages
-from jauspy.conformance.state_tests.explorer import AUTHORITY, CLIENTS, OBSERVER
+from jauspy.conformance.state_tests.explorer import AUTHORITY
 from jauspy.conformance.state_tests.sensors import PATIENCE as PICTURE_PATIENCE
 from jauspy.conformance.state_tests.state_test import Trial
+from jauspy.conformance.tester import CLIENTS, OBSERVER
 from jauspy.ids import JausID
 from jauspy.messages import core, registry
 from jauspy.messages.environment_sensing.v2_0.range_sensor import ConfirmSensorConfiguration
@@ -52,7 +53,16 @@ def armed() -> Iterator[None]:
         finally:
             Moment.now = False
 
-    with patch.object(Trial, "attempt", watched):
+    row = state_tables.attempt
+
+    def watched_row(*arguments: Any) -> None:
+        Moment.now = True
+        try:
+            row(*arguments)
+        finally:
+            Moment.now = False
+
+    with patch.object(Trial, "attempt", watched), patch.object(state_tables, "attempt", watched_row):
         yield
 
 
