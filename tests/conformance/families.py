@@ -236,11 +236,18 @@ def faster(confirmation: Any) -> None:
 CODES: Final = (
     *("request_id", "response_code", "query_type", "command_result", "authority_code"),
     *("element_uid", "previous_uid", "next_uid", "element_count"),
+    *("subsystem_id", "node_id", "component_id", "status"),
 )
 SET_TIMER: Final = Host.set_timer
 STATES: Final[tuple[type[Message], ...]] = (core.ReportStatus, core.ReportControl, core.ReportEvents)
 """What the observer asks for in every step."""
-SECOND: Final[tuple[type[Message], ...]] = (core.ConfirmControl, core.CommandEvent, core.ReportEvents, core.Event)
+SECOND: Final[tuple[type[Message], ...]] = (
+    core.ConfirmControl,
+    core.RejectControl,
+    core.CommandEvent,
+    core.ReportEvents,
+    core.Event,
+)
 """What comes after another answer."""
 STREAM: Final = (core.Event,)
 LOWER: Final = core.ReportAuthority(AUTHORITY - 1).encode()

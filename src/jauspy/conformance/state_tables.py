@@ -7,6 +7,7 @@ the generated state tests share. Each row is one step. What the tables leave out
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
 from typing import Any, Final, TypeAlias
@@ -444,11 +445,15 @@ def _run(test: RowTest, tester: Tester) -> None:
     try:
         attempt(test, tester, authority)
     finally:
-        for client in tester.clients:
-            for each in client.confirmed:
-                if each.code == ConfirmEventRequest.CODE:
-                    event = ConfirmEventRequest.decode(each.payload, strict=False)[0].event_id
-                    client.send(CancelEvent(REQUEST, event), to=test.component)
+        with tester.unreported(), suppress(Outcome):  # the verdict of the row stands
+            _cancel_events(test, tester.client(CLIENTS[test.row.sender]))
+
+
+def _cancel_events(test: RowTest, client: Client) -> None:
+    for each in list(client.confirmed):
+        if each.code == ConfirmEventRequest.CODE:
+            event = ConfirmEventRequest.decode(each.payload, strict=False)[0].event_id
+            client.ask(CancelEvent(REQUEST, event), ConfirmEventRequest, to=test.component)
 
 
 def _bring(test: RowTest, tester: Tester) -> int:
@@ -538,7 +543,8 @@ def attempt(test: RowTest, tester: Tester, authority: int) -> None:
         client.ask(message, row.answer.kind, *row.answer.checks, to=test.component)
     if row.notice is not None:
         tester.client(CLIENTS[CONTROLLER]).expect(row.notice.kind, *row.notice.checks, source=test.component)
-    problem = _settled(test, tester, row.next) if _shows_state(test) else _after_pause(client)
+    with tester.unreported():
+        problem = _settled(test, tester, row.next) if _shows_state(test) else _after_pause(client)
     _nothing_else(tester, answered=row.answer is not None)
     name = f"the state is {row.next.name}"
     tester.expected.append(name)

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Final, TypeAlias
 
@@ -159,7 +158,7 @@ class Walker:
         made = self.steering(message)
         client = self.client(role)
         if isinstance(made, RequestControl):
-            with self._unnoticed():
+            with self.tester.unreported():
                 client.ask(made, ConfirmControl, to=self.component)
         else:
             client.send(made, to=self.component)
@@ -180,16 +179,8 @@ class Walker:
 
     def look(self) -> Seen:
         """Ask the component where it is; what it was told before, it has heard when it answers."""
-        with self._unnoticed():
+        with self.tester.unreported():
             return self._ask()
-
-    @contextmanager
-    def _unnoticed(self) -> Iterator[None]:
-        """What is asked meanwhile is no business of the report."""
-        tester = self.tester
-        notes = list(tester.why), list(tester.expected), list(tester.looked)
-        yield
-        tester.why, tester.expected, tester.looked = notes
 
     def _ask(self) -> Seen:
         observer = self.client(OBSERVER)
