@@ -294,6 +294,15 @@ FAMILIES: Final = (
     _second("gives a short second answer", answers(spoilt, *SECOND)),
     _second("gives a late second answer", delays(lambda payload, to: _is(payload, SECOND))),
     _second("gives another second answer", answers(changed(other_codes), *SECOND)),
+    *(
+        Family(f"{how} to the client that was in control", "^RejectControl ", inject)
+        for how, inject in (
+            ("says nothing", answers(silence, core.RejectControl)),
+            ("is short", answers(spoilt, core.RejectControl)),
+            ("is late", delays(lambda payload, to: _is(payload, (core.RejectControl,)))),
+            ("says something else", answers(changed(other_codes), core.RejectControl)),
+        )
+    ),
     _effects("does not show effects", shown(silence)),
     _effects("shows effects in short", shown(spoilt)),
     _effects("shows effects late", delays(_shows)),
