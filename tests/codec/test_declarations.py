@@ -21,7 +21,8 @@ from jauspy.codec.base import Message, Struct
 from jauspy.codec.codegen import identifier
 from jauspy.codec.dynamic import load_schema
 from jauspy.codec.fast_path import install
-from jauspy.codec.items import Choice, Composite, Formatted
+from jauspy.codec.items import Choice, Formatted
+from jauspy.codec.layout import Composite
 from jauspy.codec.registry import Registry
 from jauspy.codec.source import generate
 from jauspy.messages import registry

@@ -17,7 +17,8 @@ from struct import Struct as Packer
 from typing import Final
 
 from jauspy.codec.base import Message, Reject
-from jauspy.codec.items import Bits, Composite, Grid, Item, Number, Real, Slot, Text, Values
+from jauspy.codec.items import Bits, Item, Number, Real, Text, Values
+from jauspy.codec.layout import Composite, Grid, Slot
 from jauspy.codec.names import unique
 from jauspy.codec.scaling import Scaling, exact_raw
 from jauspy.codec.wire import FLOATS, SIZES, compact, limits

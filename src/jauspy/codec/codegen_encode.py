@@ -29,23 +29,8 @@ from jauspy.codec.codegen import (
     run_masks,
     runs,
 )
-from jauspy.codec.items import (
-    Bit,
-    Bits,
-    Blob,
-    Choice,
-    Composite,
-    Count,
-    Formatted,
-    Grid,
-    Item,
-    Number,
-    Real,
-    Repeat,
-    Slot,
-    Text,
-    Union,
-)
+from jauspy.codec.items import Bit, Bits, Blob, Choice, Count, Formatted, Item, Number, Real, Text
+from jauspy.codec.layout import Composite, Grid, Repeat, Slot, Union
 from jauspy.codec.scaling import NEAR_TIE
 from jauspy.codec.wire import FLOATS, SIZES, limits
 

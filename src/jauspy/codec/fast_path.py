@@ -13,7 +13,8 @@ from jauspy.codec.base import Message, Reject, Struct
 from jauspy.codec.codegen import Namespace
 from jauspy.codec.codegen_decode import read_source, unpack_source
 from jauspy.codec.codegen_encode import pack_source, write_source
-from jauspy.codec.items import Choice, Composite, Formatted
+from jauspy.codec.items import Choice, Formatted
+from jauspy.codec.layout import Composite
 
 
 def install(cls: type[Struct], method: Literal["_unpack", "_pack", "_read", "_write"]) -> None:

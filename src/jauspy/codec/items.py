@@ -6,7 +6,6 @@ from jauspy.codec.item import Item
 from jauspy.codec.items_bits import Bit, Bits, Choice
 from jauspy.codec.items_bytes import Blob, Count, Formatted, Text, message_to_dict
 from jauspy.codec.items_numbers import ANY, Number, Real, Values, real
-from jauspy.codec.layout import Composite, Grid, Repeat, Slot, Union, composite
 
 __all__ = [
     "ANY",
@@ -14,19 +13,13 @@ __all__ = [
     "Bits",
     "Blob",
     "Choice",
-    "Composite",
     "Count",
     "Formatted",
-    "Grid",
     "Item",
     "Number",
     "Real",
-    "Repeat",
-    "Slot",
     "Text",
-    "Union",
     "Values",
-    "composite",
     "message_to_dict",
     "real",
 ]

@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field
 from difflib import get_close_matches
 from typing import Any
 
@@ -114,12 +114,6 @@ class Composite(Item):
         if "reserved_presence" in data:
             values["reserved_presence"] = integer_of(data["reserved_presence"], join(path, "reserved_presence"))
         return self.cls(**values)
-
-
-def composite(cls: type[Struct], presence: str | None, *rows: tuple[Any, ...]) -> Composite:
-    """The layout of a dataclass: for each attribute its JAUS name and its layout, and `True` when it is optional."""
-    slots = (Slot(made.name, *row) for made, row in zip(fields(cls), rows, strict=False))  # type: ignore[arg-type]  # generated classes are dataclasses
-    return Composite(cls, tuple(slots), presence)
 
 
 def _hint(key: object, names: list[str]) -> str:

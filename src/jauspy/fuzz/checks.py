@@ -17,7 +17,8 @@ from typing import Any, Final, NoReturn
 
 from jauspy.codec import careful, reference
 from jauspy.codec.base import Deviation, Message
-from jauspy.codec.items import Bits, Blob, Choice, Composite, Formatted, Grid, Item, Number, Real, Repeat, Union
+from jauspy.codec.items import Bits, Blob, Choice, Formatted, Item, Number, Real
+from jauspy.codec.layout import Composite, Grid, Repeat, Union
 from jauspy.errors import DecodeError, EncodeError
 from jauspy.fuzz.findings import Problem
 from jauspy.fuzz.messages import Target
