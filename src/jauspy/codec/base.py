@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Final, Literal, Protocol, Self,
 from jauspy.errors import DecodeError
 
 if TYPE_CHECKING:
-    from jauspy.codec.item import Item
+    from jauspy.codec.items import Item
     from jauspy.codec.nesting import Nesting
 
 MAX_NESTING: Final = 8

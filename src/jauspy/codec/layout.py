@@ -9,8 +9,7 @@ from difflib import get_close_matches
 from typing import Any
 
 from jauspy.codec.base import Struct, counted
-from jauspy.codec.item import Item, check_class, cut, integer_of, join, shown
-from jauspy.codec.items_bytes import Count
+from jauspy.codec.items import Count, Item, check_class, cut, integer_of, join, shown
 from jauspy.codec.nesting import Nesting
 from jauspy.codec.streams import Reader, Writer
 from jauspy.codec.wire import SIZES, limits

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Literal, TypeVar, overload
 from jauspy.codec import careful
 from jauspy.codec.base import FAST_ERRORS, Deviation, Message, as_bytes, too_short
 from jauspy.codec.entries import NO_HINTS, Collision, Entry, Hints, meanings
-from jauspy.codec.item import join, shown
+from jauspy.codec.items import join, shown
 from jauspy.codec.nesting import Nesting
 from jauspy.errors import ConfigError, DecodeError, EncodeError
 

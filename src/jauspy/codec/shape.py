@@ -7,7 +7,7 @@ from dataclasses import fields, is_dataclass
 from enum import IntEnum
 from typing import Any, Final
 
-from jauspy.codec.item import Item
+from jauspy.codec.items import Item
 
 _NAMES: Final = frozenset(("cls", "name", "jaus", "units"))
 
