@@ -2,7 +2,7 @@
 
 A message class declares its fields and its layout. Its straight-line `_unpack` and `_pack` are made from the layout
 when they are first called (`jauspy.codec.fast_path`). They take valid input only; all else ends in one of
-`FAST_ERRORS`. Then the slow path (`jauspy.codec.careful`) goes over the same input field by field: it finds what is
+`FAST_ERRORS`. Then the slow path (`jauspy.codec.slow_path`) goes over the same input field by field: it finds what is
 wrong and where, clamps, or keeps what a tolerant reader can keep. It costs about ten times as much and is linear in the
 input, too.
 """
@@ -159,7 +159,7 @@ class Message(Struct):
                 return self._pack()
             except FAST_ERRORS:
                 pass
-        from jauspy.codec.careful import encode  # noqa: PLC0415 - off the fast road
+        from jauspy.codec.slow_path import encode  # noqa: PLC0415 - off the fast road
 
         return encode(self, clamp=clamp, strict=strict)
 
@@ -192,9 +192,9 @@ class Message(Struct):
             return cls._unpack(data, None), []
         except FAST_ERRORS:
             pass
-        from jauspy.codec import careful  # noqa: PLC0415 - off the fast road
+        from jauspy.codec import slow_path  # noqa: PLC0415 - off the fast road
 
-        return careful.decode(cls, data) if strict else careful.decode_tolerant(cls, data)
+        return slow_path.decode(cls, data) if strict else slow_path.decode_tolerant(cls, data)
 
 
 R_co = TypeVar("R_co", bound=Message, covariant=True)

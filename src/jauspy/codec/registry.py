@@ -8,7 +8,7 @@ from difflib import get_close_matches
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal, TypeVar, overload
 
-from jauspy.codec import careful
+from jauspy.codec import slow_path
 from jauspy.codec.base import FAST_ERRORS, Deviation, Message, as_bytes, too_short
 from jauspy.codec.entries import NO_HINTS, Collision, Entry, Hints, meanings
 from jauspy.codec.items import join, shown
@@ -218,7 +218,7 @@ class Registry:
         try:
             found = cls._unpack(data, self.nesting)
         except FAST_ERRORS:
-            return (careful.decode if strict else careful.decode_tolerant)(cls, data, self.nesting)
+            return (slow_path.decode if strict else slow_path.decode_tolerant)(cls, data, self.nesting)
         return found if strict else (found, [])
 
     def class_of(self, data: bytes, hints: Hints = NO_HINTS) -> type[Message] | None:
