@@ -16,7 +16,7 @@ from jauspy.cli.definitions import Definitions
 from jauspy.cli.explain import explanation
 from jauspy.cli.render import field_lines
 from jauspy.codec.base import Message
-from jauspy.codec.entries import Entry
+from jauspy.codec.registry import Entry
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet, Priority
 
 
