@@ -31,8 +31,7 @@ from jauspy.codec.codegen import (
 )
 from jauspy.codec.items import Bit, Bits, Blob, Choice, Count, Formatted, Item, Number, Real, Text
 from jauspy.codec.layout import Composite, Grid, Repeat, Slot, Union
-from jauspy.codec.scaling import NEAR_TIE
-from jauspy.codec.wire import FLOATS, SIZES, limits
+from jauspy.codec.wire import FLOATS, NEAR_TIE, SIZES, limits
 
 
 def pack_source(layout: Composite, code: int, namespace: Namespace) -> list[str]:

@@ -15,9 +15,8 @@ from typing import Any, Final
 
 from jauspy.codec.base import Message, Struct, counted
 from jauspy.codec.nesting import Nesting, Source
-from jauspy.codec.scaling import Rounding, Scaling, exact_raw
 from jauspy.codec.slow_path import Reader, Writer, codec_of
-from jauspy.codec.wire import FLOATS, SIZES, limits
+from jauspy.codec.wire import FLOATS, SIZES, Rounding, Scaling, exact_raw, limits
 from jauspy.errors import EncodeError
 
 MOST_SHOWN: Final = 100

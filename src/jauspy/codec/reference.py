@@ -32,8 +32,7 @@ from construct import (
 )
 
 from jauspy.codec.names import attributes, members
-from jauspy.codec.scaling import nearest_raw
-from jauspy.codec.wire import CODES, FLOATS, as_sent, limits
+from jauspy.codec.wire import CODES, FLOATS, as_sent, limits, nearest_raw
 from jauspy.errors import DecodeError, EncodeError
 from jauspy.schema import model as m
 from jauspy.schema.model import Message
