@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from jauspy import messages as messages, ocu as ocu, sync as sync, testing as testing
     from jauspy.codec.base import Message as Message
-    from jauspy.codec.dynamic import load as load
+    from jauspy.codec.build import load
     from jauspy.codec.registry import Registry as Registry
     from jauspy.component import Component as Component, run as run
     from jauspy.errors import (
@@ -48,7 +48,7 @@ _EXPORTS = {
     "EventRejected": "jauspy.errors",
     "JausError": "jauspy.errors",
     "JausID": "jauspy.ids",
-    "load": "jauspy.codec.dynamic",
+    "load": "jauspy.codec.build",
     "Message": "jauspy.codec.base",
     "OCU": "jauspy.ocu",
     "ProtocolError": "jauspy.errors",

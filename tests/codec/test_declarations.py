@@ -18,8 +18,8 @@ import pytest
 
 import jauspy
 from jauspy.codec.base import Message, Struct
+from jauspy.codec.build import load_schema
 from jauspy.codec.codegen import identifier
-from jauspy.codec.dynamic import load_schema
 from jauspy.codec.fast_path import install
 from jauspy.codec.items import Choice, Formatted
 from jauspy.codec.layout import Composite

@@ -71,7 +71,7 @@ def definitions(sources: list[str] | None) -> Definitions:
         from jauspy.messages import registry
 
         return Definitions(registry)
-    from jauspy.codec.dynamic import load_schema
+    from jauspy.codec.build import load_schema
     from jauspy.schema.own import load_own
 
     own = load_own(sources)
