@@ -10,14 +10,16 @@ input, too.
 from __future__ import annotations
 
 import struct
+from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any, ClassVar, Final, Literal, Protocol, Self, TypeVar, overload
 
-from jauspy.errors import DecodeError
+from jauspy.errors import DecodeError, EncodeError
 
 if TYPE_CHECKING:
     from jauspy.codec.items import Item
-    from jauspy.codec.nesting import Nesting
+
+    pass
 
 MAX_NESTING: Final = 8
 """Levels of messages inside messages that are decoded; deeper ones stay bytes."""
@@ -233,3 +235,46 @@ def check_code(cls: type[Message], data: bytes) -> None:
     code = data[0] | data[1] << 8
     if code != cls.CODE:
         raise DecodeError(f"message id 0x{code:04X} is not 0x{cls.CODE:04X} ({cls.NAME})")
+
+
+class Source(Protocol):
+    """What knows the messages: a registry."""
+
+    @property
+    def nesting(self) -> Nesting:
+        """Its own, for messages that are in no other one."""
+
+    def class_of(self, data: bytes) -> type[Message] | None:
+        """The class these bytes begin like; None when it is unknown, or when there are several."""
+
+    def message_from(self, data: Mapping[str, Any], nesting: Nesting, path: str) -> Message:
+        """The inverse of `message_to_dict`; raises `EncodeError`."""
+
+
+class Nesting:
+    """What a message that is read knows about those inside it."""
+
+    __slots__ = ("_inner", "_source")
+
+    def __init__(self, source: Source, depth: int = 0) -> None:
+        self._source = source
+        self._inner = Nesting(source, depth + 1) if depth < MAX_NESTING else None
+
+    def message(self, data: bytes) -> Message | bytes:
+        """The message inside when it decodes strictly and encodes to the same bytes, else the bytes."""
+        if self._inner is None:
+            return data
+        cls = self._source.class_of(data)
+        if cls is None:
+            return data
+        try:
+            message = cls._unpack(data, self._inner)
+            return message if message._pack() == data else data  # noqa: SLF001 - the fast road
+        except FAST_ERRORS:
+            return data
+
+    def from_dict(self, data: Mapping[str, Any], path: str) -> Message:
+        """The message inside; raises `EncodeError`, also for what is too deep to be encoded."""
+        if self._inner is None:
+            raise EncodeError(f"messages are nested more than {MAX_NESTING} deep", path=path)
+        return self._source.message_from(data, self._inner, path)

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
+from jauspy.codec.base import Source
 from jauspy.codec.codegen import (
     Locals,
     Namespace,
@@ -37,7 +38,6 @@ from jauspy.codec.codegen import (
 )
 from jauspy.codec.items import Bits, Blob, Choice, Count, Formatted, Item, Number, Real, Text
 from jauspy.codec.layout import Composite, Grid, Repeat, Slot, Union
-from jauspy.codec.nesting import Source
 from jauspy.codec.wire import FLOATS, SIZES, limits
 
 
