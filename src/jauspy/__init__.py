@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from jauspy import messages as messages, ocu as ocu, sync as sync, testing as testing
-    from jauspy.codec.base import Message as Message
     from jauspy.codec.build import load
+    from jauspy.codec.message import Message
     from jauspy.codec.registry import Registry as Registry
     from jauspy.component import Component as Component, run as run
     from jauspy.errors import (
@@ -49,7 +49,7 @@ _EXPORTS = {
     "JausError": "jauspy.errors",
     "JausID": "jauspy.ids",
     "load": "jauspy.codec.build",
-    "Message": "jauspy.codec.base",
+    "Message": "jauspy.codec.message",
     "OCU": "jauspy.ocu",
     "ProtocolError": "jauspy.errors",
     "Registry": "jauspy.codec.registry",

@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from jauspy.codec import slow_path
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.errors import DecodeError
 from jauspy.fuzz.campaign import Plan, fuzzer
 from jauspy.messages import registry

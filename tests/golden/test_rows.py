@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from jauspy.codec import reference, slow_path
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.messages import registry
 from jauspy.schema import model as m
 

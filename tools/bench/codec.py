@@ -22,7 +22,7 @@ import _models
 from _construct import compiled
 from pymavlink.dialects.v20 import common as mavlink
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.messages import registry
 from jauspy.messages.core import ReportServices
 from jauspy.messages.mobility import ReportVelocityState

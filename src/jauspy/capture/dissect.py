@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Final
 
-from jauspy.codec.base import Message, too_short
+from jauspy.codec.message import Message, too_short
 from jauspy.codec.registry import NO_HINTS, Collision, Entry, Hints, Registry
 from jauspy.errors import DecodeError, EncodeError, ProtocolError
 from jauspy.protocol import judp, junior

@@ -11,7 +11,7 @@ import typer
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from jauspy.codec.base import Message
+    from jauspy.codec.message import Message
     from jauspy.codec.registry import Hints, Registry
     from jauspy.schema import Schema, model
 

@@ -10,9 +10,9 @@ from typing import Any, Final
 import yaml
 
 from jauspy.cli.render import unit_symbol
-from jauspy.codec.base import Message
 from jauspy.codec.items import Bits, Blob, Choice, Formatted, Item, Number, Real, Text
 from jauspy.codec.layout import Composite, Grid, Repeat, Slot, Union
+from jauspy.codec.message import Message
 from jauspy.codec.registry import NO_HINTS, Hints, Registry
 from jauspy.codec.wire import FLOATS, limits
 from jauspy.errors import ConfigError, EncodeError

@@ -20,10 +20,10 @@ from types import GenericAlias, ModuleType
 from typing import Any, Final
 
 from jauspy.codec import declare
-from jauspy.codec.base import Message, Struct
 from jauspy.codec.codegen import keywords_only
 from jauspy.codec.items import ANY, Bit, Bits, Blob, Choice, Count, Formatted, Item, Number, Real, Text, Values, real
 from jauspy.codec.layout import Composite, Grid, Repeat, Slot, Union
+from jauspy.codec.message import Message, Struct
 from jauspy.codec.names import attribute, attributes, class_name, members, set_package, unique, version_package
 from jauspy.codec.registry import Entry, Registry
 from jauspy.codec.wire import CODES, FLOATS, as_sent

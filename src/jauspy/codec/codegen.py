@@ -16,9 +16,9 @@ from keyword import iskeyword
 from struct import Struct as Packer
 from typing import Final
 
-from jauspy.codec.base import Message, Reject
 from jauspy.codec.items import Bits, Item, Number, Real, Text, Values
 from jauspy.codec.layout import Composite, Grid, Slot
+from jauspy.codec.message import Message, Reject
 from jauspy.codec.names import unique
 from jauspy.codec.wire import FLOATS, SIZES, Scaling, compact, exact_raw, limits
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-from jauspy.codec.base import Source
 from jauspy.codec.codegen import (
     Locals,
     Namespace,
@@ -38,6 +37,7 @@ from jauspy.codec.codegen import (
 )
 from jauspy.codec.items import Bits, Blob, Choice, Count, Formatted, Item, Number, Real, Text
 from jauspy.codec.layout import Composite, Grid, Repeat, Slot, Union
+from jauspy.codec.message import Source
 from jauspy.codec.wire import FLOATS, SIZES, limits
 
 

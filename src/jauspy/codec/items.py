@@ -13,7 +13,7 @@ from functools import lru_cache
 from operator import index
 from typing import Any, Final
 
-from jauspy.codec.base import Message, Nesting, Source, Struct, counted
+from jauspy.codec.message import Message, Nesting, Source, Struct, counted
 from jauspy.codec.slow_path import Reader, Writer, codec_of
 from jauspy.codec.wire import FLOATS, SIZES, Rounding, Scaling, exact_raw, limits
 from jauspy.errors import EncodeError

@@ -8,8 +8,8 @@ from dataclasses import dataclass, field
 from difflib import get_close_matches
 from typing import Any
 
-from jauspy.codec.base import Nesting, Struct, counted
 from jauspy.codec.items import Count, Item, check_class, cut, integer_of, join, shown
+from jauspy.codec.message import Nesting, Struct, counted
 from jauspy.codec.slow_path import Reader, Writer
 from jauspy.codec.wire import SIZES, limits
 from jauspy.errors import EncodeError

@@ -6,12 +6,12 @@ import struct
 from functools import lru_cache
 from typing import TYPE_CHECKING, Final, TypeVar
 
-from jauspy.codec.base import MAX_NESTING, Deviation, Message, Nesting, check_code, counted
+from jauspy.codec.message import MAX_NESTING, Deviation, Message, Nesting, check_code, counted
 from jauspy.codec.wire import SIZES
 from jauspy.errors import DecodeError, EncodeError
 
 if TYPE_CHECKING:
-    from jauspy.codec.base import Nesting
+    from jauspy.codec.message import Nesting
 
 MOST_DEVIATIONS: Final = 1000
 """Deviations of one message that are listed; a hostile one may have one in every byte."""

@@ -13,11 +13,11 @@ from importlib import import_module
 from types import NoneType, UnionType
 from typing import Any, Final, get_args, get_origin
 
-from jauspy.codec.base import Message, Struct
 from jauspy.codec.build import Module, Package, build
 from jauspy.codec.codegen import indent, keywords_only
 from jauspy.codec.items import Bit, Bits, Blob, Choice, Count, Formatted, Item, Number, Real, Text, Values
 from jauspy.codec.layout import Composite, Grid, Repeat, Slot, Union
+from jauspy.codec.message import Message, Struct
 from jauspy.codec.names import module_alias, version_key
 from jauspy.codec.registry import Registry
 from jauspy.schema.model import Schema

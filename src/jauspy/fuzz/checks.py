@@ -16,9 +16,9 @@ from contextlib import contextmanager
 from typing import Any, Final, NoReturn
 
 from jauspy.codec import reference, slow_path
-from jauspy.codec.base import Deviation, Message
 from jauspy.codec.items import Bits, Blob, Choice, Formatted, Item, Number, Real
 from jauspy.codec.layout import Composite, Grid, Repeat, Union
+from jauspy.codec.message import Deviation, Message
 from jauspy.errors import DecodeError, EncodeError
 from jauspy.fuzz.findings import Problem
 from jauspy.fuzz.messages import Target

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
 from jauspy.ocu.arguments import check_class, check_message

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from jauspy.arguments import described
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 
 
 def check_message(value: object, use: str, example: str = "QueryStatus()") -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final, Protocol
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.errors import ControlRejected
 from jauspy.ids import JausID
 from jauspy.messages.core import (

@@ -7,7 +7,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Any, Final, TypeAlias, overload
 
 from jauspy.arguments import check_number, described
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.errors import ConfigError, DecodeError, ElementRejected, JausError, RequestError
 from jauspy.messages.core import ElementRec, ReportElement, ReportStatus
 from jauspy.ocu.arguments import check_message

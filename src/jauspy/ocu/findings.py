@@ -6,7 +6,7 @@ from itertools import groupby
 from operator import attrgetter
 from typing import TypeAlias
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.ids import JausID
 from jauspy.messages.core import QueryIdentification, ReportIdentification, ReportServices
 from jauspy.ocu.model import Component, Node, ServiceInfo, Subsystem

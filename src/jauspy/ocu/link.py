@@ -10,7 +10,7 @@ from contextlib import contextmanager, suppress
 from typing import Final
 
 from jauspy.arguments import check_number
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
 from jauspy.component import Shell
 from jauspy.errors import ConfigError, JausError, ResponseTimeout, TransportError

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from typing import Final, TypeAlias
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.errors import ElementRejected, ResponseTimeout
 from jauspy.ids import JausID
 from jauspy.messages.core import (

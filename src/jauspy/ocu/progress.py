@@ -7,7 +7,7 @@ from collections.abc import AsyncGenerator, AsyncIterator
 from contextlib import aclosing
 from typing import TYPE_CHECKING, Any, Final
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.errors import EventRejected
 
 if TYPE_CHECKING:

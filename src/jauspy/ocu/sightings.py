@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Final
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.ids import JausID
 from jauspy.messages.core import ReportIdentification, ReportServices
 from jauspy.ocu.findings import MAX_COMPONENTS, Level, at_level, offers

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.errors import ControlRejected, ResponseTimeout, TransportError
 from jauspy.ids import JausID
 from jauspy.messages.core import (

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import Final, Literal
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.schema.state_tree import MergedState
 from jauspy.services.isolation import Bugs
 from jauspy.services.later import Later

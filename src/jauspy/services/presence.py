@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from copy import copy
 from typing import Any, Final, TypeVar
 
-from jauspy.codec.base import Message, Struct
 from jauspy.codec.layout import Composite, Repeat, Slot
+from jauspy.codec.message import Message, Struct
 
 _SUFFIX: Final = "presence_vector"
 _OF_SENSOR: Final = "query_presence_vector"

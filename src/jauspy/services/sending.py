@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Callable
 from typing import Final, TypeAlias
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.errors import EncodeError
 from jauspy.ids import JausID
 from jauspy.protocol.header import Broadcast, Priority
