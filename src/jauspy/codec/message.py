@@ -19,7 +19,6 @@ from jauspy.errors import DecodeError, EncodeError
 if TYPE_CHECKING:
     from jauspy.codec.items import Item
 
-    pass
 
 MAX_NESTING: Final = 8
 """Levels of messages inside messages that are decoded; deeper ones stay bytes."""
