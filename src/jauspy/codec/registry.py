@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any, Final, Literal, TypeVar, overload
 
 from jauspy.codec import slow_path
 from jauspy.codec.items import join, shown
+from jauspy.codec.layout import same_layout
 from jauspy.codec.message import FAST_ERRORS, Deviation, Message, Nesting, as_bytes, too_short
-from jauspy.codec.shape import same_layout
 from jauspy.errors import ConfigError, DecodeError, EncodeError
 from jauspy.ids import is_called
 
