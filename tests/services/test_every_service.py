@@ -19,9 +19,9 @@ from jauspy.codec.names import snake
 from jauspy.schema import guards, load_builtin, model
 from jauspy.schema.state_tree import merge_machines, short_name
 from jauspy.services.bind import Binder
-from jauspy.services.isolation import Bugs
+from jauspy.services.isolation import ActionErrors
 from jauspy.services.lineage import definitions_of
-from jauspy.services.machine import Machine
+from jauspy.services.machine import MachineInstance
 from jauspy.services.service import Service
 from jauspy.services.trigger import Trigger
 
@@ -190,7 +190,7 @@ class Pair:
         binder.raise_problems()
         start = merged[name].start()
         self.plain = Plain(definitions, name, self.plain_script)
-        self.machine = Machine(bound[name], start, Bugs(Counter()))
+        self.machine = MachineInstance(bound[name], start, ActionErrors(Counter()))
         self.plain.active = str(start)
         self.codes = {m.name: m.code for each in reversed(definitions) for m in each.outputs}
         self.codes |= {m.name: m.code for each in reversed(definitions) for m in each.inputs}

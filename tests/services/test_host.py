@@ -30,7 +30,7 @@ from jauspy.protocol.header import Broadcast, Priority
 from jauspy.schema import Schema, load_builtin, load_files, needed
 from jauspy.services.core import AccessControl, Liveness, Management
 from jauspy.services.mobility import PrimitiveDriver, Vehicle
-from jauspy.services.outbox import Outbox, Outgoing
+from jauspy.services.outbox import Outgoing, OutputQueue
 from jauspy.services.service import Service
 
 A, B = "42.1.1", "42.2.1"
@@ -96,7 +96,7 @@ def outgoing(number: int, priority: Priority = Priority.STANDARD) -> Outgoing:
 
 def test_the_output_queue_drops_the_oldest_of_the_lowest_priority() -> None:
     counters: Counter[str] = Counter()
-    box = Outbox(3, counters)
+    box = OutputQueue(3, counters)
     for each in (
         outgoing(1),
         outgoing(2, Priority.LOW),

@@ -15,7 +15,7 @@ from jauspy.messages.core import (
     UpdateEvent,
 )
 from jauspy.services.core import Time
-from jauspy.services.later import MOST, PATIENCE
+from jauspy.services.later import MAX_DEFERRED_REPLIES, REPLY_TIMEOUT
 
 A, B = "42.1.1", "42.2.1"
 NOON, ONE = TimeStamp(0, 0, 0, 12, 1), TimeStamp(0, 0, 0, 13, 1)
@@ -107,7 +107,7 @@ def test_who_asks_again_meanwhile_is_answered_once(rig, clock):
 
 def test_what_stays_out_is_answered_otherwise_and_what_comes_then_is_ignored(rig, clock):
     rig.tell(A, QueryTime(1))
-    assert rig.run(PATIENCE - 0.1) == []
+    assert rig.run(REPLY_TIMEOUT - 0.1) == []
     assert [(to, message) for _, to, message in rig.run(0.2)] == [(A, STAYED_OUT)]
     assert rig.host.counters["later_overdue"] == 1
     clock.strike()
@@ -121,14 +121,14 @@ def test_one_that_has_nothing_to_say(rig, clock):
 
 
 def test_there_is_a_limit(rig, clock):
-    for number in range(MOST):
+    for number in range(MAX_DEFERRED_REPLIES):
         assert rig.tell(f"42.3.{number + 1}", QueryTime(1)) == []
     assert rig.run(0.0) == []
     rig.tell(A, QueryTime(1))
     assert rig.run(0.0) == [(0.0, A, STAYED_OUT)]
     assert rig.host.counters["later_refused"] == 1
     clock.strike()
-    assert len(rig.run(0.0)) == MOST
+    assert len(rig.run(0.0)) == MAX_DEFERRED_REPLIES
 
 
 def test_a_bug_in_what_is_told_is_contained(rig, clock):
@@ -173,10 +173,10 @@ def test_a_bug_in_what_is_answered_otherwise_leaves_nothing_open(make, caplog):
             return self.host.later(lambda: 1 / 0)
 
     rig = make(Poor())
-    for _ in range(2 * MOST):
+    for _ in range(2 * MAX_DEFERRED_REPLIES):
         rig.tell(A, QueryTime(1))
-        assert rig.run(PATIENCE) == []
-    assert rig.host.counters["later_overdue"] == 2 * MOST
+        assert rig.run(REPLY_TIMEOUT) == []
+    assert rig.host.counters["later_overdue"] == 2 * MAX_DEFERRED_REPLIES
     assert rig.host.counters["later_refused"] == rig.host.counters["asked_again"] == 0
     assert "Poor.report_time failed on QueryTime" in caplog.text
     assert len(caplog.records) == 7
@@ -211,7 +211,7 @@ def test_events_on_change_tell_only_of_changes(rig, clock):
 
 def test_an_event_that_stays_out_tells_what_there_is_otherwise(rig):
     rig.tell(A, CreateEvent(1, PERIODIC, 1.0, QueryTime(1)))
-    assert contents(rig.run(PATIENCE + 0.5)) == [STAYED_OUT]
+    assert contents(rig.run(REPLY_TIMEOUT + 0.5)) == [STAYED_OUT]
 
 
 def test_an_event_that_was_cancelled_or_changed_meanwhile_is_told_nothing(rig, clock):

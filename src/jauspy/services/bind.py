@@ -13,13 +13,13 @@ from jauspy.errors import ConfigError
 from jauspy.schema import guards, model
 from jauspy.schema.inheritance import lineage, parents_among
 from jauspy.schema.state_tree import MergedState, Owned
-from jauspy.services.later import Later
-from jauspy.services.machine import BoundState, Rule, Step
+from jauspy.services.later import Deferred
+from jauspy.services.machine import BoundAction, BoundState, BoundTransition
 from jauspy.services.service import Service
-from jauspy.services.signatures import need
-from jauspy.services.trigger import ANY_MESSAGE, Key, Trigger
+from jauspy.services.signatures import required_method
+from jauspy.services.trigger import ANY_MESSAGE, Trigger, TriggerKey
 
-Reply: TypeAlias = Callable[[object, Trigger, bool], None]
+SendReply: TypeAlias = Callable[[object, Trigger, bool], None]
 """Sends (what a report method returned, the trigger, whether to its source or else to the controlling client)."""
 
 _GETTERS: Final[Mapping[str, Callable[[Trigger], object]]] = {
@@ -34,7 +34,9 @@ _ASYNC: Final = "{} is `async def`, and nobody awaits it; start a task there, wh
 class Binder:
     """Finds the method for each action, predicate and Send; what is not found is collected in `problems`."""
 
-    def __init__(self, definitions: Mapping[str, model.Service], services: Mapping[str, Service], reply: Reply) -> None:
+    def __init__(
+        self, definitions: Mapping[str, model.Service], services: Mapping[str, Service], reply: SendReply
+    ) -> None:
         self._parent_of = parents_among(definitions.values())
         self._services = services
         self._reply = reply
@@ -58,10 +60,10 @@ class Binder:
             defaults=tuple(self._rule(transition, node, root) for transition in node.defaults),
         )
 
-    def _rule(self, owned: Owned[model.Transition], node: MergedState, root: MergedState) -> Rule:
+    def _rule(self, owned: Owned[model.Transition], node: MergedState, root: MergedState) -> BoundTransition:
         owner, transition = owned.owner, owned.item
         where = f"{owner.name}, state {node}"
-        return Rule(
+        return BoundTransition(
             name=f"{where}, {_described(transition)}",
             key=self._key(owner, transition, where),
             # JSIDL 1.0 writes what keeps the state as a simple transition without an end state.
@@ -71,7 +73,7 @@ class Binder:
             end=self._end(transition, root, where),
         )
 
-    def _key(self, owner: model.Service, transition: model.Transition, where: str) -> Key:
+    def _key(self, owner: model.Service, transition: model.Transition, where: str) -> TriggerKey:
         event = transition.trigger.rpartition(".")[2]
         if event != "Receive":
             return event
@@ -107,7 +109,7 @@ class Binder:
 
         return guards.compile_guard(guards.parse(owned.item.guard), resolve)
 
-    def _step(self, owned: Owned[model.Action], node: MergedState) -> Step:
+    def _step(self, owned: Owned[model.Action], node: MergedState) -> BoundAction:
         owner, action = owned.owner, owned.item
         where = f"{owner.name}, state {node}"
         name = f"{where}, action {action.name}"
@@ -116,7 +118,7 @@ class Binder:
         method = self._method(owner, action.name, f"{where}: action")
         call = self._by_name(method, action.arguments, f"{where}: action {action.name}")
         # Newer definitions write sendReportX(msg, transportData) for what is Send('ReportX', transportData) in others.
-        return Step(name, self._answering(call, method), sends=bool(need(owner, action.name).reports))
+        return BoundAction(name, self._answering(call, method), sends=bool(required_method(owner, action.name).reports))
 
     def _answering(
         self, call: Callable[[Trigger], object], method: Callable[..., object]
@@ -126,15 +128,15 @@ class Binder:
 
         def answering(trigger: Trigger) -> object:
             result = call(trigger)
-            if isinstance(result, Later):
+            if isinstance(result, Deferred):
                 result.comes_from(method.__qualname__, trigger)
-            if isinstance(result, Message | Later):
+            if isinstance(result, Message | Deferred):
                 reply(result, trigger, True)
             return result
 
         return answering
 
-    def _send(self, owned: Owned[model.Action], where: str) -> Step:
+    def _send(self, owned: Owned[model.Action], where: str) -> BoundAction:
         """`Send('Message', ['CODE',] [msg,] [transportData])`; without transportData to the controlling client."""
         arguments = [argument.strip() for argument in owned.item.arguments]
         # One published definition quotes the name of the parameter; it means the same.
@@ -144,14 +146,14 @@ class Binder:
         make = self._by_name(method, literals, f"{where}: Send of {message}", quoted=False)
         reply = self._reply
 
-        def report(trigger: Trigger) -> Message | Later | None:
+        def report(trigger: Trigger) -> Message | Deferred | None:
             made = make(trigger)
-            if isinstance(made, Later):
+            if isinstance(made, Deferred):
                 made.comes_from(method.__qualname__, trigger, message)
                 return made
             return None if made is None else _checked(made, message, method)
 
-        return Step(
+        return BoundAction(
             f"{where}, Send {message}",
             lambda trigger: reply(report(trigger), trigger, to_source),
             sends=True,
@@ -171,7 +173,7 @@ class Binder:
                 return _nothing
         self.problems.append(
             f"{what} {dotted} needs a method of {type(self._services[owner.id]).__name__}: "
-            f"{need(owner, dotted).signature}"
+            f"{required_method(owner, dotted).signature}"
         )
         return _nothing
 

@@ -10,27 +10,27 @@ from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
 from jauspy.schema.model import Schema, Service as Definition
 from jauspy.schema.state_tree import merge_machines
-from jauspy.services.bind import Binder, Reply
+from jauspy.services.bind import Binder, SendReply
 from jauspy.services.core.defaults import DEFAULTS
 from jauspy.services.definitions import schema_for
-from jauspy.services.isolation import Bugs
+from jauspy.services.isolation import ActionErrors
 from jauspy.services.lineage import definitions_of
-from jauspy.services.machine import BoundState, Machine, Rule
+from jauspy.services.machine import BoundState, BoundTransition, MachineInstance
 from jauspy.services.service import Service
-from jauspy.services.trigger import ANY_MESSAGE, ANY_TRIGGER, Key
+from jauspy.services.trigger import ANY_MESSAGE, ANY_TRIGGER, TriggerKey
 
 
 @dataclass(frozen=True, slots=True)
-class Built:
+class BoundServices:
     """The parts of a component."""
 
     services: Mapping[str, Service]
     definitions: Mapping[str, Definition]
-    machines: Mapping[str, Machine]
-    receiver: Machine | None
+    machines: Mapping[str, MachineInstance]
+    receiver: MachineInstance | None
     """The machine for messages, and for internal events that no machine names."""
     inputs: Mapping[int, type[Message]]
-    events: Mapping[Key, Machine]
+    events: Mapping[TriggerKey, MachineInstance]
     """The machine that each internal event is for."""
     event_names: frozenset[str]
     """The internal events that the definitions have, whether a transition waits for them or not."""
@@ -38,7 +38,9 @@ class Built:
     """Codes of messages that are answered without a change of state."""
 
 
-def build(services: Iterable[Service], schema: Schema | None, registry: Registry, reply: Reply, bugs: Bugs) -> Built:
+def bind_services(
+    services: Iterable[Service], schema: Schema | None, registry: Registry, reply: SendReply, bugs: ActionErrors
+) -> BoundServices:
     """Everything bound and checked; raises `ConfigError` with all that is missing."""
     given = _by_urn(services)
     if schema is None:
@@ -51,24 +53,26 @@ def build(services: Iterable[Service], schema: Schema | None, registry: Registry
         each.check_initials()
     bound = {name: binder.states(each.root) for name, each in merged.items()}
     binder.raise_problems()
-    machines = {name: Machine(states, merged[name].start(), bugs) for name, states in bound.items()}
+    machines = {name: MachineInstance(states, merged[name].start(), bugs) for name, states in bound.items()}
     rules = [(rule, name) for name, states in bound.items() for rule in _rules(states.values())]
-    events: dict[Key, Machine] = {rule.key: machines[name] for rule, name in rules if isinstance(rule.key, str)}
+    events: dict[TriggerKey, MachineInstance] = {
+        rule.key: machines[name] for rule, name in rules if isinstance(rule.key, str)
+    }
     received = {rule.key for rule, _ in rules if isinstance(rule.key, int)}
     queries = frozenset(rule.key for rule, _ in rules if isinstance(rule.key, int) and _answers(rule))
     inputs = _inputs(definitions.values(), received, registry)
     names = {event.name for each in definitions.values() for event in each.internal_events}
     names |= {key for key in events if isinstance(key, str) and key not in (ANY_MESSAGE, ANY_TRIGGER)}
-    return Built(
+    return BoundServices(
         all_services, definitions, machines, machines.get("ReceiveFSM"), inputs, events, frozenset(names), queries
     )
 
 
-def _rules(states: Iterable[BoundState]) -> Iterable[Rule]:
+def _rules(states: Iterable[BoundState]) -> Iterable[BoundTransition]:
     return (rule for state in states for rule in state.transitions + state.defaults)
 
 
-def _answers(rule: Rule) -> bool:
+def _answers(rule: BoundTransition) -> bool:
     return rule.kind == "internal" and any(step.sends for step in rule.steps)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 
-class Completion:
+class CommandCompletion:
     """Call it when the command has ended."""
 
     __slots__ = ("_tell", "claimed")

@@ -13,20 +13,20 @@ from jauspy.errors import ConfigError
 from jauspy.ids import JausID, component_id
 from jauspy.protocol.header import Broadcast, Priority
 from jauspy.schema.model import Schema, Service as Definition
-from jauspy.services.agenda import Agenda
-from jauspy.services.build import Built, build
-from jauspy.services.completion import Completion
+from jauspy.services.agenda import TriggerQueue
+from jauspy.services.build import BoundServices, bind_services
+from jauspy.services.completion import CommandCompletion
 from jauspy.services.core.access_control import AccessControl
 from jauspy.services.core.management import Management
 from jauspy.services.core.time import Time
 from jauspy.services.definitions import registry_for
 from jauspy.services.drops import Drops
-from jauspy.services.inputs import Inputs
-from jauspy.services.isolation import Bugs
-from jauspy.services.later import Later, Laters
-from jauspy.services.machine import Outcome
-from jauspy.services.outbox import Outbox, Outgoing
-from jauspy.services.sending import Answer, Sending, as_asked
+from jauspy.services.inputs import InputDecoder
+from jauspy.services.isolation import ActionErrors
+from jauspy.services.later import Deferred, DeferredReplies
+from jauspy.services.machine import TriggerOutcome
+from jauspy.services.outbox import Outgoing, OutputQueue
+from jauspy.services.sending import MessageSender, Reply, apply_presence_vector
 from jauspy.services.service import Service
 from jauspy.services.timers import Timers
 from jauspy.services.trigger import Trigger
@@ -66,20 +66,20 @@ class Host:
         self.wanted_id: JausID | None = None
         """The id that the component asks its shell for."""
         self.counters: Counter[str] = Counter()
-        self._outbox = Outbox(max_output, self.counters)
+        self._outbox = OutputQueue(max_output, self.counters)
         self._drops = Drops(self.counters, lambda: self.id)
         self._timers = Timers()
         self.prompt: Callable[[], None] = lambda: None
         """Called when something happened outside of a call: `next_timeout` says now. For the shell to set."""
-        self._agenda = Agenda(self._dispatch, lambda trigger: self.count("event_dropped", f"{trigger.key}"))
-        self._bugs = Bugs(self.counters, self._fail if on_action_error == "failure" else lambda: None)
-        self._laters = Laters(self, self._bugs)
-        self._sending = Sending(self._dispatch, self._bugs, self.counters)
+        self._agenda = TriggerQueue(self._dispatch, lambda trigger: self.count("event_dropped", f"{trigger.key}"))
+        self._bugs = ActionErrors(self.counters, self._fail if on_action_error == "failure" else lambda: None)
+        self._laters = DeferredReplies(self, self._bugs)
+        self._sending = MessageSender(self._dispatch, self._bugs, self.counters)
         self._found: dict[type[Service], Service | None] = {}
         given = list(services)
         registry = registry or registry_for(given)
-        self._built: Built = build(given, schema, registry, self._reply, self._bugs)
-        self._inputs = Inputs(self._built.inputs, registry, self.count)
+        self._built: BoundServices = bind_services(given, schema, registry, self._reply, self._bugs)
+        self._inputs = InputDecoder(self._built.inputs, registry, self.count)
         for service in self.services:
             service.host = self
         for service in self.services:
@@ -102,7 +102,7 @@ class Host:
         message = self._inputs.decode(payload, source)
         if message is not None:
             self.counters["received"] += 1
-            if self._agenda.run(Trigger(message.CODE, message, source)) is Outcome.IGNORED:
+            if self._agenda.run(Trigger(message.CODE, message, source)) is TriggerOutcome.IGNORED:
                 self.counters["ignored"] += 1
 
     def poll_output(self, now: float) -> list[Outgoing]:
@@ -217,11 +217,11 @@ class Host:
         """Queue an encoded message; only the Transport service calls this."""
         self._outbox.put(outgoing)
 
-    def ask(self, query: Message, source: JausID) -> tuple[Outcome, Answer]:
+    def ask(self, query: Message, source: JausID) -> tuple[TriggerOutcome, Reply]:
         """What the component would answer `source` now; nothing is sent, and the state cannot change."""
         return self._sending.answer(self._built.machines["ReceiveFSM"], Trigger(query.CODE, query, source))
 
-    def later(self, otherwise: Callable[[], Message | None]) -> Later:
+    def later(self, otherwise: Callable[[], Message | None]) -> Deferred:
         """For an action that cannot report yet: it returns this, to fulfil it; if it does not, `otherwise` reports."""
         return self._laters.begin(otherwise)
 
@@ -241,9 +241,9 @@ class Host:
         A command that no state takes, or that fails, was not. One that takes time ends when its service says so
         (`begin_command`), any other one as soon as it is taken.
         """
-        self._agenda.put(Trigger(command.CODE, command, source), Completion(ended))
+        self._agenda.put(Trigger(command.CODE, command, source), CommandCompletion(ended))
 
-    def begin_command(self) -> Completion:
+    def begin_command(self) -> CommandCompletion:
         """For an action that starts something which takes time: call what this returns when it has ended."""
         return self._agenda.begin_command()
 
@@ -292,13 +292,13 @@ class Host:
         if "Failure" in self._built.event_names and "Failure" not in self.path:
             self.fire("Failure")
 
-    def _dispatch(self, trigger: Trigger) -> Outcome:
+    def _dispatch(self, trigger: Trigger) -> TriggerOutcome:
         machine = self._built.events.get(trigger.key) or self._built.receiver
-        return machine.handle(trigger) if machine else Outcome.IGNORED
+        return machine.handle(trigger) if machine else TriggerOutcome.IGNORED
 
     def _reply(self, result: object, trigger: Trigger, to_source: bool) -> None:
         """Send what a report method made: to the sender, to whom an internal event is about, or to the controller."""
-        if isinstance(result, Later):
+        if isinstance(result, Deferred):
             if not self._sending.keeps(result, to_source=to_source):
                 self._laters.answer(result, trigger, lambda report: self._reply(report, trigger, to_source))
             return
@@ -309,4 +309,4 @@ class Host:
         if destination is None:
             self.count("nobody_to_send_to", result.NAME)
             return
-        self.send(destination, as_asked(result, trigger))
+        self.send(destination, apply_presence_vector(result, trigger))

@@ -11,7 +11,7 @@ from jauspy.ids import JausID
 from jauspy.services.drops import Count
 
 
-class Inputs:
+class InputDecoder:
     """Decodes by message code."""
 
     def __init__(self, kinds: Mapping[int, type[Message]], registry: Registry, count: Count) -> None:

@@ -12,7 +12,7 @@ from jauspy.services.trigger import Trigger
 _LOG: Final = logging.getLogger("jauspy.services")
 
 
-class Bugs:
+class ActionErrors:
     """Everything that failed in one component; `failed` is called after each.
 
     Who calls the code of a service catches every `Exception` and hands it in here, with a name that says which action

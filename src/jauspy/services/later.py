@@ -10,27 +10,27 @@ from typing import Final, Protocol, TypeAlias, TypeVar
 
 from jauspy.codec.base import Message
 from jauspy.ids import JausID
-from jauspy.services.isolation import Bugs
+from jauspy.services.isolation import ActionErrors
 from jauspy.services.trigger import Trigger
 
-MOST: Final = 32
+MAX_DEFERRED_REPLIES: Final = 32
 """Answers of a component that may be under way; one more is given at once, as if it had stayed out."""
 
-PATIENCE: Final = 10.0
+REPLY_TIMEOUT: Final = 10.0
 """Seconds that an answer may stay out."""
 
 R = TypeVar("R")
-Tell: TypeAlias = Callable[[Message | None], None]
+ReplyCallback: TypeAlias = Callable[[Message | None], None]
 
 
-class Later:
+class Deferred:
     """A report that is not there yet; `Host.later` makes it."""
 
     __slots__ = ("_expects", "_ready", "_told", "_waiting", "maker", "report", "trigger")
 
-    def __init__(self, ready: Callable[[Later], None]) -> None:
-        self._ready: Callable[[Later], None] | None = ready
-        self._waiting: list[Tell] = []
+    def __init__(self, ready: Callable[[Deferred], None]) -> None:
+        self._ready: Callable[[Deferred], None] | None = ready
+        self._waiting: list[ReplyCallback] = []
         self._told = False
         self._expects = ""
         self.report: Message | None = None
@@ -51,7 +51,7 @@ class Later:
             self.report = report
             ready(self)
 
-    def then(self, tell: Tell) -> None:
+    def then(self, tell: ReplyCallback) -> None:
         """Have `tell` called with the report, from within the host."""
         if self._told:
             tell(self.report)
@@ -67,7 +67,7 @@ class Later:
         what = report.NAME if isinstance(report, Message) else repr(report)
         raise TypeError(f"it is to be fulfilled with a {self._expects or 'message'} or None, and was with {what}")
 
-    def close(self) -> list[Tell]:
+    def close(self) -> list[ReplyCallback]:
         """Who waits, for the host to tell; from now on nobody has to."""
         self._told = True
         waiting, self._waiting = self._waiting, []
@@ -75,10 +75,10 @@ class Later:
 
 
 @dataclass(frozen=True, slots=True)
-class Coming:
+class PendingReply:
     """An answer that somebody only asked for, on its way."""
 
-    later: Later
+    later: Deferred
     encode: Callable[[Message | None], bytes | None]
 
     def then(self, tell: Callable[[bytes | None], None]) -> None:
@@ -86,7 +86,7 @@ class Coming:
         self.later.then(lambda report: tell(self.encode(report)))
 
 
-class Waking(Protocol):
+class TimerHost(Protocol):
     """What is needed of a host."""
 
     now: float
@@ -98,30 +98,30 @@ class Waking(Protocol):
         ...
 
 
-class Laters:
+class DeferredReplies:
     """Those of one component. Whoever fulfils one is not within the host, so a timer that is due tells of it.
 
     Counters: `later_overdue` stayed out, `later_refused` were too many, `asked_again` need no second answer.
     """
 
-    def __init__(self, host: Waking, bugs: Bugs) -> None:
+    def __init__(self, host: TimerHost, bugs: ActionErrors) -> None:
         self._host = host
         self._bugs = bugs
-        self._open: set[Later] = set()
+        self._open: set[Deferred] = set()
         self._asked: set[Hashable] = set()
 
-    def begin(self, otherwise: Callable[[], Message | None]) -> Later:
+    def begin(self, otherwise: Callable[[], Message | None]) -> Deferred:
         """A new one; when it stays out, the answer is what `otherwise` makes."""
-        later = Later(self._ready)
-        if len(self._open) >= MOST:
+        later = Deferred(self._ready)
+        if len(self._open) >= MAX_DEFERRED_REPLIES:
             self._host.counters["later_refused"] += 1
             later.fulfil(otherwise())
         else:
             self._open.add(later)
-            self._host.set_timer(later, self._host.now + PATIENCE, partial(self._overdue, later, otherwise))
+            self._host.set_timer(later, self._host.now + REPLY_TIMEOUT, partial(self._overdue, later, otherwise))
         return later
 
-    def answer(self, later: Later, trigger: Trigger, tell: Tell) -> None:
+    def answer(self, later: Deferred, trigger: Trigger, tell: ReplyCallback) -> None:
         """Have a question answered by `tell`; a client that asks it once more meanwhile is answered once."""
         question = _question(trigger)
         if question in self._asked:
@@ -135,21 +135,21 @@ class Laters:
 
         later.then(answer)
 
-    def _ready(self, later: Later) -> None:
+    def _ready(self, later: Deferred) -> None:
         self._host.set_timer(later, self._host.now, partial(self._tell, later))
         self._host.prompt()
 
-    def _tell(self, later: Later) -> None:
+    def _tell(self, later: Deferred) -> None:
         self._open.discard(later)
         self._contained(later, later.check)
         for tell in later.close():
             self._contained(later, partial(tell, later.report))
 
-    def _overdue(self, later: Later, otherwise: Callable[[], Message | None]) -> None:
+    def _overdue(self, later: Deferred, otherwise: Callable[[], Message | None]) -> None:
         self._host.counters["later_overdue"] += 1
         later.fulfil(self._contained(later, otherwise))
 
-    def _contained(self, later: Later, call: Callable[[], R]) -> R | None:
+    def _contained(self, later: Deferred, call: Callable[[], R]) -> R | None:
         """A bug for one who waits is none for the others, and leaves no promise open."""
         try:
             return call()

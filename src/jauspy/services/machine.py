@@ -10,35 +10,35 @@ from typing import Final, Literal
 
 from jauspy.codec.base import Message
 from jauspy.schema.state_tree import MergedState
-from jauspy.services.isolation import Bugs
-from jauspy.services.later import Later
-from jauspy.services.trigger import ANY_MESSAGE, ANY_TRIGGER, STAY, Key, Trigger
+from jauspy.services.isolation import ActionErrors
+from jauspy.services.later import Deferred
+from jauspy.services.trigger import ANY_MESSAGE, ANY_TRIGGER, STAY, Trigger, TriggerKey
 
 MAX_PUSHED: Final = 32
 """States that can wait to be popped; a definition that pushes deeper loses the oldest."""
 
 
 @dataclass(frozen=True, slots=True)
-class Step:
+class BoundAction:
     """One bound action; `name` says where it comes from, for the log."""
 
     name: str
     call: Callable[[Trigger], object]
     sends: bool = False
     """True for `Send`: a message goes out."""
-    report: Callable[[Trigger], Message | Later | None] | None = None
+    report: Callable[[Trigger], Message | Deferred | None] | None = None
     """For a `Send` to who asked: what makes the message."""
 
 
 @dataclass(frozen=True, slots=True)
-class Rule:
+class BoundTransition:
     """One bound transition."""
 
     name: str
-    key: Key
+    key: TriggerKey
     kind: Literal["simple", "internal", "push", "pop"]
     guard: Callable[[Trigger], bool] | None = None
-    steps: tuple[Step, ...] = ()
+    steps: tuple[BoundAction, ...] = ()
     end: MergedState | None = None
 
 
@@ -46,13 +46,13 @@ class Rule:
 class BoundState:
     """What one state does."""
 
-    entry: tuple[Step, ...] = ()
-    exit: tuple[Step, ...] = ()
-    transitions: tuple[Rule, ...] = ()
-    defaults: tuple[Rule, ...] = ()
+    entry: tuple[BoundAction, ...] = ()
+    exit: tuple[BoundAction, ...] = ()
+    transitions: tuple[BoundTransition, ...] = ()
+    defaults: tuple[BoundTransition, ...] = ()
 
 
-class Outcome(Enum):
+class TriggerOutcome(Enum):
     """What became of a trigger."""
 
     TAKEN = "taken"
@@ -62,16 +62,18 @@ class Outcome(Enum):
     """An action had a bug; the state is unchanged."""
 
 
-class Machine:
+class MachineInstance:
     """One running state machine. Not re-entrant, except for `ask` from within an action."""
 
-    def __init__(self, states: dict[MergedState, BoundState], start: MergedState, bugs: Bugs) -> None:
+    def __init__(self, states: dict[MergedState, BoundState], start: MergedState, bugs: ActionErrors) -> None:
         self._states = states
         self._bugs = bugs
         self._active = start
         self._pushed: deque[MergedState] = deque(maxlen=MAX_PUSHED)
-        self._candidates: dict[MergedState, dict[Key, tuple[Rule, ...]]] = {node: {} for node in states}
-        self._only: dict[MergedState, dict[Key, Step | None]] = {node: {} for node in states}
+        self._candidates: dict[MergedState, dict[TriggerKey, tuple[BoundTransition, ...]]] = {
+            node: {} for node in states
+        }
+        self._only: dict[MergedState, dict[TriggerKey, BoundAction | None]] = {node: {} for node in states}
 
     @property
     def state(self) -> str:
@@ -92,19 +94,19 @@ class Machine:
         """Run the entry actions of the start state and of all around it."""
         self._enter(reversed(list(self._active.upwards())), Trigger("start"))
 
-    def handle(self, trigger: Trigger) -> Outcome:
+    def handle(self, trigger: Trigger) -> TriggerOutcome:
         """Take the first transition that matches, if any."""
         rule = self._select(trigger)
-        return Outcome.IGNORED if rule is None else self._apply(rule, trigger)
+        return TriggerOutcome.IGNORED if rule is None else self._apply(rule, trigger)
 
-    def ask(self, trigger: Trigger) -> Outcome:
+    def ask(self, trigger: Trigger) -> TriggerOutcome:
         """As `handle`, but only for what does not change the state; may be called from within an action."""
         rule = self._select(trigger)
         if rule is None or rule.kind != "internal":
-            return Outcome.IGNORED
+            return TriggerOutcome.IGNORED
         return self._apply(rule, trigger)
 
-    def only_step(self, key: Key) -> Step | None:
+    def only_step(self, key: TriggerKey) -> BoundAction | None:
         """The whole answer to every trigger with this key while the present state lasts; None: more has a say in it.
 
         That is one action of an internal transition without a guard. Found once for each state.
@@ -116,7 +118,7 @@ class Machine:
             known[key] = first.steps[0] if first is not None and plain else None
         return known[key]
 
-    def _select(self, trigger: Trigger) -> Rule | None:
+    def _select(self, trigger: Trigger) -> BoundTransition | None:
         rules = self._candidates[self._active].get(trigger.key)
         for rule in self._rules(trigger.key) if rules is None else rules:
             try:
@@ -126,13 +128,13 @@ class Machine:
                 self._bugs.met(f"guard of {rule.name}", trigger, error)
         return None
 
-    def _rules(self, key: Key) -> tuple[Rule, ...]:
+    def _rules(self, key: TriggerKey) -> tuple[BoundTransition, ...]:
         """The rules of the active state for a key; they are sought once in each state."""
         keys = (key, ANY_MESSAGE, ANY_TRIGGER) if isinstance(key, int) else (key, ANY_TRIGGER)
         found = self._candidates[self._active][key] = tuple(rule for rule in self._in_order() if rule.key in keys)
         return found
 
-    def _in_order(self) -> Iterable[Rule]:
+    def _in_order(self) -> Iterable[BoundTransition]:
         """Innermost state first; around it the defaults, which speak for the states inside, come before its own."""
         node: MergedState | None = self._active
         while node is not None:
@@ -142,19 +144,19 @@ class Machine:
             yield from _takers(bound.defaults if own else bound.transitions)
             node = node.parent
 
-    def _apply(self, rule: Rule, trigger: Trigger) -> Outcome:
+    def _apply(self, rule: BoundTransition, trigger: Trigger) -> TriggerOutcome:
         stay = False
         for step in rule.steps:
             try:
                 stay = step.call(trigger) is STAY or stay
             except Exception as error:  # noqa: BLE001 - any bug of a service
                 self._bugs.met(step.name, trigger, error)
-                return Outcome.FAILED
+                return TriggerOutcome.FAILED
         if rule.kind != "internal" and not stay:
             self._change(rule, trigger)
-        return Outcome.TAKEN if rule.steps or rule.kind != "internal" else Outcome.IGNORED
+        return TriggerOutcome.TAKEN if rule.steps or rule.kind != "internal" else TriggerOutcome.IGNORED
 
-    def _change(self, rule: Rule, trigger: Trigger) -> None:
+    def _change(self, rule: BoundTransition, trigger: Trigger) -> None:
         if rule.kind == "pop":
             if self._pushed:
                 target = self._pushed.pop()
@@ -185,7 +187,7 @@ class Machine:
         for node in nodes:
             self._run_each(self._states[node].entry, trigger)
 
-    def _run_each(self, steps: Iterable[Step], trigger: Trigger) -> None:
+    def _run_each(self, steps: Iterable[BoundAction], trigger: Trigger) -> None:
         """Entry and exit actions: a bug in one stops neither the others nor the change of state."""
         for step in steps:
             try:
@@ -194,6 +196,6 @@ class Machine:
                 self._bugs.met(step.name, trigger, error)
 
 
-def _takers(rules: tuple[Rule, ...]) -> list[Rule]:
+def _takers(rules: tuple[BoundTransition, ...]) -> list[BoundTransition]:
     """In order, except that those which take what nobody else takes come last."""
     return sorted(rules, key=lambda rule: rule.key == ANY_TRIGGER)

@@ -21,7 +21,7 @@ class Outgoing(NamedTuple):
     """With it, the message is sent again until it is acknowledged, or given up: this is told which."""
 
 
-class Outbox:
+class OutputQueue:
     """First in, first out; when full, the oldest of the lowest priority is dropped and counted."""
 
     def __init__(self, limit: int, counters: Counter[str]) -> None:

@@ -19,7 +19,7 @@ _OF_SENSORS: Final[dict[type[Message], tuple[str, ...]]] = {}
 S = TypeVar("S", bound=Struct)
 
 
-def mask(report: Message, query: Message) -> Message:
+def apply_presence_vectors(report: Message, query: Message) -> Message:
     """The report without the optional fields that the query did not ask for.
 
     A query's `presence_vector` masks the report's body, or when nothing in that is optional the first record in it that
@@ -30,7 +30,7 @@ def mask(report: Message, query: Message) -> Message:
     for vector, part in _vectors(type(query)):
         asked = getattr(query, vector)
         if not part and _optional(type(report)):
-            report = masked(report, asked)
+            report = without_fields(report, asked)
         else:
             report = _masked_in(report, part, asked) or report
     for name in _of_sensors(type(query)):
@@ -43,7 +43,7 @@ def _masked_in(whole: S, part: str, asked: int) -> S | None:
     for slot in _slots(type(whole)):
         member = getattr(whole, slot.name)
         if part in slot.name and isinstance(member, Struct):
-            changed = masked(member, asked) if _optional(type(member)) else _masked_inside(member, part, asked)
+            changed = without_fields(member, asked) if _optional(type(member)) else _masked_inside(member, part, asked)
             if changed is not None:
                 whole = copy(whole)
                 setattr(whole, slot.name, changed)
@@ -57,7 +57,7 @@ def _masked_inside(whole: S, part: str, asked: int) -> S | None:
     whole = copy(whole)
     for slot in _slots(type(whole)):
         if isinstance(member := getattr(whole, slot.name), Struct):
-            setattr(whole, slot.name, masked(member, 0))
+            setattr(whole, slot.name, without_fields(member, 0))
     return whole
 
 
@@ -73,7 +73,7 @@ def _sensors_masked(report: Message, records: Sequence[Any]) -> Message:
 def _sensor_masked(record: Any, asked: Sequence[Any]) -> Any:
     sensor = getattr(record, "sensor_id", None)
     found = next((each for each in asked if each.sensor_id in (0, sensor)), None)
-    return record if sensor is None or found is None else masked(record, found.query_presence_vector)
+    return record if sensor is None or found is None else without_fields(record, found.query_presence_vector)
 
 
 def _of_sensors(query: type[Message]) -> tuple[str, ...]:
@@ -108,7 +108,7 @@ def _slots(kind: type[Struct]) -> tuple[Slot, ...]:
     return layout.slots if isinstance(layout, Composite) else ()
 
 
-def masked(record: S, asked: int) -> S:
+def without_fields(record: S, asked: int) -> S:
     """The record without the optional fields that were not asked for: bit i asks for the i-th of them."""
     optional = enumerate(_optional(type(record)))
     unasked = [name for bit, name in optional if not asked >> bit & 1 and getattr(record, name) is not None]

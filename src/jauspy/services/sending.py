@@ -10,28 +10,30 @@ from jauspy.codec.base import Message
 from jauspy.errors import EncodeError
 from jauspy.ids import JausID
 from jauspy.protocol.header import Broadcast, Priority
-from jauspy.services.isolation import Bugs
-from jauspy.services.later import Coming, Later
-from jauspy.services.machine import Machine, Outcome, Step
+from jauspy.services.isolation import ActionErrors
+from jauspy.services.later import Deferred, PendingReply
+from jauspy.services.machine import BoundAction, MachineInstance, TriggerOutcome
 from jauspy.services.outbox import Outgoing
-from jauspy.services.presence import mask
+from jauspy.services.presence import apply_presence_vectors
 from jauspy.services.trigger import Trigger
 
-Answer: TypeAlias = bytes | Coming | None
+Reply: TypeAlias = bytes | PendingReply | None
 """What a query is answered, now or later; None: nothing."""
 
 _EVENTS: Final = ("Send", "BroadcastLocal", "BroadcastGlobal")
 """The internal events of Transport, by `Broadcast`."""
 
 
-class Sending:
+class MessageSender:
     """Encodes messages and hands them to `dispatch`."""
 
-    def __init__(self, dispatch: Callable[[Trigger], Outcome], bugs: Bugs, counters: Counter[str]) -> None:
+    def __init__(
+        self, dispatch: Callable[[Trigger], TriggerOutcome], bugs: ActionErrors, counters: Counter[str]
+    ) -> None:
         self._dispatch = dispatch
         self._bugs = bugs
         self._counters = counters
-        self._kept: list[Outgoing | Later] | None = None
+        self._kept: list[Outgoing | Deferred] | None = None
 
     def send(
         self,
@@ -51,7 +53,7 @@ class Sending:
         else:
             self._dispatch(Trigger(_EVENTS[broadcast], outgoing))
 
-    def answer(self, machine: Machine, trigger: Trigger) -> tuple[Outcome, Answer]:
+    def answer(self, machine: MachineInstance, trigger: Trigger) -> tuple[TriggerOutcome, Reply]:
         """What becomes of a query, and the first message that its source would be sent for it; nothing is sent."""
         outer, self._kept = self._kept, []
         try:
@@ -61,7 +63,7 @@ class Sending:
             else:
                 outcome, report = self._made(step, step.report, trigger)
             for each in self._kept:
-                if isinstance(each, Later):
+                if isinstance(each, Deferred):
                     return outcome, self._coming(each, trigger)
                 if each.destination == trigger.source:
                     return outcome, each.payload
@@ -69,30 +71,30 @@ class Sending:
         finally:
             self._kept = outer
 
-    def keeps(self, later: Later, *, to_source: bool) -> bool:
+    def keeps(self, later: Deferred, *, to_source: bool) -> bool:
         """True when it is only asked for: then it is sent to nobody."""
         if self._kept is not None and to_source:
             self._kept.append(later)
         return self._kept is not None
 
     def _made(
-        self, step: Step, make: Callable[[Trigger], Message | Later | None], trigger: Trigger
-    ) -> tuple[Outcome, Answer]:
+        self, step: BoundAction, make: Callable[[Trigger], Message | Deferred | None], trigger: Trigger
+    ) -> tuple[TriggerOutcome, Reply]:
         """The short cut of most queries: the report itself, not what a machine does to send it."""
         try:
             report = make(trigger)
-            if isinstance(report, Later):
-                return Outcome.TAKEN, self._coming(report, trigger)
-            return Outcome.TAKEN, self._masked(report, trigger)
+            if isinstance(report, Deferred):
+                return TriggerOutcome.TAKEN, self._coming(report, trigger)
+            return TriggerOutcome.TAKEN, self._masked(report, trigger)
         except Exception as error:  # noqa: BLE001 - any bug of a service
             self._bugs.met(step.name, trigger, error)
-            return Outcome.FAILED, None
+            return TriggerOutcome.FAILED, None
 
-    def _coming(self, later: Later, trigger: Trigger) -> Coming:
-        return Coming(later, lambda report: self._masked(report, trigger))
+    def _coming(self, later: Deferred, trigger: Trigger) -> PendingReply:
+        return PendingReply(later, lambda report: self._masked(report, trigger))
 
     def _masked(self, report: Message | None, trigger: Trigger) -> bytes | None:
-        return None if report is None else self._encoded(as_asked(report, trigger))
+        return None if report is None else self._encoded(apply_presence_vector(report, trigger))
 
     def _encoded(self, message: Message) -> bytes | None:
         try:
@@ -103,7 +105,7 @@ class Sending:
             return None
 
 
-def as_asked(report: Message, trigger: Trigger) -> Message:
+def apply_presence_vector(report: Message, trigger: Trigger) -> Message:
     """The report with what the query that triggered it asks for; all of it when something else did."""
     asked = trigger.msg
-    return mask(report, asked) if isinstance(asked, Message) and not asked.IS_COMMAND else report
+    return apply_presence_vectors(report, asked) if isinstance(asked, Message) and not asked.IS_COMMAND else report

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from jauspy.services.host import Host
 
 
-def checked(services: object) -> list[Service]:
+def check_services(services: object) -> list[Service]:
     """Services as they were handed in; raises `TypeError` for what is none."""
     if isinstance(services, Service) or not isinstance(services, Iterable) or isinstance(services, str):
         raise TypeError(f"services are a list, as in [Battery()], not {described(services)}")

@@ -10,18 +10,18 @@ from typing import Final, Literal, TypeAlias
 from jauspy.codec.names import snake
 from jauspy.schema import guards, model
 
-Kind: TypeAlias = Literal["action", "predicate", "report"]
+MethodKind: TypeAlias = Literal["action", "predicate", "report"]
 
 _RESULT: Final = {"action": "None", "predicate": "bool"}
 
 
 @dataclass(slots=True)
-class Need:
+class RequiredMethod:
     """One method: its JSIDL name, and from where it is called."""
 
     jsidl: str
     """The name without the path of the service it may belong to."""
-    kind: Kind
+    kind: MethodKind
     reports: str = ""
     """The message it makes, if that can be told from its name."""
     messages: list[str] = field(default_factory=list)
@@ -61,9 +61,9 @@ class Need:
 
 
 @cache
-def needs(definition: model.Service) -> tuple[Need, ...]:
+def required_methods(definition: model.Service) -> tuple[RequiredMethod, ...]:
     """Everything that the definition itself calls, in its order; what its parents call is not in it."""
-    found: dict[str, Need] = {}
+    found: dict[str, RequiredMethod] = {}
     outputs = {message.name for message in definition.outputs}
     for machine in definition.behavior.machines if definition.behavior else ():
         for state in _all(machine.states):
@@ -74,10 +74,10 @@ def needs(definition: model.Service) -> tuple[Need, ...]:
     return tuple(found.values())
 
 
-def need(definition: model.Service, name: str) -> Need:
+def required_method(definition: model.Service, name: str) -> RequiredMethod:
     """What is asked of one method, by the name (dotted or not) in the behaviour that calls it."""
     short = name.rpartition(".")[2]
-    return next((each for each in needs(definition) if each.jsidl == short), Need(short, "action"))
+    return next((each for each in required_methods(definition) if each.jsidl == short), RequiredMethod(short, "action"))
 
 
 def _all(states: Iterable[model.State]) -> Iterator[model.State]:
@@ -86,7 +86,7 @@ def _all(states: Iterable[model.State]) -> Iterator[model.State]:
         yield from _all(state.states)
 
 
-def _add(found: dict[str, Need], transition: model.Transition, outputs: set[str]) -> None:
+def _add(found: dict[str, RequiredMethod], transition: model.Transition, outputs: set[str]) -> None:
     called = [_called(found, action, outputs) for action in transition.actions]
     if transition.guard.strip():
         called += [_predicate(found, call) for call in guards.calls(guards.parse(transition.guard))]
@@ -98,7 +98,7 @@ def _add(found: dict[str, Need], transition: model.Transition, outputs: set[str]
             _once(each.events, event)
 
 
-def _called(found: dict[str, Need], action: model.Action, outputs: set[str]) -> Need:
+def _called(found: dict[str, RequiredMethod], action: model.Action, outputs: set[str]) -> RequiredMethod:
     short, kind = action.name.rpartition(".")[2], "action"
     literals = [text[1:-1] for text in action.arguments if text[:1] in ("'", '"')]
     literals = [text for text in literals if text != "transportData"]
@@ -107,13 +107,15 @@ def _called(found: dict[str, Need], action: model.Action, outputs: set[str]) -> 
     return _entry(found, short, "report" if kind == "report" else "action", _reported(short, outputs), literals)
 
 
-def _predicate(found: dict[str, Need], call: guards.Call) -> Need:
+def _predicate(found: dict[str, RequiredMethod], call: guards.Call) -> RequiredMethod:
     literals = [text[1:-1] for text in call.arguments if text[:1] in ("'", '"')]
     return _entry(found, call.name.rpartition(".")[2], "predicate", "", literals)
 
 
-def _entry(found: dict[str, Need], name: str, kind: Kind, reports: str, literals: Iterable[str]) -> Need:
-    entry = found.setdefault(name, Need(name, kind, reports))
+def _entry(
+    found: dict[str, RequiredMethod], name: str, kind: MethodKind, reports: str, literals: Iterable[str]
+) -> RequiredMethod:
+    entry = found.setdefault(name, RequiredMethod(name, kind, reports))
     for literal in literals:
         _once(entry.literals, literal)
     return entry

@@ -7,7 +7,7 @@ from typing import Any, Final, NamedTuple, TypeAlias
 
 from jauspy.ids import JausID
 
-Key: TypeAlias = int | str
+TriggerKey: TypeAlias = int | str
 """What a transition waits for: the code of a received message, or the name of an internal event."""
 
 ANY_MESSAGE: Final = "Receive"
@@ -20,7 +20,7 @@ ANY_TRIGGER: Final = ""
 class Trigger(NamedTuple):
     """One input of the state machine: a message from `source`, or an internal event."""
 
-    key: Key
+    key: TriggerKey
     msg: Any = None
     """The received message; for an internal event whatever the service that fired it passed on."""
     source: JausID | None = None
@@ -32,11 +32,11 @@ class Trigger(NamedTuple):
         return isinstance(self.key, int)
 
 
-class Verdict(Enum):
+class ActionResult(Enum):
     """What an action may return to steer the transition it belongs to."""
 
     STAY = "stay"
 
 
-STAY: Final = Verdict.STAY
+STAY: Final = ActionResult.STAY
 """Returned by an action: the remaining actions run, but the state does not change."""

@@ -28,7 +28,7 @@ from jauspy.services.environment_sensing.exposures import Exposures
 from jauspy.services.environment_sensing.frame_sizes import OFFERED, number_of, offered
 from jauspy.services.environment_sensing.video_camera import Cameras
 from jauspy.services.environment_sensing.wanted import chosen
-from jauspy.services.later import Later
+from jauspy.services.later import Deferred
 from jauspy.services.service import Service
 from jauspy.services.stamps import time_stamp
 
@@ -57,7 +57,7 @@ class StillImage(Service, urn="urn:jaus:jss:environmentSensing:StillImage"):
         self._settings = {
             sensor: StillSettings(stream.width, stream.height, StillFormat.JPEG) for sensor, stream in streams.items()
         }
-        self._answer: Later | None = None
+        self._answer: Deferred | None = None
 
     def attached(self) -> None:
         """Pictures that come to nothing are counted by the component."""
@@ -79,7 +79,7 @@ class StillImage(Service, urn="urn:jaus:jss:environmentSensing:StillImage"):
             self._exposures.take(sensor, settings, partial(album.add, sensor, develop))
         self._answer = album.answer
 
-    def send_report_still_image_data_ext_in_native_coordinate_system(self) -> Later | None:
+    def send_report_still_image_data_ext_in_native_coordinate_system(self) -> Deferred | None:
         """The pictures that were just asked for, when all are there."""
         answer, self._answer = self._answer, None
         return answer

@@ -15,7 +15,7 @@ from jauspy.messages.manipulator import (
     SetJointVelocity,
 )
 from jauspy.platform.joints import ControlMode, Target
-from jauspy.services.completion import Completion
+from jauspy.services.completion import CommandCompletion
 from jauspy.services.manipulator.arm import Arm
 from jauspy.services.manipulator.driver import ArmDriver
 from jauspy.services.manipulator.values import (
@@ -64,7 +64,7 @@ class PositionDriver(JointDriver):
 
     def __init__(self, arm: Arm) -> None:
         super().__init__(arm)
-        self._command = Completion()
+        self._command = CommandCompletion()
         self._timer = (_TIMER, self.urn)
 
     def go(self, positions: Sequence[float]) -> None:
