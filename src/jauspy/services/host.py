@@ -26,7 +26,7 @@ from jauspy.services.isolation import ActionErrors
 from jauspy.services.later import Deferred, DeferredReplies
 from jauspy.services.machine import TriggerOutcome
 from jauspy.services.outbox import Outgoing, OutputQueue
-from jauspy.services.sending import MessageSender, Reply, apply_presence_vector
+from jauspy.services.sending import MessageSender, Reply, requested_part
 from jauspy.services.service import Service
 from jauspy.services.timers import Timers
 from jauspy.services.trigger import Trigger
@@ -309,4 +309,4 @@ class Host:
         if destination is None:
             self.count("nobody_to_send_to", result.NAME)
             return
-        self.send(destination, apply_presence_vector(result, trigger))
+        self.send(destination, requested_part(result, trigger))

@@ -94,7 +94,7 @@ class MessageSender:
         return PendingReply(later, lambda report: self._masked(report, trigger))
 
     def _masked(self, report: Message | None, trigger: Trigger) -> bytes | None:
-        return None if report is None else self._encoded(apply_presence_vector(report, trigger))
+        return None if report is None else self._encoded(requested_part(report, trigger))
 
     def _encoded(self, message: Message) -> bytes | None:
         try:
@@ -105,7 +105,7 @@ class MessageSender:
             return None
 
 
-def apply_presence_vector(report: Message, trigger: Trigger) -> Message:
+def requested_part(report: Message, trigger: Trigger) -> Message:
     """The report with what the query that triggered it asks for; all of it when something else did."""
     asked = trigger.msg
     return apply_presence_vectors(report, asked) if isinstance(asked, Message) and not asked.IS_COMMAND else report
