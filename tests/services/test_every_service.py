@@ -19,11 +19,9 @@ from jauspy.codec.names import snake
 from jauspy.schema import guards, load_builtin, model
 from jauspy.schema.state_tree import merge_machines, short_name
 from jauspy.services.bind import Binder
-from jauspy.services.isolation import ActionErrors
 from jauspy.services.lineage import definitions_of
-from jauspy.services.machine import MachineInstance
 from jauspy.services.service import Service
-from jauspy.services.trigger import Trigger
+from jauspy.services.state_machine import ActionErrors, MachineInstance, Trigger
 
 DEEPEST = 2
 """Pushed states that are followed; more of them are more of the same."""

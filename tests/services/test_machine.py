@@ -13,10 +13,8 @@ from jauspy.messages.core import ReportTime
 from jauspy.schema import model
 from jauspy.schema.state_tree import merge_machines
 from jauspy.services.bind import Binder
-from jauspy.services.isolation import ActionErrors
-from jauspy.services.machine import MAX_PUSHED, MachineInstance, TriggerOutcome
 from jauspy.services.service import Service
-from jauspy.services.trigger import STAY, Trigger
+from jauspy.services.state_machine import MAX_PUSHED, STAY, ActionErrors, MachineInstance, Trigger, TriggerOutcome
 
 CLIENT = JausID(42, 1, 1)
 CODES = {"Go": 1, "Back": 2, "Ask": 3, "Other": 4}

@@ -38,8 +38,8 @@ from jauspy.messages.core import (
 from jauspy.messages.mobility import QueryLocalPose, QueryVelocityState, QueryWrenchEffort, SetWrenchEffort
 from jauspy.platform.contract import Pose, Twist
 from jauspy.services.core import AccessControl, Events, Liveness, Management, Time
-from jauspy.services.machine import MachineInstance
 from jauspy.services.mobility import LocalPoseSensor, PrimitiveDriver, Vehicle, VelocityStateSensor
+from jauspy.services.state_machine import MachineInstance
 
 CLIENTS = ("42.1.1", "42.2.1")
 STRANGER = "7.1.1"

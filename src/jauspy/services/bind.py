@@ -14,10 +14,9 @@ from jauspy.schema import guards, model
 from jauspy.schema.inheritance import lineage, parents_among
 from jauspy.schema.state_tree import MergedState, Owned
 from jauspy.services.later import Deferred
-from jauspy.services.machine import BoundAction, BoundState, BoundTransition
 from jauspy.services.service import Service
 from jauspy.services.signatures import required_method
-from jauspy.services.trigger import ANY_MESSAGE, Trigger, TriggerKey
+from jauspy.services.state_machine import ANY_MESSAGE, BoundAction, BoundState, BoundTransition, Trigger, TriggerKey
 
 SendReply: TypeAlias = Callable[[object, Trigger, bool], None]
 """Sends (what a report method returned, the trigger, whether to its source or else to the controlling client)."""

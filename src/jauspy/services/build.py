@@ -13,11 +13,17 @@ from jauspy.schema.state_tree import merge_machines
 from jauspy.services.bind import Binder, SendReply
 from jauspy.services.core.defaults import DEFAULTS
 from jauspy.services.definitions import schema_for
-from jauspy.services.isolation import ActionErrors
 from jauspy.services.lineage import definitions_of
-from jauspy.services.machine import BoundState, BoundTransition, MachineInstance
 from jauspy.services.service import Service
-from jauspy.services.trigger import ANY_MESSAGE, ANY_TRIGGER, TriggerKey
+from jauspy.services.state_machine import (
+    ANY_MESSAGE,
+    ANY_TRIGGER,
+    ActionErrors,
+    BoundState,
+    BoundTransition,
+    MachineInstance,
+    TriggerKey,
+)
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,23 +13,19 @@ from jauspy.errors import ConfigError
 from jauspy.ids import JausID, component_id
 from jauspy.protocol.header import Broadcast, Priority
 from jauspy.schema.model import Schema, Service as Definition
-from jauspy.services.agenda import TriggerQueue
 from jauspy.services.build import BoundServices, bind_services
-from jauspy.services.completion import CommandCompletion
 from jauspy.services.core.access_control import AccessControl
 from jauspy.services.core.management import Management
 from jauspy.services.core.time import Time
 from jauspy.services.definitions import registry_for
 from jauspy.services.drops import Drops
 from jauspy.services.inputs import InputDecoder
-from jauspy.services.isolation import ActionErrors
 from jauspy.services.later import Deferred, DeferredReplies
-from jauspy.services.machine import TriggerOutcome
 from jauspy.services.outbox import Outgoing, OutputQueue
 from jauspy.services.sending import MessageSender, Reply, requested_part
 from jauspy.services.service import Service
+from jauspy.services.state_machine import ActionErrors, CommandCompletion, Trigger, TriggerOutcome, TriggerQueue
 from jauspy.services.timers import Timers
-from jauspy.services.trigger import Trigger
 
 if TYPE_CHECKING:
     from jauspy.messages.core import ReportStatus

@@ -10,8 +10,7 @@ from typing import Final, Protocol, TypeAlias, TypeVar
 
 from jauspy.codec.base import Message
 from jauspy.ids import JausID
-from jauspy.services.isolation import ActionErrors
-from jauspy.services.trigger import Trigger
+from jauspy.services.state_machine import ActionErrors, Trigger
 
 MAX_DEFERRED_REPLIES: Final = 32
 """Answers of a component that may be under way; one more is given at once, as if it had stayed out."""

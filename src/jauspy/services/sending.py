@@ -10,12 +10,10 @@ from jauspy.codec.base import Message
 from jauspy.errors import EncodeError
 from jauspy.ids import JausID
 from jauspy.protocol.header import Broadcast, Priority
-from jauspy.services.isolation import ActionErrors
 from jauspy.services.later import Deferred, PendingReply
-from jauspy.services.machine import BoundAction, MachineInstance, TriggerOutcome
 from jauspy.services.outbox import Outgoing
 from jauspy.services.presence import apply_presence_vectors
-from jauspy.services.trigger import Trigger
+from jauspy.services.state_machine import ActionErrors, BoundAction, MachineInstance, Trigger, TriggerOutcome
 
 Reply: TypeAlias = bytes | PendingReply | None
 """What a query is answered, now or later; None: nothing."""

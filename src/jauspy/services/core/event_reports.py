@@ -18,8 +18,8 @@ from jauspy.services.core.subscriptions import (
     Subscriptions,
 )
 from jauspy.services.later import PendingReply
-from jauspy.services.machine import TriggerOutcome
 from jauspy.services.service import Service
+from jauspy.services.state_machine import TriggerOutcome
 
 
 class EventReports(Service):

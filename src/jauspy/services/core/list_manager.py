@@ -18,9 +18,9 @@ from jauspy.messages.core import (
     ReportElementList,
     SetElement,
 )
-from jauspy.services.completion import CommandCompletion
 from jauspy.services.core.element_list import Code, ElementList
 from jauspy.services.service import Service
+from jauspy.services.state_machine import CommandCompletion
 
 if TYPE_CHECKING:
     from jauspy.services.core.list_driver import ListDriver

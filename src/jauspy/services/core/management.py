@@ -7,7 +7,7 @@ from typing import Final
 from jauspy.ids import JausID
 from jauspy.messages.core import ReportStatus
 from jauspy.services.service import Service
-from jauspy.services.trigger import STAY, ActionResult
+from jauspy.services.state_machine import STAY, ActionResult
 
 MAX_EMERGENCY_CLIENTS: Final = 64
 """Clients whose emergency is remembered one by one; more keep the emergency, but need not clear it."""

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from jauspy.messages.manipulator import SetEndEffectorPose
-from jauspy.services.completion import CommandCompletion
 from jauspy.services.manipulator.arm import Arm
 from jauspy.services.manipulator.tool_pose_driver import ToolPoseDriver, pose_of
+from jauspy.services.state_machine import CommandCompletion
 
 
 class EndEffectorPoseDriver(ToolPoseDriver, urn="urn:jaus:jss:manipulator:ManipulatorEndEffectorPoseDriver"):

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from jauspy.services.completion import CommandCompletion
 from jauspy.services.mobility.travel import Traveller
 from jauspy.services.mobility.vehicle import Vehicle
 from jauspy.services.mobility.waypoint import Waypoint
+from jauspy.services.state_machine import CommandCompletion
 
 
 class WaypointDriver(Traveller):

@@ -2,17 +2,79 @@
 
 from __future__ import annotations
 
-from collections import deque
+import logging
+from collections import Counter, deque
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from enum import Enum
-from typing import Final, Literal
+from typing import Any, Final, Literal, NamedTuple, TypeAlias
 
 from jauspy.codec.base import Message
+from jauspy.ids import JausID
 from jauspy.schema.state_tree import MergedState
-from jauspy.services.isolation import ActionErrors
 from jauspy.services.later import Deferred
-from jauspy.services.trigger import ANY_MESSAGE, ANY_TRIGGER, STAY, Trigger, TriggerKey
+
+TriggerKey: TypeAlias = int | str
+"""What a transition waits for: the code of a received message, or the name of an internal event."""
+
+ANY_MESSAGE: Final = "Receive"
+"""The key of transitions that take every received message (JSIDL: `Receive` without parameters)."""
+
+ANY_TRIGGER: Final = ""
+"""The key of transitions that take whatever no other transition of their state takes (JSIDL: `default_transition`)."""
+
+
+class Trigger(NamedTuple):
+    """One input of the state machine: a message from `source`, or an internal event."""
+
+    key: TriggerKey
+    msg: Any = None
+    """The received message; for an internal event whatever the service that fired it passed on."""
+    source: JausID | None = None
+    """Who sent the message; for an internal event whom it is about, None for nobody."""
+
+    @property
+    def is_message(self) -> bool:
+        """True for a received message."""
+        return isinstance(self.key, int)
+
+
+class ActionResult(Enum):
+    """What an action may return to steer the transition it belongs to."""
+
+    STAY = "stay"
+
+
+STAY: Final = ActionResult.STAY
+"""Returned by an action: the remaining actions run, but the state does not change."""
+
+
+_LOG: Final = logging.getLogger("jauspy.services")
+
+
+class ActionErrors:
+    """Everything that failed in one component; `failed` is called after each.
+
+    Who calls the code of a service catches every `Exception` and hands it in here, with a name that says which action
+    of which service and state it was.
+    """
+
+    def __init__(self, counters: Counter[str], failed: Callable[[], None] = lambda: None) -> None:
+        self._counters = counters
+        self._failed = failed
+        self._times: Counter[str] = Counter()
+
+    def met(self, name: str, trigger: Trigger, error: Exception) -> None:
+        """Count it. It is logged the 1st, 2nd, 4th, 8th ... time, so that a client cannot fill the disk with it."""
+        self._counters["action_failed"] += 1
+        self._times[name] += 1
+        times = self._times[name]
+        if times & (times - 1) == 0:
+            what, source = trigger.msg or trigger.key, trigger.source or "inside"
+            again = f" ({times} times)" if times > 1 else ""
+            _LOG.error("%s failed%s on %r from %s: %s", name, again, what, source, error, exc_info=error)
+        self._failed()
+
 
 MAX_PUSHED: Final = 32
 """States that can wait to be popped; a definition that pushes deeper loses the oldest."""
@@ -199,3 +261,88 @@ class MachineInstance:
 def _takers(rules: tuple[BoundTransition, ...]) -> list[BoundTransition]:
     """In order, except that those which take what nobody else takes come last."""
     return sorted(rules, key=lambda rule: rule.key == ANY_TRIGGER)
+
+
+class CommandCompletion:
+    """Call it when the command has ended."""
+
+    __slots__ = ("_tell", "claimed")
+
+    def __init__(self, tell: Callable[[bool], None] | None = None) -> None:
+        self._tell = tell
+        self.claimed = False
+        """True once a service said that its command takes time."""
+
+    def __call__(self, success: bool) -> None:
+        """True: it was carried out, False: it was given up. Later calls do nothing."""
+        tell, self._tell = self._tell, None
+        if tell is not None:
+            tell(success)
+
+
+MAX_QUEUED_TRIGGERS: Final = 256
+"""Internal events that may wait at once, and that may follow from one message; more is a bug of a service."""
+
+
+class TriggerQueue:
+    """First in, first out. What comes up while something is handled waits until that is done.
+
+    Nothing is handled before `open`, which is when everything is bound.
+    """
+
+    def __init__(self, dispatch: Callable[[Trigger], TriggerOutcome], dropped: Callable[[Trigger], None]) -> None:
+        self._dispatch = dispatch
+        self._dropped = dropped
+        self._waiting: deque[tuple[Trigger, CommandCompletion | None]] = deque()
+        self._command: CommandCompletion | None = None
+        self._busy = True
+
+    def open(self) -> None:
+        """Begin, with what came up so far."""
+        self._settle()
+
+    def run(self, trigger: Trigger) -> TriggerOutcome:
+        """Handle this now, and then all that follows from it."""
+        self._busy = True
+        outcome = self._handle(trigger, None)
+        self._settle()
+        return outcome
+
+    def put(self, trigger: Trigger, completion: CommandCompletion | None = None) -> None:
+        """Handle this as soon as what happens now is done; when too much waits, it is dropped."""
+        if not self._busy:
+            self._busy = True
+            self._handle(trigger, completion)
+            self._settle()
+        elif len(self._waiting) < MAX_QUEUED_TRIGGERS:
+            self._waiting.append((trigger, completion))
+        else:
+            self._drop(trigger, completion)
+
+    def begin_command(self) -> CommandCompletion:
+        """What is being handled takes time, and ends when this is called; nobody may wait for that."""
+        command = self._command or CommandCompletion()
+        command.claimed = True
+        return command
+
+    def _settle(self) -> None:
+        for _ in range(MAX_QUEUED_TRIGGERS):
+            if not self._waiting:
+                break
+            self._handle(*self._waiting.popleft())
+        while self._waiting:
+            self._drop(*self._waiting.popleft())
+        self._busy = False
+
+    def _handle(self, trigger: Trigger, completion: CommandCompletion | None) -> TriggerOutcome:
+        self._command = completion
+        outcome = self._dispatch(trigger)
+        self._command = None
+        if completion is not None and not (completion.claimed and outcome is TriggerOutcome.TAKEN):
+            completion(outcome is TriggerOutcome.TAKEN)
+        return outcome
+
+    def _drop(self, trigger: Trigger, completion: CommandCompletion | None) -> None:
+        self._dropped(trigger)
+        if completion is not None:
+            completion(False)
