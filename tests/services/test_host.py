@@ -30,7 +30,7 @@ from jauspy.protocol.header import Broadcast, Priority
 from jauspy.schema import Schema, load_builtin, load_files, needed
 from jauspy.services.core import AccessControl, Liveness, Management
 from jauspy.services.mobility import PrimitiveDriver, Vehicle
-from jauspy.services.outbox import Outgoing, OutputQueue
+from jauspy.services.output import Outgoing, OutputQueue
 from jauspy.services.service import Service
 
 A, B = "42.1.1", "42.2.1"

@@ -19,7 +19,7 @@ from jauspy.protocol.header import Ack, Packet
 from jauspy.protocol.node import NodeCore
 from jauspy.protocol.ports import GroupPort, LocalPort, Port, UdpPort
 from jauspy.services.host import Host
-from jauspy.services.outbox import Outgoing
+from jauspy.services.output import Outgoing
 
 ROOT: Final = "/bench"
 USUAL: Final = UdpPort("192.0.2.42", judp.PORT)

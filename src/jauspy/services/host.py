@@ -21,8 +21,7 @@ from jauspy.services.definitions import registry_for
 from jauspy.services.drops import Drops
 from jauspy.services.inputs import InputDecoder
 from jauspy.services.later import Deferred, DeferredReplies
-from jauspy.services.outbox import Outgoing, OutputQueue
-from jauspy.services.sending import MessageSender, Reply, requested_part
+from jauspy.services.output import MessageSender, Outgoing, OutputQueue, Reply, requested_part
 from jauspy.services.service import Service
 from jauspy.services.state_machine import ActionErrors, CommandCompletion, Trigger, TriggerOutcome, TriggerQueue
 from jauspy.services.timers import Timers

@@ -13,7 +13,7 @@ from jauspy.messages.core import TimeStamp
 from jauspy.messages.environment_sensing.v2_0.range_sensor import QueryRangeSensorCompressedData, ReportRangeSensorData
 from jauspy.platform.ranging import RangeFinder, RangeScan
 from jauspy.platform.vectors import Transform
-from jauspy.services.presence import without_fields
+from jauspy.services.output import without_fields
 
 Point = ReportRangeSensorData.RangeSensorDataPointRec
 
