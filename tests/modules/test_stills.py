@@ -15,9 +15,9 @@ from jauspy.platform.camera import CameraSetup
 from jauspy.platform.stills import Still, StillFormat, StillSettings
 from jauspy.platform.vectors import Transform
 from jauspy.platform.video_settings import VideoSettings
+from jauspy.services.deferred import REPLY_TIMEOUT
 from jauspy.services.environment_sensing import StillImage, VideoCamera, VisualSensor
 from jauspy.services.host import Host
-from jauspy.services.later import REPLY_TIMEOUT
 
 Query, Wanted = m.QueryStillImageDataExt, m.SetStillImageSensorConfiguration
 Record = m.ReportStillImageDataExt.StillImageDataRec

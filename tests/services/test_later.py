@@ -15,7 +15,7 @@ from jauspy.messages.core import (
     UpdateEvent,
 )
 from jauspy.services.core import Time
-from jauspy.services.later import MAX_DEFERRED_REPLIES, REPLY_TIMEOUT
+from jauspy.services.deferred import MAX_DEFERRED_REPLIES, REPLY_TIMEOUT
 
 A, B = "42.1.1", "42.2.1"
 NOON, ONE = TimeStamp(0, 0, 0, 12, 1), TimeStamp(0, 0, 0, 13, 1)

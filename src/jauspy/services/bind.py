@@ -13,7 +13,7 @@ from jauspy.errors import ConfigError
 from jauspy.schema import guards, model
 from jauspy.schema.inheritance import lineage, parents_among
 from jauspy.schema.state_tree import MergedState, Owned
-from jauspy.services.later import Deferred
+from jauspy.services.deferred import Deferred
 from jauspy.services.service import Service
 from jauspy.services.signatures import required_method
 from jauspy.services.state_machine import ANY_MESSAGE, BoundAction, BoundState, BoundTransition, Trigger, TriggerKey

@@ -17,10 +17,10 @@ from jauspy.services.build import BoundServices, bind_services
 from jauspy.services.core.access_control import AccessControl
 from jauspy.services.core.management import Management
 from jauspy.services.core.time import Time
+from jauspy.services.deferred import Deferred, DeferredReplies
 from jauspy.services.definitions import registry_for
 from jauspy.services.drops import Drops
 from jauspy.services.inputs import InputDecoder
-from jauspy.services.later import Deferred, DeferredReplies
 from jauspy.services.output import MessageSender, Outgoing, OutputQueue, Reply, requested_part
 from jauspy.services.service import Service
 from jauspy.services.state_machine import ActionErrors, CommandCompletion, Trigger, TriggerOutcome, TriggerQueue

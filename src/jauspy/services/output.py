@@ -12,7 +12,7 @@ from jauspy.codec.layout import Composite, Repeat, Slot
 from jauspy.errors import EncodeError
 from jauspy.ids import JausID
 from jauspy.protocol.header import Broadcast, Priority
-from jauspy.services.later import Deferred, PendingReply
+from jauspy.services.deferred import Deferred, PendingReply
 from jauspy.services.state_machine import ActionErrors, BoundAction, MachineInstance, Trigger, TriggerOutcome
 
 

@@ -12,7 +12,7 @@ from typing import Any, Final, Literal, NamedTuple, TypeAlias
 from jauspy.codec.base import Message
 from jauspy.ids import JausID
 from jauspy.schema.state_tree import MergedState
-from jauspy.services.later import Deferred
+from jauspy.services.deferred import Deferred
 
 TriggerKey: TypeAlias = int | str
 """What a transition waits for: the code of a received message, or the name of an internal event."""

@@ -17,7 +17,7 @@ from jauspy.services.core.subscriptions import (
     Subscription,
     Subscriptions,
 )
-from jauspy.services.later import PendingReply
+from jauspy.services.deferred import PendingReply
 from jauspy.services.service import Service
 from jauspy.services.state_machine import TriggerOutcome
 

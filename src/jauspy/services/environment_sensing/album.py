@@ -7,7 +7,7 @@ from typing import Final, TypeAlias
 
 from jauspy.messages.environment_sensing.v2_0.still_image import ReportStillImageDataExt
 from jauspy.platform.stills import Still
-from jauspy.services.later import Deferred
+from jauspy.services.deferred import Deferred
 
 Record: TypeAlias = ReportStillImageDataExt.StillImageDataRec
 
