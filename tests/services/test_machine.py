@@ -12,7 +12,7 @@ from jauspy.ids import JausID
 from jauspy.messages.core import ReportTime
 from jauspy.schema import model
 from jauspy.schema.state_tree import merge_machines
-from jauspy.services.bind import Binder
+from jauspy.services.binding import Binder
 from jauspy.services.service import Service
 from jauspy.services.state_machine import MAX_PUSHED, STAY, ActionErrors, MachineInstance, Trigger, TriggerOutcome
 

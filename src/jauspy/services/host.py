@@ -13,7 +13,7 @@ from jauspy.errors import ConfigError
 from jauspy.ids import JausID, component_id
 from jauspy.protocol.header import Broadcast, Priority
 from jauspy.schema.model import Schema, Service as Definition
-from jauspy.services.build import BoundServices, bind_services
+from jauspy.services.binding import BoundServices, bind_services
 from jauspy.services.core.access_control import AccessControl
 from jauspy.services.core.management import Management
 from jauspy.services.core.time import Time

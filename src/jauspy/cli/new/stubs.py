@@ -12,10 +12,10 @@ from jauspy.ids import JausID
 from jauspy.messages import registry
 from jauspy.schema.inheritance import lineage, parents_among
 from jauspy.schema.model import Schema, Service as Definition
+from jauspy.services.binding import RequiredMethod, required_methods
 from jauspy.services.core.complete import with_core
 from jauspy.services.core.defaults import DEFAULTS
 from jauspy.services.service import Service
-from jauspy.services.signatures import RequiredMethod, required_methods
 
 _ENDS: Final = {"action": "", "predicate": "", "report": "; None sends nothing"}
 _RESULTS: Final = {"action": "", "predicate": "        return True\n", "report": "        return None\n"}

@@ -3,20 +3,160 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import cache
 from operator import attrgetter
-from typing import Final, TypeAlias
+from typing import Final, Literal, TypeAlias
 
 from jauspy.codec.base import Message
 from jauspy.codec.names import snake
+from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
 from jauspy.schema import guards, model
 from jauspy.schema.inheritance import lineage, parents_among
-from jauspy.schema.state_tree import MergedState, Owned
+from jauspy.schema.model import Schema, Service as Definition
+from jauspy.schema.state_tree import MergedState, Owned, merge_machines
+from jauspy.services.core.defaults import DEFAULTS
 from jauspy.services.deferred import Deferred
+from jauspy.services.definitions import schema_for
+from jauspy.services.lineage import definitions_of
 from jauspy.services.service import Service
-from jauspy.services.signatures import required_method
-from jauspy.services.state_machine import ANY_MESSAGE, BoundAction, BoundState, BoundTransition, Trigger, TriggerKey
+from jauspy.services.state_machine import (
+    ANY_MESSAGE,
+    ANY_TRIGGER,
+    ActionErrors,
+    BoundAction,
+    BoundState,
+    BoundTransition,
+    MachineInstance,
+    Trigger,
+    TriggerKey,
+)
+
+MethodKind: TypeAlias = Literal["action", "predicate", "report"]
+
+_RESULT: Final = {"action": "None", "predicate": "bool"}
+
+
+@dataclass(slots=True)
+class RequiredMethod:
+    """One method: its JSIDL name, and from where it is called."""
+
+    jsidl: str
+    """The name without the path of the service it may belong to."""
+    kind: MethodKind
+    reports: str = ""
+    """The message it makes, if that can be told from its name."""
+    messages: list[str] = field(default_factory=list)
+    """The messages it is called for, in the order of the definition."""
+    events: list[str] = field(default_factory=list)
+    """The internal events it is called for."""
+    in_states: list[str] = field(default_factory=list)
+    """The states whose entry or exit calls it."""
+    literals: list[str] = field(default_factory=list)
+    """The codes that it is called with."""
+
+    @property
+    def method(self) -> str:
+        """The name of the Python method."""
+        return snake(self.jsidl)
+
+    @property
+    def result(self) -> str:
+        """The type it returns."""
+        return self.reports or _RESULT.get(self.kind, "Message")
+
+    @property
+    def takes_message(self) -> bool:
+        """True when every call is for a message that the definition names."""
+        return bool(self.messages) and not self.events and not self.in_states
+
+    @property
+    def signature(self) -> str:
+        """The method as it is to be written."""
+        parameters = ["self"]
+        if self.takes_message:
+            name = "query" if all(each.startswith("Query") for each in self.messages) else "msg"
+            parameters.append(f"{name}: {' | '.join(self.messages)}")
+        if self.literals:
+            parameters.append("code: str")
+        return f"def {self.method}({', '.join(parameters)}) -> {self.result}"
+
+
+@cache
+def required_methods(definition: model.Service) -> tuple[RequiredMethod, ...]:
+    """Everything that the definition itself calls, in its order; what its parents call is not in it."""
+    found: dict[str, RequiredMethod] = {}
+    outputs = {message.name for message in definition.outputs}
+    for machine in definition.behavior.machines if definition.behavior else ():
+        for state in _all(machine.states):
+            for action in (*state.entry, *state.exit):
+                _called(found, action, outputs).in_states.append(state.name)
+            for transition in (*state.transitions, *state.default_transitions):
+                _add(found, transition, outputs)
+    return tuple(found.values())
+
+
+def required_method(definition: model.Service, name: str) -> RequiredMethod:
+    """What is asked of one method, by the name (dotted or not) in the behaviour that calls it."""
+    short = name.rpartition(".")[2]
+    return next((each for each in required_methods(definition) if each.jsidl == short), RequiredMethod(short, "action"))
+
+
+def _all(states: Iterable[model.State]) -> Iterator[model.State]:
+    for state in states:
+        yield state
+        yield from _all(state.states)
+
+
+def _add(found: dict[str, RequiredMethod], transition: model.Transition, outputs: set[str]) -> None:
+    called = [_called(found, action, outputs) for action in transition.actions]
+    if transition.guard.strip():
+        called += [_predicate(found, call) for call in guards.calls(guards.parse(transition.guard))]
+    event = transition.trigger.rpartition(".")[2]
+    for each in called:
+        if event == "Receive" and transition.parameters:
+            _once(each.messages, transition.parameters[0].type)
+        else:
+            _once(each.events, event)
+
+
+def _called(found: dict[str, RequiredMethod], action: model.Action, outputs: set[str]) -> RequiredMethod:
+    short, kind = action.name.rpartition(".")[2], "action"
+    literals = [text[1:-1] for text in action.arguments if text[:1] in ("'", '"')]
+    literals = [text for text in literals if text != "transportData"]
+    if short == "Send" and literals:
+        short, kind, literals = literals[0], "report", literals[1:]
+    return _entry(found, short, "report" if kind == "report" else "action", _reported(short, outputs), literals)
+
+
+def _predicate(found: dict[str, RequiredMethod], call: guards.Call) -> RequiredMethod:
+    literals = [text[1:-1] for text in call.arguments if text[:1] in ("'", '"')]
+    return _entry(found, call.name.rpartition(".")[2], "predicate", "", literals)
+
+
+def _entry(
+    found: dict[str, RequiredMethod], name: str, kind: MethodKind, reports: str, literals: Iterable[str]
+) -> RequiredMethod:
+    entry = found.setdefault(name, RequiredMethod(name, kind, reports))
+    for literal in literals:
+        _once(entry.literals, literal)
+    return entry
+
+
+def _reported(name: str, outputs: set[str]) -> str:
+    """The output that an action is named for: `Send('ReportX')`, `sendReportX`, `sendX`, `sendReportXInY`."""
+    bare = name.removeprefix("send") if name.startswith("send") else name[:1].upper() + name[1:]
+    exact = next((each for each in (name, bare, f"Report{bare}") if each in outputs), "")
+    begun = [each for each in outputs if name.startswith("send") and bare.startswith(each)]
+    return exact or max(begun, key=len, default="")
+
+
+def _once(names: list[str], name: str) -> None:
+    if name not in names:
+        names.append(name)
+
 
 SendReply: TypeAlias = Callable[[object, Trigger, bool], None]
 """Sends (what a report method returned, the trigger, whether to its source or else to the controlling client)."""
@@ -225,3 +365,99 @@ def _described(transition: model.Transition) -> str:
 
 def _nothing() -> None:
     """Stands for a missing method until all of them are known."""
+
+
+@dataclass(frozen=True, slots=True)
+class BoundServices:
+    """The parts of a component."""
+
+    services: Mapping[str, Service]
+    definitions: Mapping[str, Definition]
+    machines: Mapping[str, MachineInstance]
+    receiver: MachineInstance | None
+    """The machine for messages, and for internal events that no machine names."""
+    inputs: Mapping[int, type[Message]]
+    events: Mapping[TriggerKey, MachineInstance]
+    """The machine that each internal event is for."""
+    event_names: frozenset[str]
+    """The internal events that the definitions have, whether a transition waits for them or not."""
+    queries: frozenset[int]
+    """Codes of messages that are answered without a change of state."""
+
+
+def bind_services(
+    services: Iterable[Service], schema: Schema | None, registry: Registry, reply: SendReply, bugs: ActionErrors
+) -> BoundServices:
+    """Everything bound and checked; raises `ConfigError` with all that is missing."""
+    given = _by_urn(services)
+    if schema is None:
+        schema = schema_for(given.values())
+    definitions = definitions_of(given.values(), schema)
+    all_services = {urn: given.get(urn) or _default(urn) for urn in definitions}
+    binder = Binder(definitions, all_services, reply)
+    merged = merge_machines(definitions.values())
+    for each in merged.values():
+        each.check_initials()
+    bound = {name: binder.states(each.root) for name, each in merged.items()}
+    binder.raise_problems()
+    machines = {name: MachineInstance(states, merged[name].start(), bugs) for name, states in bound.items()}
+    rules = [(rule, name) for name, states in bound.items() for rule in _rules(states.values())]
+    events: dict[TriggerKey, MachineInstance] = {
+        rule.key: machines[name] for rule, name in rules if isinstance(rule.key, str)
+    }
+    received = {rule.key for rule, _ in rules if isinstance(rule.key, int)}
+    queries = frozenset(rule.key for rule, _ in rules if isinstance(rule.key, int) and _answers(rule))
+    inputs = _inputs(definitions.values(), received, registry)
+    names = {event.name for each in definitions.values() for event in each.internal_events}
+    names |= {key for key in events if isinstance(key, str) and key not in (ANY_MESSAGE, ANY_TRIGGER)}
+    return BoundServices(
+        all_services, definitions, machines, machines.get("ReceiveFSM"), inputs, events, frozenset(names), queries
+    )
+
+
+def _rules(states: Iterable[BoundState]) -> Iterable[BoundTransition]:
+    return (rule for state in states for rule in state.transitions + state.defaults)
+
+
+def _answers(rule: BoundTransition) -> bool:
+    return rule.kind == "internal" and any(step.sends for step in rule.steps)
+
+
+def _by_urn(services: Iterable[Service]) -> dict[str, Service]:
+    found: dict[str, Service] = {}
+    for service in services:
+        if not service.urn:
+            raise ConfigError(f"{type(service).__name__} names no definition; write class ...(Service, urn='urn:...')")
+        if service.urn in found:
+            raise ConfigError(f"{service.urn} is given twice; a component has each service once")
+        found[service.urn] = service
+    return found
+
+
+def _default(urn: str) -> Service:
+    if urn not in DEFAULTS:
+        raise ConfigError(f"{urn} is inherited from and is not among the component's services; add it")
+    return DEFAULTS[urn]()
+
+
+def _inputs(
+    definitions: Iterable[Definition], received: Container[int], registry: Registry
+) -> dict[int, type[Message]]:
+    """The class for each message the component takes: that of the version of the service it runs."""
+    found: dict[int, type[Message]] = {}
+    for definition in definitions:
+        for message in definition.messages:
+            if message in definition.inputs or message.code in received:
+                for kind in registry.by_code(message.code):
+                    if definition.id == kind.SERVICE and definition.version == kind.VERSION:
+                        _distinct(found.setdefault(message.code, kind), kind)
+    return found
+
+
+def _distinct(first: type[Message], second: type[Message]) -> None:
+    """Refuse two inputs of different services with one id."""
+    if first.NAME != second.NAME and first.SERVICE != second.SERVICE:
+        raise ConfigError(
+            f"message id {first.CODE:04X} is {first.NAME} of {first.SERVICE} and {second.NAME} of {second.SERVICE}; "
+            "a component cannot tell them apart: change one id, or give the services to two components"
+        )
