@@ -19,7 +19,7 @@ from jauspy.codec.names import snake
 from jauspy.schema import guards, load_builtin, model
 from jauspy.schema.state_tree import merge_machines, short_name
 from jauspy.services.binding import Binder
-from jauspy.services.lineage import definitions_of
+from jauspy.services.definitions import definitions_of
 from jauspy.services.service import Service
 from jauspy.services.state_machine import ActionErrors, MachineInstance, Trigger
 

@@ -19,8 +19,7 @@ from jauspy.schema.model import Schema, Service as Definition
 from jauspy.schema.state_tree import MergedState, Owned, merge_machines
 from jauspy.services.core.defaults import DEFAULTS
 from jauspy.services.deferred import Deferred
-from jauspy.services.definitions import schema_for
-from jauspy.services.lineage import definitions_of
+from jauspy.services.definitions import definitions_of, schema_for
 from jauspy.services.service import Service
 from jauspy.services.state_machine import (
     ANY_MESSAGE,
