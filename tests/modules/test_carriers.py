@@ -14,9 +14,9 @@ from jauspy.modules.description import robot_model
 from jauspy.modules.robots import load
 from jauspy.platform.transforms import FrameTree
 from jauspy.platform.vectors import Transform, X, Z, about
-from jauspy.services.axes import JAUS_FROM_REP_103, jaus_frame
 from jauspy.services.environment_sensing import OnJoint
 from jauspy.services.manipulator.denavit_hartenberg import geometry
+from jauspy.services.units import JAUS_FROM_REP_103, jaus_frame
 
 
 def carrier(robot: str, link: str) -> OnJoint:

@@ -24,8 +24,8 @@ from jauspy.modules import robots
 from jauspy.modules.description import robot_model
 from jauspy.platform.transforms import FrameTree, joint_positions
 from jauspy.platform.vectors import Transform, X
-from jauspy.services.axes import jaus_frame
 from jauspy.services.manipulator.quaternion import rotation
+from jauspy.services.units import jaus_frame
 
 
 class Head(Workcell):

@@ -9,10 +9,10 @@ from jauspy.modules.config import ModuleConfig, RobotConfig
 from jauspy.platform.description import GroupSetup, JointKind, RobotModel
 from jauspy.platform.transforms import FrameTree
 from jauspy.platform.vectors import Transform
-from jauspy.services.axes import JAUS_FROM_REP_103
 from jauspy.services.environment_sensing import OnJoint
 from jauspy.services.manipulator.denavit_hartenberg import geometry
 from jauspy.services.manipulator.pan_tilt import frame_at_zero
+from jauspy.services.units import JAUS_FROM_REP_103
 
 
 def carrier_of(config: RobotConfig, model: RobotModel, link: str) -> OnJoint | None:

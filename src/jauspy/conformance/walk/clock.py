@@ -10,7 +10,7 @@ from jauspy.conformance.outcome import Failed, Skipped
 from jauspy.conformance.walk.stimulus import Aftermath, Stimulus
 from jauspy.conformance.walk.walker import OBSERVER, Walker
 from jauspy.messages.core import QueryTime, ReportTime, SetTime
-from jauspy.services.stamps import date_stamp, time_stamp
+from jauspy.services.units import date_stamp, time_stamp
 
 AHEAD: Final = 20.0
 """Timeouts that the clock is put forward; put back at the end of the step."""

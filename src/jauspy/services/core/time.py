@@ -6,7 +6,7 @@ from datetime import datetime, timedelta
 
 from jauspy.messages.core import ReportTime, SetTime
 from jauspy.services.service import Service
-from jauspy.services.stamps import date_stamp, time_stamp
+from jauspy.services.units import date_stamp, time_stamp
 
 
 class Time(Service, urn="urn:jaus:jss:core:Time"):

@@ -13,9 +13,9 @@ from jauspy.messages.environment_sensing.v2_0.force_torque_sensor import (
 )
 from jauspy.platform.force_torque import ForceTorqueSensor as Gauge
 from jauspy.platform.vectors import Transform
-from jauspy.services.axes import JAUS_FROM_REP_103
 from jauspy.services.environment_sensing.wanted import chosen
 from jauspy.services.service import Service
+from jauspy.services.units import JAUS_FROM_REP_103
 
 _Frame = ReportForceTorque.CoordinateSystem
 

@@ -14,8 +14,8 @@ from jauspy.messages.environment_sensing.v1_0.types import (
 from jauspy.messages.environment_sensing.v2_0.range_sensor import ReportSensorGeometricProperties as Report
 from jauspy.platform.ranging import RangeFinder
 from jauspy.platform.vectors import Transform
-from jauspy.services.axes import jaus_frame
 from jauspy.services.manipulator.quaternion import quaternion
+from jauspy.services.units import jaus_frame
 
 
 @dataclass(frozen=True, slots=True)

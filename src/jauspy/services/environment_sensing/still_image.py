@@ -30,7 +30,7 @@ from jauspy.services.environment_sensing.frame_sizes import OFFERED, number_of, 
 from jauspy.services.environment_sensing.video_camera import Cameras
 from jauspy.services.environment_sensing.wanted import chosen
 from jauspy.services.service import Service
-from jauspy.services.stamps import time_stamp
+from jauspy.services.units import time_stamp
 
 _Capabilities = ReportStillImageSensorCapabilities.StillImageSensorCapabilitiesRec
 _Configuration = ReportStillImageSensorConfiguration.StillImageSensorConfigurationRec

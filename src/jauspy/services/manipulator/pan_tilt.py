@@ -8,10 +8,10 @@ from jauspy.platform.description import Joint, JointKind
 from jauspy.platform.joints import JointGroup
 from jauspy.platform.transforms import joint_frame
 from jauspy.platform.vectors import Transform, Vector, Y, Z, cross, dot, transposed
-from jauspy.services.axes import JAUS_FROM_REP_103
 from jauspy.services.manipulator.arm import Arm
 from jauspy.services.manipulator.denavit_hartenberg import geometry
 from jauspy.services.manipulator.turned_joints import TurnedJoints, turned_joint
+from jauspy.services.units import JAUS_FROM_REP_103
 
 
 class PanTilt(Arm):

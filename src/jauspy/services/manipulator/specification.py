@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from jauspy.messages.manipulator import ManipulatorCoordinateSystemRec, ReportManipulatorSpecifications
 from jauspy.platform.vectors import Transform
-from jauspy.services.axes import JAUS_FROM_REP_103
 from jauspy.services.manipulator.arm import Arm
 from jauspy.services.manipulator.denavit_hartenberg import Link
 from jauspy.services.manipulator.quaternion import quaternion
 from jauspy.services.service import Service
+from jauspy.services.units import JAUS_FROM_REP_103
 
 
 class ManipulatorSpecification(Service, urn="urn:jaus:jss:manipulator:ManipulatorSpecificationService"):
