@@ -113,7 +113,7 @@ def test_a_camera_without_a_picture_is_reported_without_one(module, reason):
         module.video.develop(None)
     ((_, report),) = module.run(REPLY_TIMEOUT)
     assert report.still_image_data_list == [Record(1, NATIVE)]
-    counted = {"refused": "still_refused", "lost": "still_lost", "silent": "later_overdue"}[reason]
+    counted = {"refused": "still_refused", "lost": "still_lost", "silent": "deferred_overdue"}[reason]
     assert module.host.counters[counted] == 1
 
 
@@ -256,7 +256,7 @@ async def test_a_picture_by_a_real_camera(format):
 
     module = Module(video=lambda camera: CameraProcess(camera, VideoSettings(320, 240)))
     ready = asyncio.Event()
-    module.host.prompt = ready.set
+    module.host.on_timer_change = ready.set
     async with module.video:
         module.control()
         module.tell(setting(still_image_format=Format[format.name], frame_size=Size.CIF_352_X288))

@@ -7,7 +7,8 @@ inputs, legal and illegal ones, and must agree on actions and states until every
 
 from __future__ import annotations
 
-from collections import Counter, deque
+import logging
+from collections import deque
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from functools import cache
@@ -16,6 +17,7 @@ from itertools import product
 import pytest
 
 from jauspy.codec.names import snake
+from jauspy.protocol.counters import Counters
 from jauspy.schema import guards, load_builtin, model
 from jauspy.schema.state_tree import merge_machines, short_name
 from jauspy.services.binding import Binder
@@ -188,7 +190,7 @@ class Pair:
         binder.raise_problems()
         start = merged[name].start()
         self.plain = Plain(definitions, name, self.plain_script)
-        self.machine = MachineInstance(bound[name], start, ActionErrors(Counter()))
+        self.machine = MachineInstance(bound[name], start, ActionErrors(Counters(logging.getLogger("test"))))
         self.plain.active = str(start)
         self.codes = {m.name: m.code for each in reversed(definitions) for m in each.outputs}
         self.codes |= {m.name: m.code for each in reversed(definitions) for m in each.inputs}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections import Counter
+import logging
 from dataclasses import replace
 
 import pytest
@@ -10,6 +10,7 @@ import pytest
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages.core import ReportTime
+from jauspy.protocol.counters import Counters
 from jauspy.schema import model
 from jauspy.schema.state_tree import merge_machines
 from jauspy.services.binding import Binder
@@ -81,7 +82,7 @@ for _name in ("a", "b", "c", "in_top", "out_top", "in_a", "out_a", "in_b", "out_
 
 class Rig:
     def __init__(self, *definitions: model.Service, **services: Service) -> None:
-        self.counters: Counter[str] = Counter()
+        self.counters = Counters(logging.getLogger("test"))
         self.sent: list[tuple[object, bool]] = []
         self.service = Actions()
         by_urn = {d.id: services.get(d.id, self.service) for d in definitions}
@@ -438,23 +439,23 @@ def test_default_transitions_of_the_machine_come_last_of_all() -> None:
     ],
     ids=["one action", "first wins", "guarded", "two actions", "swallowed", "another message", "changes the state"],
 )
-def test_the_only_step_is_one_action_on_which_nothing_has_a_say(transitions, found) -> None:
+def test_the_sole_action_is_one_action_on_which_nothing_has_a_say(transitions, found) -> None:
     rig = Rig(definition("S", state("Now", transitions=transitions), state("Next"), start="Now"))
-    step = rig.machine.only_step(CODES["Ask"])
+    step = rig.machine.sole_action(CODES["Ask"])
     assert (step is not None) is found
     if step is not None:
         step.call(Trigger(CODES["Ask"]))
         assert rig.log == ["a"]
 
 
-def test_each_state_has_its_own_only_step() -> None:
+def test_each_state_has_its_own_sole_action() -> None:
     now = state("Now", transitions=(on("Ask", do="a"), on("Go", "simple", "Next")))
     later = state("Next", transitions=(on("Ask", do="b"), on("Back", "simple", "Now")))
     rig = Rig(definition("S", now, later, start="Now"))
     for move, action in (("", "a"), ("Go", "b"), ("Back", "a")):
         if move:
             rig.get(move)
-        step = rig.machine.only_step(CODES["Ask"])
+        step = rig.machine.sole_action(CODES["Ask"])
         assert step is not None
         step.call(Trigger(CODES["Ask"]))
         assert rig.log == [action]

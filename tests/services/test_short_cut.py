@@ -160,7 +160,7 @@ def test_events_are_the_same_with_and_without_it(script, failing) -> None:
     for step in (*beats, *script):
         short.do(*step)
         with pytest.MonkeyPatch.context() as patch:
-            patch.setattr(MachineInstance, "only_step", lambda *_: None)
+            patch.setattr(MachineInstance, "sole_action", lambda *_: None)
             plain.do(*step)
         assert short.said == plain.said
 

@@ -1,9 +1,13 @@
-"""Binds what a JSIDL state machine names to methods of the services, once, when a component is made."""
+"""Binds the actions, predicates and reports that JSIDL state machines name to methods of services.
+
+This happens once, when a component is made. `required_methods` says which methods a definition needs; `jauspy new`
+writes them.
+"""
 
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable, Container, Iterable, Iterator, Mapping
+from collections.abc import Callable, Container, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cache
 from operator import attrgetter
@@ -16,11 +20,11 @@ from jauspy.errors import ConfigError
 from jauspy.schema import guards, model
 from jauspy.schema.inheritance import lineage, parents_among
 from jauspy.schema.model import Schema, Service as Definition
-from jauspy.schema.state_tree import MergedState, Owned, merge_machines
+from jauspy.schema.state_tree import MergedState, Owned, merge_machines, short_name, walk_states
 from jauspy.services.core.defaults import DEFAULTS
 from jauspy.services.deferred import Deferred
 from jauspy.services.definitions import definitions_of, schema_for
-from jauspy.services.service import Service
+from jauspy.services.service import BoundServices, Service
 from jauspy.services.state_machine import (
     ANY_MESSAGE,
     ANY_TRIGGER,
@@ -40,13 +44,13 @@ _RESULT: Final = {"action": "None", "predicate": "bool"}
 
 @dataclass(slots=True)
 class RequiredMethod:
-    """One method: its JSIDL name, and from where it is called."""
+    """A method that a definition calls: its JSIDL name, and what calls it."""
 
     jsidl: str
     """The name without the path of the service it may belong to."""
     kind: MethodKind
     reports: str = ""
-    """The message it makes, if that can be told from its name."""
+    """The message it returns, if its name says so."""
     messages: list[str] = field(default_factory=list)
     """The messages it is called for, in the order of the definition."""
     events: list[str] = field(default_factory=list)
@@ -73,7 +77,7 @@ class RequiredMethod:
 
     @property
     def signature(self) -> str:
-        """The method as it is to be written."""
+        """The signature that the method must have."""
         parameters = ["self"]
         if self.takes_message:
             name = "query" if all(each.startswith("Query") for each in self.messages) else "msg"
@@ -85,11 +89,11 @@ class RequiredMethod:
 
 @cache
 def required_methods(definition: model.Service) -> tuple[RequiredMethod, ...]:
-    """Everything that the definition itself calls, in its order; what its parents call is not in it."""
+    """The methods that the definition itself calls, in its order, without those that its parents call."""
     found: dict[str, RequiredMethod] = {}
     outputs = {message.name for message in definition.outputs}
     for machine in definition.behavior.machines if definition.behavior else ():
-        for state in _all(machine.states):
+        for _, state in walk_states(machine.states):
             for action in (*state.entry, *state.exit):
                 _called(found, action, outputs).in_states.append(state.name)
             for transition in (*state.transitions, *state.default_transitions):
@@ -98,22 +102,16 @@ def required_methods(definition: model.Service) -> tuple[RequiredMethod, ...]:
 
 
 def required_method(definition: model.Service, name: str) -> RequiredMethod:
-    """What is asked of one method, by the name (dotted or not) in the behaviour that calls it."""
-    short = name.rpartition(".")[2]
+    """One required method, by the name (dotted or not) in the behaviour that calls it."""
+    short = short_name(name)
     return next((each for each in required_methods(definition) if each.jsidl == short), RequiredMethod(short, "action"))
-
-
-def _all(states: Iterable[model.State]) -> Iterator[model.State]:
-    for state in states:
-        yield state
-        yield from _all(state.states)
 
 
 def _add(found: dict[str, RequiredMethod], transition: model.Transition, outputs: set[str]) -> None:
     called = [_called(found, action, outputs) for action in transition.actions]
     if transition.guard.strip():
         called += [_predicate(found, call) for call in guards.calls(guards.parse(transition.guard))]
-    event = transition.trigger.rpartition(".")[2]
+    event = short_name(transition.trigger)
     for each in called:
         if event == "Receive" and transition.parameters:
             _once(each.messages, transition.parameters[0].type)
@@ -122,7 +120,7 @@ def _add(found: dict[str, RequiredMethod], transition: model.Transition, outputs
 
 
 def _called(found: dict[str, RequiredMethod], action: model.Action, outputs: set[str]) -> RequiredMethod:
-    short, kind = action.name.rpartition(".")[2], "action"
+    short, kind = short_name(action.name), "action"
     literals = [text[1:-1] for text in action.arguments if text[:1] in ("'", '"')]
     literals = [text for text in literals if text != "transportData"]
     if short == "Send" and literals:
@@ -132,7 +130,7 @@ def _called(found: dict[str, RequiredMethod], action: model.Action, outputs: set
 
 def _predicate(found: dict[str, RequiredMethod], call: guards.Call) -> RequiredMethod:
     literals = [text[1:-1] for text in call.arguments if text[:1] in ("'", '"')]
-    return _entry(found, call.name.rpartition(".")[2], "predicate", "", literals)
+    return _entry(found, short_name(call.name), "predicate", "", literals)
 
 
 def _entry(
@@ -158,7 +156,7 @@ def _once(names: list[str], name: str) -> None:
 
 
 SendReply: TypeAlias = Callable[[object, Trigger, bool], None]
-"""Sends (what a report method returned, the trigger, whether to its source or else to the controlling client)."""
+"""Sends a report: (what the method returned, the trigger, whether to its source or else to the controlling client)."""
 
 _GETTERS: Final[Mapping[str, Callable[[Trigger], object]]] = {
     "msg": attrgetter("msg"),
@@ -166,11 +164,11 @@ _GETTERS: Final[Mapping[str, Callable[[Trigger], object]]] = {
     "source": attrgetter("source"),
 }
 
-_ASYNC: Final = "{} is `async def`, and nobody awaits it; start a task there, which calls `wake()` of the component"
+_ASYNC: Final = "{} is `async def`, and nothing awaits it; start a task there, which calls `wake()` of the component"
 
 
 class Binder:
-    """Finds the method for each action, predicate and Send; what is not found is collected in `problems`."""
+    """Finds the method for each action, predicate and Send; collects in `problems` what is missing."""
 
     def __init__(
         self, definitions: Mapping[str, model.Service], services: Mapping[str, Service], reply: SendReply
@@ -181,38 +179,38 @@ class Binder:
         self.problems: list[str] = []
 
     def states(self, root: MergedState) -> dict[MergedState, BoundState]:
-        """`root`, which has the defaults of the whole machine, and everything below it, bound."""
-        return {node: self._state(node, root) for node in root.all()}
+        """Bind `root`, which has the defaults of the whole machine, and all states below it."""
+        return {state: self._state(state, root) for state in root.all()}
 
     def raise_problems(self) -> None:
-        """Raise one `ConfigError` with everything that is missing."""
+        """Raise one `ConfigError` with all problems, if there are any."""
         if self.problems:
             raise ConfigError("the services cannot run:\n  " + "\n  ".join(dict.fromkeys(self.problems)))
 
-    def _state(self, node: MergedState, root: MergedState) -> BoundState:
+    def _state(self, state: MergedState, root: MergedState) -> BoundState:
         return BoundState(
-            # Around the others: what a parent sets up comes before, and goes after, what builds on it.
-            entry=tuple(self._step(action, node) for action in reversed(node.entry)),
-            exit=tuple(self._step(action, node) for action in node.exit),
-            transitions=tuple(self._rule(transition, node, root) for transition in node.transitions),
-            defaults=tuple(self._rule(transition, node, root) for transition in node.defaults),
+            # Entry actions of a parent run before, exit actions after those of a service that inherits from it.
+            entry=tuple(self._action(action, state) for action in reversed(state.entry)),
+            exit=tuple(self._action(action, state) for action in state.exit),
+            transitions=tuple(self._transition(transition, state, root) for transition in state.transitions),
+            defaults=tuple(self._transition(transition, state, root) for transition in state.defaults),
         )
 
-    def _rule(self, owned: Owned[model.Transition], node: MergedState, root: MergedState) -> BoundTransition:
+    def _transition(self, owned: Owned[model.Transition], state: MergedState, root: MergedState) -> BoundTransition:
         owner, transition = owned.owner, owned.item
-        where = f"{owner.name}, state {node}"
+        where = f"{owner.name}, state {state}"
         return BoundTransition(
             name=f"{where}, {_described(transition)}",
             key=self._key(owner, transition, where),
             # JSIDL 1.0 writes what keeps the state as a simple transition without an end state.
             kind="internal" if transition.kind == "simple" and transition.end_state is None else transition.kind,
             guard=self._guard(owned, where),
-            steps=tuple(self._step(Owned(owner, action), node) for action in transition.actions),
+            actions=tuple(self._action(Owned(owner, action), state) for action in transition.actions),
             end=self._end(transition, root, where),
         )
 
     def _key(self, owner: model.Service, transition: model.Transition, where: str) -> TriggerKey:
-        event = transition.trigger.rpartition(".")[2]
+        event = short_name(transition.trigger)
         if event != "Receive":
             return event
         if not transition.parameters:
@@ -242,37 +240,37 @@ class Binder:
 
         def resolve(call: guards.Call) -> Callable[[Trigger], bool]:
             method = self._method(owned.owner, call.name, f"{where}: predicate")
-            bound = self._by_name(method, call.arguments, f"{where}: predicate {call.name}")
+            bound = self._with_arguments(method, call.arguments, f"{where}: predicate {call.name}")
             return lambda trigger: bool(bound(trigger))
 
         return guards.compile_guard(guards.parse(owned.item.guard), resolve)
 
-    def _step(self, owned: Owned[model.Action], node: MergedState) -> BoundAction:
+    def _action(self, owned: Owned[model.Action], state: MergedState) -> BoundAction:
         owner, action = owned.owner, owned.item
-        where = f"{owner.name}, state {node}"
-        name = f"{where}, action {action.name}"
-        if action.name.rpartition(".")[2] == "Send":
+        where = f"{owner.name}, state {state}"
+        if short_name(action.name) == "Send":
             return self._send(owned, where)
         method = self._method(owner, action.name, f"{where}: action")
-        call = self._by_name(method, action.arguments, f"{where}: action {action.name}")
+        call = self._with_arguments(method, action.arguments, f"{where}: action {action.name}")
         # Newer definitions write sendReportX(msg, transportData) for what is Send('ReportX', transportData) in others.
-        return BoundAction(name, self._answering(call, method), sends=bool(required_method(owner, action.name).reports))
+        sends = bool(required_method(owner, action.name).reports)
+        return BoundAction(f"{where}, action {action.name}", self._replying(call, method), sends)
 
-    def _answering(
+    def _replying(
         self, call: Callable[[Trigger], object], method: Callable[..., object]
     ) -> Callable[[Trigger], object]:
-        """A message that an action returns is its answer, now or later."""
+        """`call`, and a message that it returns, at once or deferred, is sent to the source of the trigger."""
         reply = self._reply
 
-        def answering(trigger: Trigger) -> object:
+        def run(trigger: Trigger) -> object:
             result = call(trigger)
             if isinstance(result, Deferred):
-                result.comes_from(method.__qualname__, trigger)
+                result.set_origin(method.__qualname__, trigger)
             if isinstance(result, Message | Deferred):
                 reply(result, trigger, True)
             return result
 
-        return answering
+        return run
 
     def _send(self, owned: Owned[model.Action], where: str) -> BoundAction:
         """`Send('Message', ['CODE',] [msg,] [transportData])`; without transportData to the controlling client."""
@@ -281,15 +279,15 @@ class Binder:
         to_source = any(argument.strip("'\"") == "transportData" for argument in arguments)
         message, *literals = [text for text in _literals(arguments) if text != "transportData"] or [""]
         method = self._method(owned.owner, message, f"{where}: Send of")
-        make = self._by_name(method, literals, f"{where}: Send of {message}", quoted=False)
+        make = self._with_arguments(method, literals, f"{where}: Send of {message}", quoted=False)
         reply = self._reply
 
         def report(trigger: Trigger) -> Message | Deferred | None:
             made = make(trigger)
             if isinstance(made, Deferred):
-                made.comes_from(method.__qualname__, trigger, message)
+                made.set_origin(method.__qualname__, trigger, message)
                 return made
-            return None if made is None else _checked(made, message, method)
+            return None if made is None else _check_report(made, message, method)
 
         return BoundAction(
             f"{where}, Send {message}",
@@ -299,26 +297,30 @@ class Binder:
         )
 
     def _method(self, owner: model.Service, dotted: str, what: str) -> Callable[..., object]:
-        name = snake(dotted.rpartition(".")[2])
+        name = snake(short_name(dotted))
         for definition in lineage(owner, self._parent_of):
             service = self._services[definition.id]
             method = getattr(service, name, None)
-            if callable(method) and not _is_hook(service, name) and (definition is owner or not service.private):
+            if (
+                callable(method)
+                and not _is_inherited_hook(service, name)
+                and (definition is owner or not service.private)
+            ):
                 if inspect.iscoroutinefunction(method):
                     self.problems.append(f"{what} {dotted}: {_ASYNC.format(f'{type(service).__name__}.{name}')}")
                 return method  # type: ignore[no-any-return]  # getattr by a computed name
             if definition is owner and name in service.omits:
-                return _nothing
+                return _missing_method
         self.problems.append(
             f"{what} {dotted} needs a method of {type(self._services[owner.id]).__name__}: "
             f"{required_method(owner, dotted).signature}"
         )
-        return _nothing
+        return _missing_method
 
-    def _by_name(
+    def _with_arguments(
         self, method: Callable[..., object], arguments: tuple[str, ...] | list[str], what: str, *, quoted: bool = True
     ) -> Callable[[Trigger], object]:
-        """A call of `method` with what its parameters name."""
+        """A call of `method` with the arguments that its parameters name."""
         literals = _literals(arguments) if quoted else list(arguments)
         code = literals[0] if literals else None
         getters: list[Callable[[Trigger], object]] = []
@@ -340,8 +342,8 @@ class Binder:
         return lambda trigger: method(*[get(trigger) for get in getters])
 
 
-def _is_hook(service: Service, name: str) -> bool:
-    """True for what every service has, and this one has not made its own."""
+def _is_inherited_hook(service: Service, name: str) -> bool:
+    """True for a method of `Service` that this service does not override."""
     return name in vars(Service) and getattr(type(service), name) is vars(Service)[name]
 
 
@@ -349,45 +351,27 @@ def _literals(arguments: tuple[str, ...] | list[str]) -> list[str]:
     return [argument[1:-1] for argument in arguments if argument[:1] in ("'", '"')]
 
 
-def _checked(report: object, name: str, method: Callable[..., object]) -> Message:
-    """The report, if it is the message that the definition sends."""
+def _check_report(report: object, name: str, method: Callable[..., object]) -> Message:
+    """The report; raises `TypeError` when it is not the message that the definition sends."""
     if isinstance(report, Message) and name == report.NAME:
         return report
     what = report.NAME if isinstance(report, Message) else repr(report)
-    raise TypeError(f"{method.__qualname__} is to return a {name}, a Later or None, and returned {what}")
+    raise TypeError(f"{method.__qualname__} is to return a {name}, a Deferred or None, and returned {what}")
 
 
 def _described(transition: model.Transition) -> str:
-    what = transition.parameters[0].type if transition.parameters else transition.trigger.rpartition(".")[2]
+    what = transition.parameters[0].type if transition.parameters else short_name(transition.trigger)
     return f"on {what or 'anything else'}"
 
 
-def _nothing() -> None:
-    """Stands for a missing method until all of them are known."""
-
-
-@dataclass(frozen=True, slots=True)
-class BoundServices:
-    """The parts of a component."""
-
-    services: Mapping[str, Service]
-    definitions: Mapping[str, Definition]
-    machines: Mapping[str, MachineInstance]
-    receiver: MachineInstance | None
-    """The machine for messages, and for internal events that no machine names."""
-    inputs: Mapping[int, type[Message]]
-    events: Mapping[TriggerKey, MachineInstance]
-    """The machine that each internal event is for."""
-    event_names: frozenset[str]
-    """The internal events that the definitions have, whether a transition waits for them or not."""
-    queries: frozenset[int]
-    """Codes of messages that are answered without a change of state."""
+def _missing_method() -> None:
+    """Stands for a missing method until all problems are collected, and for one that a service omits."""
 
 
 def bind_services(
-    services: Iterable[Service], schema: Schema | None, registry: Registry, reply: SendReply, bugs: ActionErrors
+    services: Iterable[Service], schema: Schema | None, registry: Registry, reply: SendReply, errors: ActionErrors
 ) -> BoundServices:
-    """Everything bound and checked; raises `ConfigError` with all that is missing."""
+    """Bind and check everything; raises `ConfigError` that names all missing methods with their signatures."""
     given = _by_urn(services)
     if schema is None:
         schema = schema_for(given.values())
@@ -399,13 +383,13 @@ def bind_services(
         each.check_initials()
     bound = {name: binder.states(each.root) for name, each in merged.items()}
     binder.raise_problems()
-    machines = {name: MachineInstance(states, merged[name].start(), bugs) for name, states in bound.items()}
-    rules = [(rule, name) for name, states in bound.items() for rule in _rules(states.values())]
+    machines = {name: MachineInstance(states, merged[name].start(), errors) for name, states in bound.items()}
+    transitions = [(each, name) for name, states in bound.items() for each in _transitions(states.values())]
     events: dict[TriggerKey, MachineInstance] = {
-        rule.key: machines[name] for rule, name in rules if isinstance(rule.key, str)
+        each.key: machines[name] for each, name in transitions if isinstance(each.key, str)
     }
-    received = {rule.key for rule, _ in rules if isinstance(rule.key, int)}
-    queries = frozenset(rule.key for rule, _ in rules if isinstance(rule.key, int) and _answers(rule))
+    received = {each.key for each, _ in transitions if isinstance(each.key, int)}
+    queries = frozenset(each.key for each, _ in transitions if isinstance(each.key, int) and _is_answer(each))
     inputs = _inputs(definitions.values(), received, registry)
     names = {event.name for each in definitions.values() for event in each.internal_events}
     names |= {key for key in events if isinstance(key, str) and key not in (ANY_MESSAGE, ANY_TRIGGER)}
@@ -414,12 +398,12 @@ def bind_services(
     )
 
 
-def _rules(states: Iterable[BoundState]) -> Iterable[BoundTransition]:
-    return (rule for state in states for rule in state.transitions + state.defaults)
+def _transitions(states: Iterable[BoundState]) -> Iterable[BoundTransition]:
+    return (each for state in states for each in state.transitions + state.defaults)
 
 
-def _answers(rule: BoundTransition) -> bool:
-    return rule.kind == "internal" and any(step.sends for step in rule.steps)
+def _is_answer(transition: BoundTransition) -> bool:
+    return transition.kind == "internal" and any(action.sends for action in transition.actions)
 
 
 def _by_urn(services: Iterable[Service]) -> dict[str, Service]:
@@ -442,19 +426,19 @@ def _default(urn: str) -> Service:
 def _inputs(
     definitions: Iterable[Definition], received: Container[int], registry: Registry
 ) -> dict[int, type[Message]]:
-    """The class for each message the component takes: that of the version of the service it runs."""
+    """The class of each message that the component takes, of the version of its service that the component runs."""
     found: dict[int, type[Message]] = {}
     for definition in definitions:
         for message in definition.messages:
             if message in definition.inputs or message.code in received:
                 for kind in registry.by_code(message.code):
                     if definition.id == kind.SERVICE and definition.version == kind.VERSION:
-                        _distinct(found.setdefault(message.code, kind), kind)
+                        _check_distinct(found.setdefault(message.code, kind), kind)
     return found
 
 
-def _distinct(first: type[Message], second: type[Message]) -> None:
-    """Refuse two inputs of different services with one id."""
+def _check_distinct(first: type[Message], second: type[Message]) -> None:
+    """Raise `ConfigError` for two inputs of different services with the same message id."""
     if first.NAME != second.NAME and first.SERVICE != second.SERVICE:
         raise ConfigError(
             f"message id {first.CODE:04X} is {first.NAME} of {first.SERVICE} and {second.NAME} of {second.SERVICE}; "

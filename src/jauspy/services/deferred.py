@@ -1,8 +1,7 @@
-"""Answers that come later: an action returns one in place of its report, and fulfils it when the report is there."""
+"""Deferred replies: an action returns a `Deferred` in place of its report and sets its result later."""
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Callable, Hashable
 from dataclasses import dataclass
 from functools import partial
@@ -10,153 +9,157 @@ from typing import Final, Protocol, TypeAlias, TypeVar
 
 from jauspy.codec.base import Message
 from jauspy.ids import JausID
+from jauspy.protocol.counters import Counters
 from jauspy.services.state_machine import ActionErrors, Trigger
 
 MAX_DEFERRED_REPLIES: Final = 32
-"""Answers of a component that may be under way; one more is given at once, as if it had stayed out."""
+"""Deferred replies that a component may have pending; one more is given its fallback at once."""
 
 REPLY_TIMEOUT: Final = 10.0
-"""Seconds that an answer may stay out."""
+"""Seconds after which a deferred reply is given its fallback."""
 
 R = TypeVar("R")
 ReplyCallback: TypeAlias = Callable[[Message | None], None]
 
 
 class Deferred:
-    """A report that is not there yet; `Host.later` makes it."""
+    """A report that is not there yet; made by `self.host.defer`."""
 
-    __slots__ = ("_expects", "_ready", "_told", "_waiting", "maker", "report", "trigger")
+    __slots__ = ("_callbacks", "_expected", "_is_done", "_on_result", "origin", "report", "trigger")
 
-    def __init__(self, ready: Callable[[Deferred], None]) -> None:
-        self._ready: Callable[[Deferred], None] | None = ready
-        self._waiting: list[ReplyCallback] = []
-        self._told = False
-        self._expects = ""
+    def __init__(self, on_result: Callable[[Deferred], None]) -> None:
+        self._on_result: Callable[[Deferred], None] | None = on_result
+        self._callbacks: list[ReplyCallback] = []
+        self._is_done = False
+        self._expected = ""
         self.report: Message | None = None
-        """What it was fulfilled with."""
-        self.maker = "a promise"
+        """The result, once it is set."""
+        self.origin = "deferred reply"
         """The method that returned it, for the log."""
-        self.trigger = Trigger("later")
-        """What it answers, for the log."""
+        self.trigger = Trigger("deferred")
+        """The trigger that it answers, for the log."""
 
-    def comes_from(self, maker: str, trigger: Trigger, report: str = "") -> None:
-        """Note who returned it, on what, and the name of the message that the definition sends; empty takes any."""
-        self.maker, self.trigger, self._expects = maker, trigger, report
+    def set_origin(self, method: str, trigger: Trigger, report: str = "") -> None:
+        """Note the method that returned it, the trigger, and the name of the report that is expected; empty: any."""
+        self.origin, self.trigger, self._expected = method, trigger, report
 
-    def fulfil(self, report: Message | None) -> None:
-        """Answer with it; None: not at all. May be called at any time, in the host's thread; only the first counts."""
-        ready, self._ready = self._ready, None
-        if ready is not None:
+    def set_result(self, report: Message | None) -> None:
+        """Answer with this report, None for no answer. Call it in the host's thread; only the first call counts."""
+        on_result, self._on_result = self._on_result, None
+        if on_result is not None:
             self.report = report
-            ready(self)
+            on_result(self)
 
-    def then(self, tell: ReplyCallback) -> None:
-        """Have `tell` called with the report, from within the host."""
-        if self._told:
-            tell(self.report)
+    def add_done_callback(self, callback: ReplyCallback) -> None:
+        """Have `callback` called with the report, from within the host."""
+        if self._is_done:
+            callback(self.report)
         else:
-            self._waiting.append(tell)
+            self._callbacks.append(callback)
 
     def check(self) -> None:
-        """Raises `TypeError` when it was fulfilled with something else than the report; then there is none."""
+        """Raise `TypeError` when the result is not the report that is expected, and drop that result."""
         report: object = self.report
-        if report is None or (isinstance(report, Message) and self._expects in ("", report.NAME)):
+        if report is None or (isinstance(report, Message) and self._expected in ("", report.NAME)):
             return
         self.report = None
         what = report.NAME if isinstance(report, Message) else repr(report)
-        raise TypeError(f"it is to be fulfilled with a {self._expects or 'message'} or None, and was with {what}")
+        raise TypeError(f"the result must be a {self._expected or 'message'} or None; it was {what}")
 
-    def close(self) -> list[ReplyCallback]:
-        """Who waits, for the host to tell; from now on nobody has to."""
-        self._told = True
-        waiting, self._waiting = self._waiting, []
-        return waiting
+    def finish(self) -> list[ReplyCallback]:
+        """The callbacks, which the host calls; from now on callbacks that are added are called at once."""
+        self._is_done = True
+        callbacks, self._callbacks = self._callbacks, []
+        return callbacks
 
 
 @dataclass(frozen=True, slots=True)
 class PendingReply:
-    """An answer that somebody only asked for, on its way."""
+    """An encoded reply, to a query that was not received but asked with `Host.ask`, that is not there yet."""
 
-    later: Deferred
+    deferred: Deferred
     encode: Callable[[Message | None], bytes | None]
 
-    def then(self, tell: Callable[[bytes | None], None]) -> None:
-        """Have `tell` called with it, from within the host."""
-        self.later.then(lambda report: tell(self.encode(report)))
+    def add_done_callback(self, callback: Callable[[bytes | None], None]) -> None:
+        """Have `callback` called with the reply, from within the host."""
+        self.deferred.add_done_callback(lambda report: callback(self.encode(report)))
 
 
 class TimerHost(Protocol):
-    """What is needed of a host."""
+    """What `DeferredReplies` needs of a host."""
 
     now: float
-    counters: Counter[str]
-    prompt: Callable[[], None]
+    counters: Counters
+    on_timer_change: Callable[[], None]
 
     def set_timer(self, key: Hashable, at: float, call: Callable[[], None]) -> None:
-        """Call `call` at time `at`."""
+        """Call `call` at time `at` (seconds)."""
         ...
 
 
 class DeferredReplies:
-    """Those of one component. Whoever fulfils one is not within the host, so a timer that is due tells of it.
+    """The deferred replies of one component.
 
-    Counters: `later_overdue` stayed out, `later_refused` were too many, `asked_again` need no second answer.
+    Results are set outside of the host's calls, so a timer that is due at once passes them on.
+
+    Counters: `deferred_overdue` had no result in time, `deferred_refused` were too many, `repeated_query` was not
+    answered twice.
     """
 
-    def __init__(self, host: TimerHost, bugs: ActionErrors) -> None:
+    def __init__(self, host: TimerHost, errors: ActionErrors) -> None:
         self._host = host
-        self._bugs = bugs
-        self._open: set[Deferred] = set()
-        self._asked: set[Hashable] = set()
+        self._errors = errors
+        self._pending: set[Deferred] = set()
+        self._queries: set[Hashable] = set()
 
-    def begin(self, otherwise: Callable[[], Message | None]) -> Deferred:
-        """A new one; when it stays out, the answer is what `otherwise` makes."""
-        later = Deferred(self._ready)
-        if len(self._open) >= MAX_DEFERRED_REPLIES:
-            self._host.counters["later_refused"] += 1
-            later.fulfil(otherwise())
+    def begin(self, fallback: Callable[[], Message | None]) -> Deferred:
+        """A new one; when no result is set in time, `fallback` makes it."""
+        deferred = Deferred(self._on_result)
+        if len(self._pending) >= MAX_DEFERRED_REPLIES:
+            self._host.counters["deferred_refused"] += 1
+            deferred.set_result(fallback())
         else:
-            self._open.add(later)
-            self._host.set_timer(later, self._host.now + REPLY_TIMEOUT, partial(self._overdue, later, otherwise))
-        return later
+            self._pending.add(deferred)
+            self._host.set_timer(deferred, self._host.now + REPLY_TIMEOUT, partial(self._time_out, deferred, fallback))
+        return deferred
 
-    def answer(self, later: Deferred, trigger: Trigger, tell: ReplyCallback) -> None:
-        """Have a question answered by `tell`; a client that asks it once more meanwhile is answered once."""
-        question = _question(trigger)
-        if question in self._asked:
-            self._host.counters["asked_again"] += 1
+    def answer(self, deferred: Deferred, trigger: Trigger, send: ReplyCallback) -> None:
+        """Call `send` with the result; a client that repeats its query meanwhile is answered once."""
+        query = _query_key(trigger)
+        if query in self._queries:
+            self._host.counters["repeated_query"] += 1
             return
-        self._asked.add(question)
+        self._queries.add(query)
 
         def answer(report: Message | None) -> None:
-            self._asked.discard(question)
-            tell(report)
+            self._queries.discard(query)
+            send(report)
 
-        later.then(answer)
+        deferred.add_done_callback(answer)
 
-    def _ready(self, later: Deferred) -> None:
-        self._host.set_timer(later, self._host.now, partial(self._tell, later))
-        self._host.prompt()
+    def _on_result(self, deferred: Deferred) -> None:
+        self._host.set_timer(deferred, self._host.now, partial(self._finish, deferred))
+        self._host.on_timer_change()
 
-    def _tell(self, later: Deferred) -> None:
-        self._open.discard(later)
-        self._contained(later, later.check)
-        for tell in later.close():
-            self._contained(later, partial(tell, later.report))
+    def _finish(self, deferred: Deferred) -> None:
+        self._pending.discard(deferred)
+        self._run(deferred, deferred.check)
+        for callback in deferred.finish():
+            self._run(deferred, partial(callback, deferred.report))
 
-    def _overdue(self, later: Deferred, otherwise: Callable[[], Message | None]) -> None:
-        self._host.counters["later_overdue"] += 1
-        later.fulfil(self._contained(later, otherwise))
+    def _time_out(self, deferred: Deferred, fallback: Callable[[], Message | None]) -> None:
+        self._host.counters["deferred_overdue"] += 1
+        deferred.set_result(self._run(deferred, fallback))
 
-    def _contained(self, later: Deferred, call: Callable[[], R]) -> R | None:
-        """A bug for one who waits is none for the others, and leaves no promise open."""
+    def _run(self, deferred: Deferred, call: Callable[[], R]) -> R | None:
+        """Call it; an exception is recorded, and concerns neither other callbacks nor other replies."""
         try:
             return call()
         except Exception as error:  # noqa: BLE001 - any bug of a service
-            self._bugs.met(later.maker, later.trigger, error)
+            self._errors.record(deferred.origin, deferred.trigger, error)
             return None
 
 
-def _question(trigger: Trigger) -> tuple[JausID | None, object]:
-    asked = trigger.msg
-    return trigger.source, asked.encode(strict=False) if isinstance(asked, Message) else trigger.key
+def _query_key(trigger: Trigger) -> tuple[JausID | None, object]:
+    query = trigger.msg
+    return trigger.source, query.encode(strict=False) if isinstance(query, Message) else trigger.key

@@ -38,7 +38,7 @@ class EventReports(Service):
             self.host.fire("EventError", msg, msg.client)
         if isinstance(answer, PendingReply):
             msg.asked = msg.query
-            answer.then(partial(self._came, msg, msg.query))
+            answer.add_done_callback(partial(self._came, msg, msg.query))
         elif answer is not None and _is_due(msg, answer):
             self._report(msg, answer)
 

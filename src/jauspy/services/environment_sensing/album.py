@@ -38,4 +38,4 @@ class Album:
 
     def _look(self) -> None:
         if not self._missing:
-            self.answer.fulfil(self.report())
+            self.answer.set_result(self.report())

@@ -72,7 +72,7 @@ class StillImage(Service, urn="urn:jaus:jss:environmentSensing:StillImage"):
     def capture_still_image(self, msg: QueryStillImageDataExt) -> None:
         """Take a picture with each camera that is asked for."""
         wanted = chosen(msg.query_still_image_data_list, self._cameras, known_only=True)
-        album = Album([sensor for sensor, _ in wanted], self.host.later)
+        album = Album([sensor for sensor, _ in wanted], self.host.defer)
         for sensor, _ in wanted:
             settings = self._settings[sensor]
             develop = partial(self._developed, sensor, settings.format)
