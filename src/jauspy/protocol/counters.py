@@ -1,4 +1,4 @@
-"""Counting by reason: nothing is dropped in silence."""
+"""Counters by reason: every dropped packet is counted."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import logging
 class Counters(dict[str, int]):
     """Counters by dotted name (`dropped.malformed.size`); what is dropped is logged once per reason at DEBUG.
 
-    A dict, because `collections.Counter` takes twice as long to count, and every packet is counted twice.
+    A dict, because `collections.Counter` takes twice as long, and every packet is counted twice.
     """
 
     def __init__(self, logger: logging.Logger) -> None:
