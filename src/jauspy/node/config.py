@@ -33,7 +33,7 @@ from jauspy.protocol import judp
 from jauspy.protocol.address_book import ADDRESS_LIFETIME
 from jauspy.protocol.addressing import DEFAULT_NETWORK
 from jauspy.transport.multicast import ANY, RECEIVE_BUFFER
-from jauspy.transport.serial_link import SerialLine
+from jauspy.transport.serial import SerialLine
 
 
 class NetworkConfig(Settings):

@@ -9,7 +9,7 @@ from jauspy.node.config import NodeConfig
 from jauspy.node.tcp import TcpPeers
 from jauspy.protocol.addressing import NetworkPort, SerialPort, TcpPort
 from jauspy.protocol.counters import Counters
-from jauspy.transport.serial_link import SerialLine, SerialLink
+from jauspy.transport.serial import SerialLine, SerialLink
 
 
 class Links:

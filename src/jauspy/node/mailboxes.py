@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from jauspy.node.mailbox import Mailbox
 from jauspy.protocol import junior
 from jauspy.protocol.addressing import LocalPort
-from jauspy.transport import local_socket
+from jauspy.transport import local as local_socket
 
 if TYPE_CHECKING:
     from jauspy.protocol.directory import ComponentPort

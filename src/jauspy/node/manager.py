@@ -25,7 +25,7 @@ from jauspy.protocol import junior
 from jauspy.protocol.addressing import GroupPort, LocalPort, Port, SerialPort, TcpPort, UdpPort
 from jauspy.protocol.routing import Router
 from jauspy.protocol.sources import SourceChecks
-from jauspy.transport import draining, local_socket, memberships
+from jauspy.transport import base, local as local_socket, multicast as memberships
 
 if TYPE_CHECKING:
     from jauspy.node.mirror import Mirror
@@ -140,7 +140,7 @@ class NodeManager:
             await self.close()
             raise
         self._closed.clear()
-        draining.attach(self._loop, self._local, self._from_component, self._socket_error)
+        base.start_reading(self._loop, self._local, self._from_component, self._socket_error)
         sealed = any(network.seal for network in self._networks.values())
         self._ingress = Ingress(self._from_network if sealed else self._take, self._core.counters)
         for name, network in self._networks.items():
@@ -158,7 +158,7 @@ class NodeManager:
             if timer is not None:
                 timer.cancel()
         self._timer = self._watch = self._sweeping = None
-        draining.detach(self._loop, local)
+        base.stop_reading(self._loop, local)
         if self._ingress is not None:
             self._ingress.close()
         await self._links.close()

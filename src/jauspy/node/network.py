@@ -19,7 +19,7 @@ from jauspy.protocol.addressing import UdpPort
 from jauspy.protocol.authentication import Authenticator
 from jauspy.protocol.counters import Counters
 from jauspy.transport import multicast
-from jauspy.transport.memberships import Memberships
+from jauspy.transport.multicast import Memberships
 
 _LOGGER = logging.getLogger(__name__)
 _SO_MEMINFO: Final = 55
@@ -189,7 +189,7 @@ class Network:
         config = self.config
         if config.address == multicast.ANY:
             multicast.share_group(self._unicast)
-            multicast.hear_only_joined(self._unicast)
+            multicast.receive_only_joined(self._unicast)
             return Memberships(self._unicast, config.multicast_group, config.interfaces)
         try:
             self._group = multicast.receiver((config.multicast_group, self.port))

@@ -10,8 +10,8 @@ from typing import Any
 import psutil
 import pytest
 
-from jauspy.transport import memberships, multicast
-from jauspy.transport.memberships import ALL, Memberships
+from jauspy.transport import multicast, multicast as memberships
+from jauspy.transport.multicast import ALL_INTERFACES, Memberships
 
 GROUP = "239.255.0.1"
 
@@ -60,12 +60,12 @@ def machine(monkeypatch: pytest.MonkeyPatch) -> Machine:
 @pytest.mark.parametrize(
     ("chosen", "found"),
     [
-        ([ALL], ("10.0.0.1", "10.0.0.2")),
+        ([ALL_INTERFACES], ("10.0.0.1", "10.0.0.2")),
         (["eth0"], ("10.0.0.1", "10.0.0.2")),
         (["10.0.0.2", "10.0.0.9"], ("10.0.0.2",)),
         (["wlan0"], ()),
         ([multicast.ANY], (multicast.ANY,)),
-        (["lo", ALL, "10.0.0.1"], ("127.0.0.1", "10.0.0.1", "10.0.0.2")),
+        (["lo", ALL_INTERFACES, "10.0.0.1"], ("127.0.0.1", "10.0.0.1", "10.0.0.2")),
     ],
 )
 def test_interfaces_are_chosen_by_address_name_or_all(machine: Machine, chosen: list[str], found: tuple[str]) -> None:
@@ -106,7 +106,7 @@ def test_joins_again_on_an_interface_that_went_and_came_back(
 
 
 def test_joins_what_comes_and_leaves_what_goes(machine: Machine) -> None:
-    joining = machine.join(ALL)
+    joining = machine.join(ALL_INTERFACES)
     assert joining.current == ("10.0.0.1", "10.0.0.2")
     machine.interfaces["wlan0"] = ["10.1.0.1"]
     del machine.interfaces["eth0"]
@@ -125,7 +125,7 @@ def test_two_addresses_of_one_interface_are_both_joined() -> None:
 @pytest.mark.parametrize(
     ("chosen", "found"),
     [
-        (ALL, ("eth0", "wlan0")),
+        (ALL_INTERFACES, ("eth0", "wlan0")),
         ("wlan0", ("wlan0",)),
         ("fd00::1", ("eth0",)),
         ("10.0.0.1", ("eth0",)),
