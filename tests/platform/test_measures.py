@@ -10,9 +10,8 @@ import pytest
 from jauspy.errors import ConfigError
 from jauspy.modules.description import robot_model
 from jauspy.modules.robots import load
-from jauspy.platform.chassis import chassis_of
+from jauspy.platform.chassis import chassis_of, measure
 from jauspy.platform.description import Description, GroupSetup, RobotModel, TrackSetup
-from jauspy.platform.measures import measure
 from jauspy.platform.urdf import parse
 
 URDF = """

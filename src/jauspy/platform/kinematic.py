@@ -8,15 +8,14 @@ from dataclasses import dataclass
 from typing import Final
 
 from jauspy.errors import ConfigError
-from jauspy.platform.acceleration import mean_acceleration
 from jauspy.platform.camera import Camera
+from jauspy.platform.chassis import mean_acceleration, mix
 from jauspy.platform.contract import Acceleration, Pose, Twist
 from jauspy.platform.description import RobotModel
 from jauspy.platform.force_torque import SampledForceTorque
 from jauspy.platform.kinematic_cameras import KinematicCameras
 from jauspy.platform.kinematic_joints import KinematicJoints
 from jauspy.platform.scanner import Scanner
-from jauspy.platform.skid_steer import mix
 from jauspy.platform.static_weight import static_weight
 from jauspy.platform.transforms import joint_positions
 
