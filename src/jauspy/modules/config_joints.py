@@ -14,11 +14,11 @@ Gain: TypeAlias = Annotated[float, Field(ge=0.0, allow_inf_nan=False)]
 JointName: TypeAlias = Annotated[str, Field(min_length=1, max_length=80)]
 
 
-class _Strict(BaseModel):
+class StrictConfig(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True)
 
 
-class TracksConfig(_Strict):
+class TracksConfig(StrictConfig):
     """The chassis: the belts of each side, prismatic joints of the URDF; those of flippers run with the tracks."""
 
     left: Annotated[tuple[JointName, ...], Field(min_length=1, max_length=4)]
@@ -31,7 +31,7 @@ class TracksConfig(_Strict):
         return TrackSetup(self.left, self.right, self.inertia)
 
 
-class GainsConfig(_Strict):
+class GainsConfig(StrictConfig):
     """A PID controller: effort per error, per integrated error, per change of error."""
 
     p: Gain
@@ -45,7 +45,7 @@ class GainsConfig(_Strict):
         return Gains(self.p, self.i, self.d, **({} if self.i_limit is None else {"i_limit": self.i_limit}))
 
 
-class JointConfig(_Strict):
+class JointConfig(StrictConfig):
     """One joint of a group, and its controllers."""
 
     name: JointName
@@ -55,7 +55,7 @@ class JointConfig(_Strict):
     velocity: GainsConfig
 
 
-class GroupConfig(_Strict):
+class GroupConfig(StrictConfig):
     """Joints that are commanded together: an arm, a gripper, flippers."""
 
     base: JointName

@@ -20,7 +20,7 @@ SQUARE: Final = 1e-3
 
 def robot_model(config: RobotConfig) -> RobotModel:
     """The robot that a TOML file describes; `ConfigError` names the key that does not fit the URDF."""
-    description = _read(config.urdf)
+    description = _read_urdf(config.urdf)
     _check_tracks(config, description)
     for name, group in config.groups.items():
         _check_group(f"groups.{name}", group, description)
@@ -41,7 +41,7 @@ def robot_model(config: RobotConfig) -> RobotModel:
     return RobotModel(description, config.tracks.setup(), groups, lidars, cameras, force_torque)
 
 
-def _read(path: str) -> Description:
+def _read_urdf(path: str) -> Description:
     text = _expanded(path)
     try:
         return parse(text)
