@@ -2,17 +2,209 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import Annotated, Final, Literal, Self, TypeAlias
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, model_validator
 
+from jauspy.cloud.depth import DepthSettings
+from jauspy.cloud.message import MOST_POINTS
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
-from jauspy.modules.config_cameras import CameraConfig
-from jauspy.modules.config_joints import Groups, JointName, TracksConfig
-from jauspy.modules.config_sensors import ForceTorqueConfig, LidarConfig
+from jauspy.platform.camera import CameraSetup
+from jauspy.platform.description import GroupSetup, JointGains, TrackSetup
+from jauspy.platform.force_torque import ForceTorqueSetup
+from jauspy.platform.pid import Gains
+from jauspy.platform.ranging import LidarSetup
+from jauspy.platform.video_settings import VideoSettings
+
+Gain: TypeAlias = Annotated[float, Field(ge=0.0, allow_inf_nan=False)]
+JointName: TypeAlias = Annotated[str, Field(min_length=1, max_length=80)]
+
+
+class StrictConfig(BaseModel):
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+
+class TracksConfig(StrictConfig):
+    """The chassis: the belts of each side, prismatic joints of the URDF; those of flippers run with the tracks."""
+
+    left: Annotated[tuple[JointName, ...], Field(min_length=1, max_length=4)]
+    right: Annotated[tuple[JointName, ...], Field(min_length=1, max_length=4)]
+    inertia: Annotated[float, Field(gt=0.0, le=1000.0)] = 40.0
+    """What rotors and sprockets weigh at the belt, in kilograms."""
+
+    def setup(self) -> TrackSetup:
+        """For the backend."""
+        return TrackSetup(self.left, self.right, self.inertia)
+
+
+class GainsConfig(StrictConfig):
+    """A PID controller: effort per error, per integrated error, per change of error."""
+
+    p: Gain
+    i: Gain = 0.0
+    d: Gain = 0.0
+    i_limit: Gain | None = None
+    """The most effort that integration may add."""
+
+    def gains(self) -> Gains:
+        """For the controller."""
+        return Gains(self.p, self.i, self.d, **({} if self.i_limit is None else {"i_limit": self.i_limit}))
+
+
+class JointConfig(StrictConfig):
+    """One joint of a group, and its controllers."""
+
+    name: JointName
+    start: float = 0.0
+    """Where it is at first, in radians or metres."""
+    position: GainsConfig
+    velocity: GainsConfig
+
+
+class GroupConfig(StrictConfig):
+    """Joints that are commanded together: an arm, a gripper, flippers."""
+
+    base: JointName
+    """The link it stands on."""
+    tip: JointName
+    """The link at its end."""
+    rate: Annotated[float, Field(ge=10.0, le=500.0)] = 250.0
+    """How often its controllers act, in hertz."""
+    joints: Annotated[tuple[JointConfig, ...], Field(min_length=1, max_length=32)]
+    """Base to tip."""
+
+    @model_validator(mode="after")
+    def _each_once(self) -> Self:
+        names = [joint.name for joint in self.joints]
+        if len(set(names)) < len(names):
+            raise ValueError(f"joints: {', '.join(sorted({n for n in names if names.count(n) > 1}))} is there twice")
+        return self
+
+    def setup(self) -> GroupSetup:
+        """For the backend."""
+        gains = {joint.name: JointGains(joint.position.gains(), joint.velocity.gains()) for joint in self.joints}
+        names, start = zip(*((joint.name, joint.start) for joint in self.joints), strict=True)
+        return GroupSetup(names, gains, self.base, self.tip, self.rate, start)
+
+
+Groups: TypeAlias = Mapping[JointName, GroupConfig]
+
+
+class LidarConfig(BaseModel):
+    """A lidar that scans the x-y plane of a link of the URDF, all around."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    name: JointName
+    link: JointName
+    rays: Annotated[int, Field(ge=1, le=3600)] = 360
+    rate: Annotated[float, Field(gt=0.0, le=100.0)] = 10.0
+    """Scans per second."""
+    range: tuple[Annotated[float, Field(ge=0.0)], Annotated[float, Field(gt=0.0, le=1000.0)]] = (0.1, 30.0)
+    """The least and the largest distance that it measures, in metres."""
+    noise: Annotated[float, Field(ge=0.0, le=1.0)] = 0.01
+    """Standard deviation of a distance in a simulation, in metres."""
+    seed: Annotated[int, Field(ge=0)] = 0
+    """Of that noise."""
+
+    @model_validator(mode="after")
+    def _reaches(self) -> Self:
+        if self.range[0] >= self.range[1]:
+            raise ValueError(f"range: {list(self.range)} is empty; give the least distance and then the largest")
+        return self
+
+    def setup(self) -> LidarSetup:
+        """For the backend."""
+        return LidarSetup(self.name, self.link, self.rays, self.rate, *self.range, self.noise, self.seed)
+
+
+class ForceTorqueConfig(BaseModel):
+    """A sensor of forces and torques between a link of the URDF and the link that carries it."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    name: JointName
+    link: JointName
+    rate: Annotated[float, Field(gt=0.0, le=500.0)] = 100.0
+    """Measurements per second."""
+    force: Annotated[float, Field(gt=0.0, le=5000.0)] = 300.0
+    """The largest force along each axis, in newtons."""
+    torque: Annotated[float, Field(gt=0.0, le=5000.0)] = 30.0
+    """The largest torque about each axis, in newton metres."""
+    noise: tuple[Annotated[float, Field(ge=0.0, le=100.0)], Annotated[float, Field(ge=0.0, le=100.0)]] = (0.1, 0.01)
+    """Standard deviations in a simulation, in newtons and newton metres."""
+    seed: Annotated[int, Field(ge=0)] = 0
+    """Of that noise."""
+
+    def setup(self) -> ForceTorqueSetup:
+        """For the backend."""
+        return ForceTorqueSetup(self.name, self.link, self.rate, self.force, self.torque, *self.noise, self.seed)
+
+
+class DepthConfig(BaseModel):
+    """What a camera that also measures distances makes clouds of."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    size: tuple[Annotated[int, Field(ge=16, le=1920)], Annotated[int, Field(ge=16, le=1080)]] = (400, 250)
+    """Points across and down, at most."""
+    rate: Annotated[float, Field(gt=0.0, le=60.0)] = 10.0
+    """Clouds per second."""
+    range: tuple[Annotated[float, Field(ge=0.0)], Annotated[float, Field(gt=0.0, le=1000.0)]] = (0.2, 10.0)
+    """The least and the largest distance along the camera's axis that it measures, in metres."""
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if self.range[0] >= self.range[1]:
+            raise ValueError(f"range: {list(self.range)} is empty; give the least distance and then the largest")
+        if self.size[0] * self.size[1] > MOST_POINTS:
+            raise ValueError(f"size: {list(self.size)} are too many points for one message; it has {MOST_POINTS}")
+        return self
+
+    def settings(self) -> DepthSettings:
+        """For the process that makes them."""
+        return DepthSettings(*self.size, self.rate, *self.range)
+
+
+class CameraConfig(BaseModel):
+    """A camera that looks along the x axis of a link of the URDF; z is up."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    name: JointName
+    link: JointName
+    fov: Annotated[float, Field(ge=5.0, le=150.0)] = 80.0
+    """From the left edge of the picture to the right one, in degrees."""
+    size: tuple[int, int] = (640, 480)
+    """Width and height of the stream's pictures at first."""
+    rate: int = 15
+    """Pictures per second, at first."""
+    bit_rate: int = 2000
+    """Kilobits per second, at first."""
+    depth: DepthConfig | None = None
+    """Of a camera that also measures distances."""
+    stamped: bool = False
+    """Whether the upper edge of each picture shows its number and the time it was taken, as black and white squares."""
+
+    @model_validator(mode="after")
+    def _can_be_encoded(self) -> Self:
+        try:
+            self.settings()
+        except ConfigError as error:
+            raise ValueError(str(error)) from None
+        return self
+
+    def setup(self) -> CameraSetup:
+        """For the backend."""
+        return CameraSetup(self.name, self.link, math.radians(self.fov))
+
+    def settings(self) -> VideoSettings:
+        """For the encoder; `ConfigError` for what cannot be encoded."""
+        return VideoSettings(*self.size, self.rate, 1000 * self.bit_rate)
 
 
 def _on_the_wire(name: str) -> str:

@@ -8,8 +8,7 @@ from typing import Final
 import xacro
 
 from jauspy.errors import ConfigError
-from jauspy.modules.config import RobotConfig
-from jauspy.modules.config_joints import GroupConfig, JointConfig
+from jauspy.modules.config import GroupConfig, JointConfig, RobotConfig
 from jauspy.platform.description import Description, JointKind, RobotModel
 from jauspy.platform.urdf import parse
 from jauspy.platform.vectors import Transform, dot
