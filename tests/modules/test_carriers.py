@@ -10,8 +10,7 @@ import pytest
 
 from jauspy.errors import ConfigError
 from jauspy.modules.carriers import carrier_of
-from jauspy.modules.description import robot_model
-from jauspy.modules.robots import load
+from jauspy.modules.robots import load, robot_model
 from jauspy.platform.transforms import FrameTree
 from jauspy.platform.vectors import Transform, X, Z, about
 from jauspy.services.axes import JAUS_FROM_REP_103, jaus_frame

@@ -21,7 +21,7 @@ from jauspy.messages.core import (
 )
 from jauspy.messages.environment_sensing import QueryVisualSensorConfiguration
 from jauspy.modules import robots
-from jauspy.modules.description import robot_model
+from jauspy.modules.robots import robot_model
 from jauspy.platform.transforms import FrameTree, joint_positions
 from jauspy.platform.vectors import Transform, X
 from jauspy.services.axes import jaus_frame

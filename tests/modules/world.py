@@ -19,8 +19,8 @@ from jauspy.messages.core import (
 from jauspy.messages.mobility import QueryActiveElement, QueryGlobalPose, QueryLocalPose, QueryVelocityState
 from jauspy.modules import robots
 from jauspy.modules.config import ModuleConfig
-from jauspy.modules.description import robot_model
 from jauspy.modules.mobility import cm_mob
+from jauspy.modules.robots import robot_model
 from jauspy.platform.backends import find
 from jauspy.platform.chassis import chassis_of
 from jauspy.services.mobility import GlobalPose, Vehicle

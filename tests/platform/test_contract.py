@@ -6,8 +6,7 @@ from collections.abc import Callable
 import pytest
 
 from jauspy.errors import ConfigError
-from jauspy.modules.description import robot_model
-from jauspy.modules.robots import load
+from jauspy.modules.robots import load, robot_model
 from jauspy.platform.backends import find
 from jauspy.platform.contract import Pose, Robot, Twist
 

@@ -7,8 +7,7 @@ from dataclasses import replace
 
 import pytest
 
-from jauspy.modules.description import robot_model
-from jauspy.modules.robots import load
+from jauspy.modules.robots import load, robot_model
 from jauspy.platform.backends import find
 from jauspy.platform.force_torque import ForceTorqueSetup, SampledForceTorque
 from jauspy.platform.joints import ControlMode, Target

@@ -8,8 +8,7 @@ from importlib.util import find_spec
 import pytest
 
 from jauspy.errors import ConfigError
-from jauspy.modules.description import robot_model
-from jauspy.modules.robots import load
+from jauspy.modules.robots import load, robot_model
 from jauspy.platform.chassis import chassis_of, measure
 from jauspy.platform.description import Description, GroupSetup, RobotModel, TrackSetup
 from jauspy.platform.urdf import parse

@@ -8,8 +8,7 @@ from importlib.util import find_spec
 import pytest
 
 from jauspy.errors import ConfigError
-from jauspy.modules.description import robot_model
-from jauspy.modules.robots import load
+from jauspy.modules.robots import load, robot_model
 from jauspy.platform.contract import Pose
 from jauspy.platform.description import Joint, JointKind
 from jauspy.platform.joints import ControlMode, Target

@@ -10,8 +10,7 @@ import random
 import time
 from statistics import mean
 
-from jauspy.modules.description import robot_model
-from jauspy.modules.robots import load
+from jauspy.modules.robots import load, robot_model
 from jauspy.platform.kinematic_joints import KinematicJoints
 from jauspy.services.manipulator.arm import Arm
 from jauspy.services.manipulator.end_effector_velocity_state_driver import PERIOD

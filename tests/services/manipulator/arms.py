@@ -5,8 +5,7 @@ from __future__ import annotations
 import random
 from dataclasses import replace
 
-from jauspy.modules.description import robot_model
-from jauspy.modules.robots import load
+from jauspy.modules.robots import load, robot_model
 from jauspy.platform.kinematic_joints import KinematicJoints
 from jauspy.platform.vectors import Transform
 from jauspy.services.manipulator.arm import Arm

@@ -4,8 +4,7 @@ import random
 
 import pytest
 
-from jauspy.modules.description import robot_model
-from jauspy.modules.robots import load
+from jauspy.modules.robots import load, robot_model
 from jauspy.platform.contract import Pose
 from jauspy.platform.description import Joint, JointKind
 from jauspy.platform.vectors import Transform, Vector, about, scaled
