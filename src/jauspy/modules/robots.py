@@ -12,9 +12,9 @@ import xacro
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
+from jauspy.config_errors import explain
 from jauspy.errors import ConfigError
 from jauspy.modules.config import GroupConfig, JointConfig, RobotConfig
-from jauspy.node.explain import explain
 from jauspy.platform.description import Description, JointKind, RobotModel
 from jauspy.platform.urdf import parse
 from jauspy.platform.vectors import Transform, dot
