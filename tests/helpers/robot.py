@@ -6,7 +6,7 @@ import math
 import threading
 from collections.abc import Callable, Sequence
 
-from jauspy.platform.contract import Acceleration, Pose, Twist
+from jauspy.platform.contract import Acceleration, OptionalPart, Pose, Twist
 from jauspy.platform.description import Joint, JointKind
 from jauspy.platform.force_torque import ForceTorqueSensor
 from jauspy.platform.joints import JointGroup, JointState, Target
@@ -91,6 +91,7 @@ class FakeRobot:
         self.groups: dict[str, JointGroup] = {}
         self.lidars: dict[str, RangeFinder] = {}
         self.force_torque: dict[str, ForceTorqueSensor] = {}
+        self.optional_parts: list[OptionalPart] = []
         self.drive = FakeDrive()
         self.time = 0.0
         self.closed = 0
