@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Final
 
@@ -10,6 +10,7 @@ from jauspy.codec.names import class_name
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages import registry
+from jauspy.schema.inheritance import lineage, parents_among
 from jauspy.schema.model import Schema, Service as Definition
 from jauspy.services.core.complete import with_core
 from jauspy.services.core.defaults import DEFAULTS
@@ -24,7 +25,7 @@ def package(
     name: str, definition: Definition, schema: Schema, source: Path | None, me: JausID
 ) -> dict[str, str | bytes]:
     """The files, by their names in the folder."""
-    line = list(_line(definition, schema))
+    line = lineage(definition, parents_among(schema.services))
     core = core_services()
     if definition.id in core:
         kind = core[definition.id]
@@ -52,18 +53,11 @@ def core_services() -> dict[str, type[Service]]:
     return given | {urn: type(make()) for urn, make in DEFAULTS.items()}
 
 
-def _line(definition: Definition, schema: Schema) -> Iterator[Definition]:
-    yield definition
-    while definition.inherits_from is not None:
-        definition = schema.service(*definition.inherits_from.key)
-        yield definition
-
-
 class _Writer:
     """Writes the module with the classes; notes which messages it needs."""
 
     def __init__(
-        self, mine: list[Definition], line: list[Definition], core: dict[str, type[Service]], own: Path | None
+        self, mine: list[Definition], line: Sequence[Definition], core: dict[str, type[Service]], own: Path | None
     ) -> None:
         self._mine, self._line, self._core, self._own = mine, line, core, own
         self._imports: dict[str, set[str]] = {}

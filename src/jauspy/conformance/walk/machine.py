@@ -14,7 +14,7 @@ from itertools import product
 from typing import Final, NamedTuple, TypeAlias
 
 from jauspy.schema import guards, model
-from jauspy.services.tree import Owned, StateNode, merge, start_of
+from jauspy.schema.state_tree import MergedState, Owned, merge_machines
 
 MACHINE: Final = "ReceiveFSM"
 ANYTHING: Final = "Receive"
@@ -65,7 +65,7 @@ class Rule(NamedTuple):
     name: str
     transition: model.Transition
     owner: model.Service
-    node: StateNode
+    node: MergedState
 
     @property
     def trigger(self) -> str:
@@ -78,7 +78,7 @@ class Rule(NamedTuple):
         return _is_message(self.transition) and bool(self.transition.parameters)
 
 
-Way: TypeAlias = tuple[StateNode, Owned[model.Transition]]
+Way: TypeAlias = tuple[MergedState, Owned[model.Transition]]
 """A transition, and the state that has it."""
 Judge: TypeAlias = Callable[[guards.Call, Situation], Truth]
 """Decides a predicate for the input that is looked at."""
@@ -88,9 +88,10 @@ class Machine:
     """The merged machine of some definitions, most derived first."""
 
     def __init__(self, definitions: Sequence[model.Service]) -> None:
-        self.root = merge(list(definitions))[MACHINE]
+        merged = merge_machines(definitions)[MACHINE]
+        self.root = merged.root
         self._outputs = {message.name for each in definitions for message in each.outputs}
-        self.start = Situation(start_of(self.root, MACHINE, list(definitions)).path)
+        self.start = Situation(merged.start().path)
         self._names = _named(self.root)
         self.rules = tuple(self._rules())
         """Every transition; those of several services that cannot be told apart have one name."""
@@ -102,7 +103,7 @@ class Machine:
             for owned in (*node.transitions, *node.defaults):
                 yield Rule(self._name(owned, node), owned.item, owned.owner, node)
 
-    def _name(self, owned: Owned[model.Transition], node: StateNode) -> str:
+    def _name(self, owned: Owned[model.Transition], node: MergedState) -> str:
         return self._names[_looks(owned.item, node)]
 
     def predict(self, situation: Situation, trigger: str, role: str, judge: Judge) -> tuple[Prediction, ...]:
@@ -127,13 +128,13 @@ class Machine:
             for owned in (*first, *second) if node is active else (*second, *first):
                 yield node, owned
 
-    def _node(self, path: Iterable[str]) -> StateNode:
+    def _node(self, path: Iterable[str]) -> MergedState:
         node = self.root
         for name in path:
             node = node.children[name]
         return node
 
-    def _apply(self, owned: Owned[model.Transition], node: StateNode, before: Situation, role: str) -> Prediction:
+    def _apply(self, owned: Owned[model.Transition], node: MergedState, before: Situation, role: str) -> Prediction:
         outputs: list[Output] = []
         after = before
         for action in owned.item.actions:
@@ -183,13 +184,13 @@ class Machine:
         return replace(situation, state=path)
 
 
-def _looks(transition: model.Transition, node: StateNode) -> str:
+def _looks(transition: model.Transition, node: MergedState) -> str:
     """`Receiving.Ready: SetEmergency [guard]`: where it is, what it takes and when."""
     guard = " ".join(re.sub(r"(\w+\.)+", "", transition.guard).split())
     return f"{node}: {trigger_of(transition)}" + (f" [{guard}]" if guard else "")
 
 
-def _named(root: StateNode) -> dict[str, str]:
+def _named(root: MergedState) -> dict[str, str]:
     """The names of transitions by their looks: behind those of all services that have one like it."""
     owners: dict[str, dict[str, None]] = {}
     for node in root.all():

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Final
 
@@ -15,6 +14,7 @@ from jauspy.conformance.walk.walker import Walker
 from jauspy.ids import JausID
 from jauspy.messages import registry
 from jauspy.schema import model
+from jauspy.schema.inheritance import most_derived_first, parents_among
 from jauspy.schema.needed import load_needed
 
 TRANSPORT: Final = "urn:jaus:jss:core:Transport"
@@ -57,18 +57,6 @@ def subject_of(id: JausID, offered: frozenset[ServiceKey]) -> Subject:
     """The component with everything known that it offers, most derived first."""
     known = {(each.service, each.version) for each in registry.entries} | {(TRANSPORT, "1.0"), (TRANSPORT, "1.1")}
     schema = load_needed(frozenset(offered & known))
-    found: dict[str, tuple[int, model.Service]] = {}
-    for urn, version in sorted(offered & known):
-        line = list(_line(schema, schema.service(urn, version)))
-        for depth, each in enumerate(reversed(line)):
-            found.setdefault(each.id, (depth, each))
-    ordered = tuple(each for _, each in sorted(found.values(), key=lambda pair: -pair[0]))
+    services = [schema.service(*key) for key in sorted(offered & known)]
+    ordered = most_derived_first(services, parents_among(schema.services))
     return Subject(id, ordered, Machine(ordered), registry)
-
-
-def _line(schema: model.Schema, definition: model.Service) -> Iterator[model.Service]:
-    while True:
-        yield definition
-        if definition.inherits_from is None:
-            return
-        definition = schema.service(*definition.inherits_from.key)
