@@ -122,7 +122,7 @@ class SkidSteerDrive(ABC):
 
     @abstractmethod
     def set_track_efforts(self, left: float, right: float) -> None:
-        """Drive the tracks with fractions of their full efforts, -1..1; zero for both brakes, and holds a standstill."""
+        """Drive the tracks with fractions of their full efforts, -1..1; zero for both brakes and then holds."""
 
     @abstractmethod
     def pose(self) -> Pose:
