@@ -7,8 +7,8 @@ import math
 import mujoco
 import numpy as np
 
+from jauspy.geometry.poses import Pose, Twist
 from jauspy.platform.chassis import SkidSteerDrive
-from jauspy.platform.contract import Pose, Twist
 from jauspy.platform.description import TrackSetup
 from jauspy_sim.views import view
 

@@ -6,8 +6,9 @@ import math
 import threading
 from collections.abc import Callable, Sequence
 
-from jauspy.platform.contract import Acceleration, OptionalPart, Pose, Twist
-from jauspy.platform.description import Joint, JointKind
+from jauspy.geometry.poses import Acceleration, Pose, Twist
+from jauspy.geometry.urdf import Joint, JointKind
+from jauspy.platform.contract import OptionalPart
 from jauspy.platform.force_torque import ForceTorqueSensor
 from jauspy.platform.joints import JointGroup, JointState, Target
 from jauspy.platform.ranging import RangeFinder

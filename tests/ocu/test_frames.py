@@ -8,6 +8,8 @@ from contextlib import AsyncExitStack
 import pytest
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.frames import FrameTree
+from jauspy.geometry.poses import Transform
 from jauspy.messages.manipulator import (
     JointPositionRec,
     JointVelocityRec,
@@ -21,8 +23,6 @@ from jauspy.modules.robot import RobotRunner
 from jauspy.modules.robots import load, robot_model
 from jauspy.ocu import OCU, Robot
 from jauspy.ocu.frames import RobotFrames
-from jauspy.platform.transforms import FrameTree
-from jauspy.platform.vectors import Transform
 from jauspy.testing import until
 
 CONFIG = load("inc1")
@@ -82,7 +82,7 @@ async def test_all_frames_are_where_they_really_are(robot: RobotRunner, ocu: OCU
     for name, group in MODEL.groups.items():
         positions |= zip(group.joints, seen.joints[name].positions, strict=True)
     for link, pose in FrameTree(MODEL.description).poses(positions).items():
-        expected = Transform.of(seen.pose) @ pose
+        expected = Transform.from_pose(seen.pose) @ pose
         # as exact as fields of pose and positions are on the wire
         assert math.dist(frames.pose(link, "local").position, expected.position) < 1e-3, link
         for row, wanted in zip(frames.pose(link, "local").rotation, expected.rotation, strict=True):

@@ -12,12 +12,12 @@ import pytest
 
 from jauspy.component import Shell
 from jauspy.errors import TransportError
+from jauspy.geometry.poses import Pose, Twist
 from jauspy.ids import JausID
 from jauspy.messages.core import QueryHeartbeatPulse, QueryStatus, ReportStatus, Standby
 from jauspy.node import NodeManager
 from jauspy.node.config import NodeConfig
 from jauspy.ocu import OCU
-from jauspy.platform.contract import Pose, Twist
 from jauspy.services.core import AccessControl, Discovery, Liveness
 from jauspy.services.host import Host
 from jauspy.services.mobility import PrimitiveDriver, Vehicle

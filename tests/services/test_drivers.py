@@ -7,6 +7,7 @@ import math
 import pytest
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.poses import Acceleration, Pose, Twist
 from jauspy.messages.core import (
     ConfirmElementRequest,
     ElementRec,
@@ -63,7 +64,6 @@ from jauspy.messages.ugv import (
     ReportPlatformSpecifications,
     SetSkidSteerEffort,
 )
-from jauspy.platform.contract import Acceleration, Pose, Twist
 from jauspy.services.mobility import (
     AccelerationStateSensor,
     GlobalPose,

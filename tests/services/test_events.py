@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.poses import Pose
 from jauspy.messages.core import (
     AllEventsRec,
     CancelEvent,
@@ -28,7 +29,6 @@ from jauspy.messages.core import (
     UpdateEvent,
 )
 from jauspy.messages.mobility import QueryLocalPose, ReportLocalPose
-from jauspy.platform.contract import Pose
 from jauspy.services.core import AccessControl, Events, Liveness, Management
 
 A, B = "42.1.1", "42.2.1"

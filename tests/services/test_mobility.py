@@ -6,6 +6,7 @@ import math
 
 import pytest
 
+from jauspy.geometry.poses import Pose, Twist
 from jauspy.messages.core import (
     ClearEmergency,
     ReleaseControl,
@@ -32,7 +33,6 @@ from jauspy.messages.mobility import (
     VelocityVehicleXYZRec,
     ZPosition,
 )
-from jauspy.platform.contract import Pose, Twist
 
 A, B = "42.1.1", "42.2.1"
 FORWARD = SetWrenchEffort(propulsive_linear_effort_x=40.0)

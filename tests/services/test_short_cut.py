@@ -10,6 +10,7 @@ from tests.helpers.robot import FakeDrive
 from tests.services.conftest import Rig
 
 from jauspy.errors import EncodeError
+from jauspy.geometry.poses import Pose, Twist
 from jauspy.messages.core import (
     CancelEvent,
     ClearEmergency,
@@ -36,7 +37,6 @@ from jauspy.messages.core import (
     UpdateEvent,
 )
 from jauspy.messages.mobility import QueryLocalPose, QueryVelocityState, QueryWrenchEffort, SetWrenchEffort
-from jauspy.platform.contract import Pose, Twist
 from jauspy.services.core import AccessControl, Events, Liveness, Management, Time
 from jauspy.services.machine import Machine
 from jauspy.services.mobility import LocalPoseSensor, PrimitiveDriver, Vehicle, VelocityStateSensor

@@ -14,13 +14,14 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
 
+from jauspy.geometry.poses import Twist
 from jauspy.ids import JausID
 from jauspy.modules import robots
 from jauspy.modules.proxies import DriveProxy
 from jauspy.modules.realtime import RealTime
 from jauspy.modules.robot import RobotRunner
 from jauspy.platform.commands import DriveEffort
-from jauspy.platform.contract import Command, PartId, Robot, Twist
+from jauspy.platform.contract import Command, PartId, Robot
 from jauspy.transport import LocalTransport
 
 

@@ -11,9 +11,9 @@ from jauspy.cli.options import Connect, Json, OwnId, Timeout
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from jauspy.geometry.frames import Frames
+    from jauspy.geometry.poses import Transform
     from jauspy.modules.config import RobotConfig
-    from jauspy.platform.transforms import Frames
-    from jauspy.platform.vectors import Transform
 
 
 def tf(
@@ -75,9 +75,9 @@ async def _look(
 
 
 def _row(frame: str, parent: str, pose: Transform) -> dict[str, Any]:
-    from jauspy.services.manipulator.quaternion import quaternion
+    from jauspy.geometry.vectors import quaternion
 
-    angles = pose.pose()
+    angles = pose.to_pose()
     return {
         "frame": frame,
         "in": parent,

@@ -8,6 +8,7 @@ from datetime import datetime
 from typing import Final
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.frames import FrameTree
 from jauspy.ids import JausID
 from jauspy.messages.core import QueryIdentification, ReportIdentification
 from jauspy.modules import catalogue
@@ -17,7 +18,6 @@ from jauspy.modules.mounting import frame_of, mounted_camera, mounted_gauges, mo
 from jauspy.platform.chassis import chassis_of
 from jauspy.platform.contract import DriveBase, RobotParts
 from jauspy.platform.description import RobotModel
-from jauspy.platform.transforms import FrameTree
 from jauspy.protocol.header import Packet
 from jauspy.services.core import AccessControl, Discovery, Events, Identity, Liveness, Management, Time, Transport
 from jauspy.services.environment_sensing import VideoSource, Viewers

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from jauspy.geometry.poses import Acceleration, Pose, Twist
+from jauspy.geometry.urdf import Joint
 from jauspy.platform.commands import DriveEffort, DriveStop, JointTargets, LidarSettings
-from jauspy.platform.contract import Acceleration, Pose, RobotLink, Twist
-from jauspy.platform.description import Joint
+from jauspy.platform.contract import RobotLink
 from jauspy.platform.force_torque import ForceTorqueSensor, ForceTorqueSetup, Wrench
 from jauspy.platform.joints import JointGroup, JointState, Target
 from jauspy.platform.ranging import LidarSetup, RangeFinder, RangeScan, ScanSettings

@@ -12,48 +12,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol, Self
 
+from jauspy.geometry.poses import Acceleration, Pose, Twist
+
 if TYPE_CHECKING:
     from jauspy.platform.camera import Camera
     from jauspy.platform.description import RobotModel
     from jauspy.platform.force_torque import ForceTorqueSensor, Wrench
     from jauspy.platform.joints import JointGroup, JointState
     from jauspy.platform.ranging import RangeFinder, RangeScan
-
-
-@dataclass(frozen=True, slots=True)
-class Pose:
-    """Where the robot's base is in the world: metres, and fixed-axis roll, pitch, yaw in radians (-pi..pi)."""
-
-    x: float = 0.0
-    y: float = 0.0
-    z: float = 0.0
-    roll: float = 0.0
-    pitch: float = 0.0
-    yaw: float = 0.0
-
-
-@dataclass(frozen=True, slots=True)
-class Twist:
-    """How the base moves, in its own frame: m/s along x, y, z and rad/s about them."""
-
-    vx: float = 0.0
-    vy: float = 0.0
-    vz: float = 0.0
-    wx: float = 0.0
-    wy: float = 0.0
-    wz: float = 0.0
-
-
-@dataclass(frozen=True, slots=True)
-class Acceleration:
-    """How the motion of the base changes, in its own frame, gravity left out: m/s^2 and rad/s^2."""
-
-    ax: float = 0.0
-    ay: float = 0.0
-    az: float = 0.0
-    wx: float = 0.0
-    wy: float = 0.0
-    wz: float = 0.0
 
 
 class DriveBase(Protocol):

@@ -11,10 +11,10 @@ from jauspy.cli.demo import plan, sight
 from jauspy.cli.demo.arm import Arm
 from jauspy.cli.demo.report import Finding
 from jauspy.errors import RequestError
+from jauspy.geometry.vectors import Vector
 from jauspy.ocu.frames import LOCAL, RobotFrames
 from jauspy.ocu.robot import ComponentClient
 from jauspy.platform.description import RobotModel
-from jauspy.platform.vectors import Vector
 
 CAMERA: Final = "arm"
 STILL: Final = "still.jpg"

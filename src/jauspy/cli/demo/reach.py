@@ -6,9 +6,10 @@ import math
 from collections.abc import Sequence
 
 from jauspy.errors import RequestError
-from jauspy.platform.description import JointKind, RobotModel
-from jauspy.platform.vectors import Vector
-from jauspy.services.manipulator.denavit_hartenberg import geometry
+from jauspy.geometry.denavit_hartenberg import manipulator_geometry
+from jauspy.geometry.urdf import JointKind
+from jauspy.geometry.vectors import Vector
+from jauspy.platform.description import RobotModel
 
 
 class Hand:
@@ -17,7 +18,7 @@ class Hand:
     def __init__(self, model: RobotModel) -> None:
         group = model.groups["arm"]
         chain = model.description.chain(group.base, group.tip)
-        self.geometry = geometry(chain)
+        self.geometry = manipulator_geometry(chain)
         moving = [number for number, joint in enumerate(chain) if joint.kind is not JointKind.FIXED]
         turn, shoulder, elbow, wrist, _ = moving
         self.axis = chain[turn].origin.x
@@ -44,4 +45,4 @@ class Hand:
             raise RequestError(f"the arm cannot reach {distance:.2f} m from its axis at a height of {height:.2f} m")
         elbow = -math.acos(bend)
         shoulder = math.atan2(z, x) + math.atan2(fore * math.sin(-elbow), upper + fore * math.cos(elbow))
-        return self.geometry.standard((turn, shoulder, elbow, pitch - shoulder - elbow, 0.0))
+        return self.geometry.from_urdf((turn, shoulder, elbow, pitch - shoulder - elbow, 0.0))

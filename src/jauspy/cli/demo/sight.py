@@ -9,7 +9,8 @@ import cv2
 import numpy as np
 
 from jauspy.errors import RequestError
-from jauspy.platform.vectors import Transform, Vector, difference
+from jauspy.geometry.poses import Transform
+from jauspy.geometry.vectors import Vector, difference
 
 if TYPE_CHECKING:
     from jauspy.platform.camera import Image
