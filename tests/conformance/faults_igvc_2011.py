@@ -33,7 +33,7 @@ from tests.conformance.mistakes import (
 from jauspy.codec.base import Message
 from jauspy.conformance import Bench, Part
 from jauspy.messages import core, mobility
-from jauspy.modules import announcement
+from jauspy.modules import hosts
 from jauspy.services import sending
 
 
