@@ -22,7 +22,7 @@ from jauspy.messages.manipulator import (
     SetPanTiltMotionProfile,
 )
 from jauspy.messages.mobility import QueryAccelerationLimit, ReportAccelerationLimit, SetAccelerationLimit
-from jauspy.services.stamps import date_stamp, time_stamp
+from jauspy.services.units import date_stamp, time_stamp
 
 TOLD: Final = "limits before"
 
