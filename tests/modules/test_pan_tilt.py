@@ -24,7 +24,7 @@ from jauspy.messages.core import (
 )
 from jauspy.messages.environment_sensing import QueryVisualSensorConfiguration
 from jauspy.modules import robots
-from jauspy.modules.description import robot_model
+from jauspy.modules.robots import robot_model
 from jauspy.platform.joints import joint_positions
 
 
