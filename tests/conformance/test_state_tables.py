@@ -19,7 +19,7 @@ from jauspy.conformance.state_tests import behaviour
 from jauspy.ids import JausID
 from jauspy.schema import state_tree
 from jauspy.schema.model import Service, State, Transition
-from jauspy.services import build
+from jauspy.services import binding
 
 TARGET = JausID(105, 1, 1)
 HELD, FREE = "Receiving.Ready.Controlled", "Receiving.Ready.NotControlled"
@@ -133,7 +133,7 @@ def test_a_mistake_in_the_merged_machine_is_found_by_the_tables_alone(mistake):
     profile = "mobility-1.1" if mistake[0].endswith("Driver") else "core-1.1"
     merge = seeded(*mistake)
     with ExitStack() as patches:
-        for module in (build, behaviour):
+        for module in (binding, behaviour):
             patches.enter_context(patch.object(module, "merge_machines", merge))
         found = run_of(profile, f"table/{mistake[0]}/{row}")
         shared = run_of(profile, generated)

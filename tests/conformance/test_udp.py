@@ -122,7 +122,7 @@ def test_what_arrives_while_a_step_is_busy_is_kept(free_port):
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as other:
         other.setblocking(False)
         other.bind(("127.0.0.1", 0))
-        multicast.hold_bursts(other)
+        multicast.set_receive_buffer(other)
         held = arrived = 0
         try:
             for _ in range(1000):

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any, Final, TypeAlias
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.conformance.checks import Check, has, near
 from jauspy.conformance.offers import ALL_SERVICES, ServiceKey
 from jauspy.conformance.profile import Step
