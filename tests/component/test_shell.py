@@ -7,7 +7,7 @@ from datetime import UTC, datetime
 
 import pytest
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.component import Shell
 from jauspy.component.shell import MAX_BACKLOG, MAX_PER_WAKEUP, loop_time
 from jauspy.errors import EncodeError, ProtocolError, ResponseTimeout, TransportError
@@ -82,7 +82,7 @@ async def test_an_answer_that_comes_later_is_sent_when_it_is_there():
         later = None
 
         def report_heartbeat_pulse(self):
-            self.later = self.host.later(ReportTimeout)
+            self.later = self.host.defer(ReportTimeout)
             return self.later
 
     slow, hub = Slow(), LoopbackHub()
@@ -92,10 +92,10 @@ async def test_an_answer_that_comes_later_is_sent_when_it_is_there():
         acknowledged = await peer.next()
         assert acknowledged.ack is Ack.ACK
         assert peer.packets.empty()
-        slow.later.fulfil(ReportHeartbeatPulse())
+        slow.later.set_result(ReportHeartbeatPulse())
         answer = await peer.next()
     assert answer.payload == ReportHeartbeatPulse().encode()
-    slow.later.fulfil(ReportHeartbeatPulse())
+    slow.later.set_result(ReportHeartbeatPulse())
 
 
 async def test_services_are_told_what_was_acknowledged_and_keep_room_for_others(virtual_network):
@@ -103,7 +103,7 @@ async def test_services_are_told_what_was_acknowledged_and_keep_room_for_others(
     async with component(hub, clock=loop_time) as me, Peer(hub) as peer:
         me.host.receive(RequestControl(1).encode(), PEER, loop_time())
         for _ in range(100):
-            me.host.send(PEER, ReportHeartbeatPulse(), told=told.append)
+            me.host.send(PEER, ReportHeartbeatPulse(), on_acknowledged=told.append)
         me.wake()
         assert told == []
         sent = [await peer.next() for _ in range(101)][1:]

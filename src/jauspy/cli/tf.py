@@ -65,13 +65,13 @@ async def _look(
 ) -> tuple[Frames, Callable[[str, str], list[str]]]:
     """All frames, and what tells on which joints that nobody reports the pose of one in another one depends."""
     from jauspy.cli import addresses
-    from jauspy.modules.description import robot_model
+    from jauspy.modules.robots import robot_model
     from jauspy.ocu.frames import RobotFrames
 
     model = robot_model(config)
     async with addresses.client(own_id, connect, patience) as ocu:
         reader = RobotFrames(await ocu.discover(config.subsystem, timeout=patience), model, config.movers)
-        return await reader.look(), reader.assumed_between
+        return await reader.read(), reader.assumed_between
 
 
 def _row(frame: str, parent: str, pose: Transform) -> dict[str, Any]:

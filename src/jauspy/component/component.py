@@ -11,7 +11,7 @@ from types import TracebackType
 from typing import Final, Literal, Self, TypeVar
 
 from jauspy.arguments import check_text
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
 from jauspy.component.shell import Shell
 from jauspy.errors import ConfigError
@@ -21,7 +21,7 @@ from jauspy.protocol.header import Broadcast, Priority
 from jauspy.schema.model import Schema
 from jauspy.services.core.complete import with_core
 from jauspy.services.host import Host
-from jauspy.services.service import Service, checked
+from jauspy.services.service import Service, check_services
 from jauspy.transport import LocalTransport, Transport
 from jauspy.transport.connect import DEFAULT_ROOT, transport_for
 
@@ -62,7 +62,7 @@ class Component:
     ) -> None:
         me = component_id(id)
         check_text(name, "a component's name")
-        given = checked(services)
+        given = check_services(services)
         self.host = Host(
             me,
             with_core(given, name) if core else given,

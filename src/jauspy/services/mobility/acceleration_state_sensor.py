@@ -6,7 +6,7 @@ from jauspy.geometry.poses import jaus_acceleration
 from jauspy.messages.mobility import ReportAccelerationState, ReportAccelerationStateExt
 from jauspy.services.mobility.vehicle import Vehicle
 from jauspy.services.service import Service
-from jauspy.services.stamps import epoch_seconds, time_stamp
+from jauspy.services.units import epoch_seconds, time_stamp
 
 
 class AccelerationStateSensor(Service, urn="urn:jaus:jss:mobility:AccelerationStateSensor"):

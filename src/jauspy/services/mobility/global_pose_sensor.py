@@ -19,7 +19,7 @@ from jauspy.services.mobility.global_frame import GlobalPose
 from jauspy.services.mobility.reach import sayable_altitude
 from jauspy.services.mobility.vehicle import Vehicle
 from jauspy.services.service import Service
-from jauspy.services.stamps import epoch_seconds, time_stamp
+from jauspy.services.units import epoch_seconds, time_stamp
 
 MOVING: Final = 0.05
 """m/s below which the direction of travel says nothing."""

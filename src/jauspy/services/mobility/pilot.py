@@ -15,8 +15,8 @@ from jauspy.services.mobility.guidance.motion import STANDSTILL, Limits, Motion,
 from jauspy.services.mobility.guidance.velocity_control import VelocityControl, limit
 
 if TYPE_CHECKING:
-    from jauspy.services.host import Host
     from jauspy.services.mobility.driver import Driver
+    from jauspy.services.service import ServiceHost
 
 PERIOD: Final = 0.02
 """Seconds between two looks at where the platform is."""
@@ -35,7 +35,7 @@ class Pilot:
             chassis.acceleration, chassis.deceleration, chassis.turn_acceleration, chassis.turn_acceleration
         )
         self._control = VelocityControl()
-        self._host: Host | None = None
+        self._host: ServiceHost | None = None
         self._course: Course | None = None
         self._motion = STANDSTILL
         self._last = 0.0
@@ -44,7 +44,7 @@ class Pilot:
         self.travel_speed = 0.0
         """Of the waypoint drivers, m/s, negative backward; zero while another driver or none has the chassis."""
 
-    def attach(self, host: Host) -> None:
+    def attach(self, host: ServiceHost) -> None:
         """Keep time with this component; each of its drivers calls this."""
         self._host = host
 
@@ -82,12 +82,12 @@ class Pilot:
             before.taken_over()
 
     @property
-    def _clock(self) -> Host:
+    def _clock(self) -> ServiceHost:
         if self._host is None:
             raise RuntimeError("no driver service has attached the pilot to its component")
         return self._host
 
-    def _start(self, host: Host) -> None:
+    def _start(self, host: ServiceHost) -> None:
         self._last = host.now
         host.set_timer(_TIMER, host.now, self._steer)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from jauspy.messages.mobility import ReportWrenchEffort, SetWrenchEffort
 from jauspy.services.mobility.driver import Driver
 from jauspy.services.mobility.vehicle import Vehicle
-from jauspy.services.percent import percent
+from jauspy.services.units import percent
 
 
 class PrimitiveDriver(Driver, urn="urn:jaus:jss:mobility:PrimitiveDriver"):

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from jauspy.services.completion import Completion
 from jauspy.services.mobility.travel import Traveller
 from jauspy.services.mobility.vehicle import Vehicle
 from jauspy.services.mobility.waypoint import Waypoint
+from jauspy.services.state_machine import CommandCompletion
 
 
 class WaypointDriver(Traveller):
@@ -19,7 +19,7 @@ class WaypointDriver(Traveller):
 
     def __init__(self, vehicle: Vehicle) -> None:
         super().__init__(vehicle)
-        self._command = Completion()
+        self._command = CommandCompletion()
 
     def waypoint_exists(self, msg: Any) -> bool:
         """To drive: a waypoint that this client has set. To report: any of this kind that was set or driven to."""
