@@ -30,7 +30,7 @@ from tests.conformance.mistakes import (
     unmasked,
 )
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.conformance import Bench, Part
 from jauspy.messages import core, mobility
 from jauspy.modules import hosts

@@ -6,7 +6,7 @@ from datetime import UTC, datetime
 
 import pytest
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages import registry

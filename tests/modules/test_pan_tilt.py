@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from tests.modules.workcell import BACKENDS, OTHER, Workcell
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.errors import ConfigError
 from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.poses import Transform, jaus_frame

@@ -14,7 +14,7 @@ from typing import Any, TypeVar
 
 import pytest
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.ids import JausID
 from jauspy.messages.core import CreateEvent, Event, RequestControl
 from jauspy.messages.environment_sensing.v1_0.types import ManipulatorGeometricPropertiesRec

@@ -13,7 +13,7 @@ from importlib.util import find_spec
 
 import pytest
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.ids import JausID
 from jauspy.messages import manipulator as m
 from jauspy.messages.core import ReleaseControl, RequestControl, Resume, SetEmergency

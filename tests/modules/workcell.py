@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from tests.modules.cameras import FakeVideo
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.ids import JausID
 from jauspy.messages import manipulator as m, registry
 from jauspy.messages.core import CommandEvent, RequestControl, Resume
