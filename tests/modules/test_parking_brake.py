@@ -8,7 +8,7 @@ import pytest
 from tests.helpers.robot import FakeRobot
 from tests.modules.workcell import BACKENDS
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages import registry
