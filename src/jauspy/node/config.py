@@ -1,6 +1,6 @@
-"""The settings of a node manager, with their defaults.
+"""The settings of a node manager, with their defaults, and the gateway, limits and keys that they describe.
 
-The docstring under each setting is its comment in what `jauspy node-manager --print-config` prints.
+The docstring of each setting is its comment in the output of `jauspy node-manager --print-config`.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ _RANGE: Final = re.compile(r"(0[xX][0-9a-fA-F]{1,4})(?:-(0[xX][0-9a-fA-F]{1,4}))
 
 
 class NodeSettings(BaseModel):
-    """Frozen, without unknown keys; the docstring under each field is its comment in the configuration file."""
+    """Frozen, without unknown keys; the docstring of each field is its comment in the configuration file."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", use_attribute_docstrings=True)
 
@@ -102,12 +102,12 @@ def _id_pattern(text: str) -> str:
 
 
 def _message(value: object) -> object:
-    """A number is as good as its hexadecimal form."""
+    """Accept a number in place of its hexadecimal form."""
     return f"0x{value:04X}" if isinstance(value, int) and 0 <= value <= 0xFFFF else value
 
 
 def parse_pattern(text: str) -> JausID:
-    """The id with wildcards that `42.*.*` stands for; raises `ValueError`."""
+    """The id with wildcards for a pattern such as `42.*.*`; raises `ValueError`."""
     parts = text.split(".")
     if len(parts) == 3:
         parts = [top if part == "*" else part for part, top in zip(parts, ("65535", "255", "255"), strict=True)]
@@ -118,7 +118,7 @@ def parse_pattern(text: str) -> JausID:
 
 
 def parse_codes(text: str) -> range | None:
-    """The message ids that `0x0405` or `0x2000-0x2FFF` stands for; None when it is something else, as a name."""
+    """The message ids of `0x0405` or `0x2000-0x2FFF`; None for any other text, such as a name."""
     found = _RANGE.fullmatch(text)
     if found is None:
         return None
@@ -225,7 +225,7 @@ class SerialConfig(NodeSettings):
 
     @property
     def line(self) -> SerialLine:
-        """What the transport wants to know."""
+        """The settings as the transport takes them."""
         return SerialLine(**self.model_dump())
 
 
@@ -291,15 +291,15 @@ class NodeConfig(NetworkConfig):
 
     @classmethod
     def make(cls, **settings: Any) -> NodeConfig:
-        """Check settings from outside; raises `ConfigError` with one sentence per mistake."""
+        """The configuration with these settings; raises `ConfigError` with one sentence per mistake."""
         try:
             return cls(**settings)
         except ValidationError as error:
-            told = (explain(problem, cls) for problem in error.errors(include_url=False))
-            raise ConfigError(f"node manager setting {'; '.join(told)}") from None
+            problems = (explain(problem, cls) for problem in error.errors(include_url=False))
+            raise ConfigError(f"node manager setting {'; '.join(problems)}") from None
 
     def known_addresses(self) -> AddressEntries:
-        """All entries of `addresses` and `address_books`; raises `ConfigError` that names the file."""
+        """All static addresses, those of `addresses` and `address_books`; raises `ConfigError` that names the file."""
         found = {id: list(ports) for id, ports in parse_entries(self.addresses).items()}
         for path in self.address_books:
             for id, ports in load_address_book(path).items():
@@ -337,9 +337,9 @@ class NodeConfig(NetworkConfig):
 
 
 def load_key(path: Path | None) -> Authenticator | None:
-    """A seal with the key in this file, without white space around it; None without a file.
+    """An authenticator with the key in this file, without surrounding white space; None without a file.
 
-    Raises `ConfigError` when the key is short, or when everybody may read it.
+    Raises `ConfigError` when the key is too short, or readable for all users.
     """
     if path is None:
         return None
@@ -349,7 +349,7 @@ def load_key(path: Path | None) -> Authenticator | None:
     except OSError as error:
         raise ConfigError(f"key_file {path}: {error.strerror}") from error
     if mode & stat.S_IROTH:
-        raise ConfigError(f"key_file {path}: everybody may read it; do: chmod o-rwx {path}")
+        raise ConfigError(f"key_file {path}: all users may read it; do: chmod o-rwx {path}")
     if len(key) < authentication.MIN_KEY_LENGTH:
         raise ConfigError(
             f"key_file {path}: has {len(key)} bytes, needs {authentication.MIN_KEY_LENGTH}; "
@@ -359,17 +359,19 @@ def load_key(path: Path | None) -> Authenticator | None:
 
 
 def source_limits(config: NodeConfig) -> SourceLimits:
-    """What is asked of sources."""
+    """The limits of sources."""
     return SourceLimits(check_address=config.source_check, rate=config.rate_limit, burst=config.rate_burst)
 
 
 def make_gateway(config: NodeConfig) -> Gateway | None:
-    """The gateway, if there is one; raises `ConfigError` for a message that nobody knows."""
-    told = config.gateway
-    if told is None:
+    """The gateway, or None without one; raises `ConfigError` for an unknown message."""
+    settings = config.gateway
+    if settings is None:
         return None
-    rules = GatewayRules([_make_rule(number, rule) for number, rule in enumerate(told.rules)], inside=told.inside)
-    return Gateway(told.subsystem, [network.name for network in config.all_networks], told.inside, rules)
+    rules = GatewayRules(
+        [_make_rule(number, rule) for number, rule in enumerate(settings.rules)], inside=settings.inside
+    )
+    return Gateway(settings.subsystem, [network.name for network in config.all_networks], settings.inside, rules)
 
 
 def _make_rule(number: int, config: RuleConfig) -> GatewayRule:
