@@ -42,9 +42,7 @@ def load(path: Path | None, overrides: Mapping[str, Any] | None = None) -> NodeC
 
 def to_toml(config: NodeConfig) -> str:
     """All settings as a TOML file for `load`; those without a value are comments."""
-    head = (
-        "# Configuration of jauspy node-manager. Omitted settings have defaults; command line options take precedence."
-    )
+    head = "# Configuration of jauspy node-manager. Omitted keys have defaults; command line options take precedence."
     return "\n".join([head, *_table(config, "")]).rstrip() + "\n"
 
 
