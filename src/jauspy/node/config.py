@@ -154,8 +154,8 @@ class NetworkConfig(NodeSettings):
     multicast_ttl: int = Field(default=judp.MULTICAST_TTL, ge=0, le=255)
     """Maximum number of routers that a multicast may pass."""
     multicast_interfaces: tuple[Interface, ...] = ()
-    """Interfaces on which the group is joined and multicasts are sent: addresses, names, or "all"; they may be absent at
-    times. Empty: the interface of `address`, or the kernel's choice."""
+    """Interfaces on which the group is joined and multicasts are sent: addresses, names, or "all"; they may
+    be absent at times. Empty: the interface of `address`, or the kernel's choice."""
     address6: IPv6 | None = Field(default=None, examples=["::"])
     """IPv6 address for JUDP, in addition to `address`, on the same port."""
     multicast_group6: Group6 | None = Field(default=None, examples=["ff15::6a61:7573"])
@@ -260,8 +260,8 @@ class NodeConfig(NetworkConfig):
     local_udp: bool = True
     """Allow components of this machine to connect by UDP, as those of ROS/IOP do."""
     header_compression: Literal["off", "accept", "propose"] = "accept"
-    """Header compression on UDP. accept: accept proposals, and compress for peers that propose. propose: probe all peers,
-    with an empty packet, which peers without compression drop as malformed. off: ignore proposals."""
+    """Header compression on UDP. accept: accept proposals, and compress for peers that propose. propose: probe all
+    peers with an empty packet, which peers without compression drop as malformed. off: ignore proposals."""
     tcp: bool = False
     """Accept JTCP connections. TCP peers among the addresses are connected to in any case."""
     tcp_port: int | None = Field(default=None, ge=0, le=65535, examples=[3794])
