@@ -39,7 +39,7 @@ def _any(*names: str) -> Group:
     return Group(names, 0, None)
 
 
-class Rule:
+class ElementRule:
     """What one element needs and allows; every element may have an `interpretation`."""
 
     def __init__(self, required: str, optional: str, *groups: Group) -> None:
@@ -73,12 +73,12 @@ _DECLARABLE = (*_COMPOSITES, "array", *_SIMPLE, *_PARTS, "value_set", "message_d
 DECLARED = {f"declared_{name}": name for name in _DECLARABLE}
 """The elements that refer to a declared type, and what they must find there."""
 
-_REFERENCE = Rule("name id version", "")
-_PART = Rule("name", "", _maybe(*_ANY_COMPOSITE))
-_COUNT = Rule("field_type_unsigned", "min_count max_count")
+_REFERENCE = ElementRule("name id version", "")
+_PART = ElementRule("name", "", _maybe(*_ANY_COMPOSITE))
+_COUNT = ElementRule("field_type_unsigned", "min_count max_count")
 
-RULES: dict[str, Rule] = {
-    "service_def": Rule(
+RULES: dict[str, ElementRule] = {
+    "service_def": ElementRule(
         "name id version",
         "deprecated",
         _maybe("description"),
@@ -90,65 +90,65 @@ RULES: dict[str, Rule] = {
         _maybe("internal_events_set"),
         _maybe("protocol_behavior"),
     ),
-    "description": Rule("", ""),
-    "assumptions": Rule("", ""),
-    "references": Rule("", "", _maybe("inherits_from"), _any("client_of")),
+    "description": ElementRule("", ""),
+    "assumptions": ElementRule("", ""),
+    "references": ElementRule("", "", _maybe("inherits_from"), _any("client_of")),
     "inherits_from": _REFERENCE,
     "client_of": _REFERENCE,
     # constants and declared types
-    "declared_const_set": Rule("name", "id version", _any("declared_const_set_ref", "const_def")),
+    "declared_const_set": ElementRule("name", "id version", _any("declared_const_set_ref", "const_def")),
     "declared_const_set_ref": _REFERENCE,
-    "const_def": Rule("name const_type const_value", "field_units"),
-    "declared_type_set": Rule(
+    "const_def": ElementRule("name const_type const_value", "field_units"),
+    "declared_type_set": ElementRule(
         "name",
         "id version",
         _any("declared_const_set_ref", "declared_type_set_ref", *_DECLARABLE, *DECLARED),
     ),
     "declared_type_set_ref": _REFERENCE,
-    **{name: Rule("name declared_type_ref", "optional") for name in DECLARED},
+    **{name: ElementRule("name declared_type_ref", "optional") for name in DECLARED},
     # messages
-    "message_set": Rule("", "", _one("input_set"), _one("output_set")),
-    "input_set": Rule("", "", _any(*_MESSAGES)),
-    "output_set": Rule("", "", _any(*_MESSAGES)),
-    "internal_events_set": Rule("", "", _any("event_def", "declared_event_def")),
-    "message_def": Rule("name message_id", "is_command deprecated", _maybe("description"), *_PART_GROUPS),
-    "event_def": Rule("name", "deprecated", _maybe("description"), *_PART_GROUPS),
+    "message_set": ElementRule("", "", _one("input_set"), _one("output_set")),
+    "input_set": ElementRule("", "", _any(*_MESSAGES)),
+    "output_set": ElementRule("", "", _any(*_MESSAGES)),
+    "internal_events_set": ElementRule("", "", _any("event_def", "declared_event_def")),
+    "message_def": ElementRule("name message_id", "is_command deprecated", _maybe("description"), *_PART_GROUPS),
+    "event_def": ElementRule("name", "deprecated", _maybe("description"), *_PART_GROUPS),
     "header": _PART,
     "body": _PART,
     "footer": _PART,
     # composites
-    "record": Rule("name", "optional", _maybe("presence_vector"), _some(*_FIELDS)),
-    "list": Rule("name", "optional", _one("count_field"), _one(*_ANY_COMPOSITE)),
-    "variant": Rule("name", "optional", _one("vtag_field"), _any(*_ANY_COMPOSITE)),
-    "sequence": Rule("name", "optional", _maybe("presence_vector"), _some(*_ANY_COMPOSITE)),
-    "presence_vector": Rule("field_type_unsigned", ""),
+    "record": ElementRule("name", "optional", _maybe("presence_vector"), _some(*_FIELDS)),
+    "list": ElementRule("name", "optional", _one("count_field"), _one(*_ANY_COMPOSITE)),
+    "variant": ElementRule("name", "optional", _one("vtag_field"), _any(*_ANY_COMPOSITE)),
+    "sequence": ElementRule("name", "optional", _maybe("presence_vector"), _some(*_ANY_COMPOSITE)),
+    "presence_vector": ElementRule("field_type_unsigned", ""),
     "count_field": _COUNT,
     "vtag_field": _COUNT,
     # fields
-    "array": Rule("name", "optional", _one(*_SIMPLE, *_DECLARED_SIMPLE), _some("dimension")),
-    "dimension": Rule("name size", ""),
-    "fixed_field": Rule("name field_type field_units", "optional", _maybe("scale_range", *_VALUES)),
-    "bit_field": Rule("name field_type_unsigned", "optional", _some("sub_field")),
-    "sub_field": Rule("name", "", _one("bit_range"), _maybe(*_VALUES)),
-    "bit_range": Rule("from_index to_index", ""),
-    "variable_field": Rule("name", "optional", _one("type_and_units_field")),
-    "type_and_units_field": Rule("", "", _some("type_and_units_enum")),
-    "type_and_units_enum": Rule("index field_type field_units", "name", _maybe("scale_range", *_VALUES)),
-    "fixed_length_string": Rule("name string_length", "optional"),
-    "variable_length_string": Rule("name", "optional", _one("count_field")),
-    "variable_length_field": Rule("name field_format", "optional", _one("count_field")),
-    "variable_format_field": Rule("name", "optional", _one("format_field"), _one("count_field")),
-    "format_field": Rule("", "", _some("format_enum")),
-    "format_enum": Rule("index field_format", ""),
-    "scale_range": Rule("real_lower_limit real_upper_limit integer_function", ""),
-    "value_set": Rule("", "name offset_to_lower_limit", _some("value_range", "value_enum")),
-    "value_range": Rule("lower_limit lower_limit_type upper_limit upper_limit_type", ""),
-    "value_enum": Rule("enum_index enum_const", ""),
+    "array": ElementRule("name", "optional", _one(*_SIMPLE, *_DECLARED_SIMPLE), _some("dimension")),
+    "dimension": ElementRule("name size", ""),
+    "fixed_field": ElementRule("name field_type field_units", "optional", _maybe("scale_range", *_VALUES)),
+    "bit_field": ElementRule("name field_type_unsigned", "optional", _some("sub_field")),
+    "sub_field": ElementRule("name", "", _one("bit_range"), _maybe(*_VALUES)),
+    "bit_range": ElementRule("from_index to_index", ""),
+    "variable_field": ElementRule("name", "optional", _one("type_and_units_field")),
+    "type_and_units_field": ElementRule("", "", _some("type_and_units_enum")),
+    "type_and_units_enum": ElementRule("index field_type field_units", "name", _maybe("scale_range", *_VALUES)),
+    "fixed_length_string": ElementRule("name string_length", "optional"),
+    "variable_length_string": ElementRule("name", "optional", _one("count_field")),
+    "variable_length_field": ElementRule("name field_format", "optional", _one("count_field")),
+    "variable_format_field": ElementRule("name", "optional", _one("format_field"), _one("count_field")),
+    "format_field": ElementRule("", "", _some("format_enum")),
+    "format_enum": ElementRule("index field_format", ""),
+    "scale_range": ElementRule("real_lower_limit real_upper_limit integer_function", ""),
+    "value_set": ElementRule("", "name offset_to_lower_limit", _some("value_range", "value_enum")),
+    "value_range": ElementRule("lower_limit lower_limit_type upper_limit upper_limit_type", ""),
+    "value_enum": ElementRule("enum_index enum_const", ""),
     # protocol behaviour
-    "protocol_behavior": Rule("", "is_stateless", _any("start"), _any("state_machine")),
-    "start": Rule("state_machine_name state_name", ""),
-    "state_machine": Rule("name", "", _some("state"), _maybe("default_state")),
-    "state": Rule(
+    "protocol_behavior": ElementRule("", "is_stateless", _any("start"), _any("state_machine")),
+    "start": ElementRule("state_machine_name state_name", ""),
+    "state_machine": ElementRule("name", "", _some("state"), _maybe("default_state")),
+    "state": ElementRule(
         "name",
         "initial_state",
         _maybe("entry"),
@@ -158,21 +158,21 @@ RULES: dict[str, Rule] = {
         _any("state"),
         _maybe("default_state"),
     ),
-    "default_state": Rule("", "", _any("transition", "default_transition")),
-    "entry": Rule("", "", _ACTIONS),
-    "exit": Rule("", "", _ACTIONS),
-    "transition": Rule("name", "", _any("parameter"), _maybe("guard"), _one(*_KINDS), _ACTIONS),
-    "default_transition": Rule("", "", _maybe("guard"), _one(*_KINDS), _ACTIONS),
-    "parameter": Rule("type value", ""),
-    "guard": Rule("condition", ""),
-    "simple": Rule("", "", _maybe("end_state")),
-    "internal": Rule("", ""),
-    "push": Rule("", "", _one("end_state"), _maybe("simple")),
-    "pop": Rule("", "transition", _any("argument")),
-    "end_state": Rule("state", ""),
-    "action": Rule("name", "", _any("argument")),
-    "send_action": Rule("name", "", _any("argument")),
-    "argument": Rule("value", ""),
+    "default_state": ElementRule("", "", _any("transition", "default_transition")),
+    "entry": ElementRule("", "", _ACTIONS),
+    "exit": ElementRule("", "", _ACTIONS),
+    "transition": ElementRule("name", "", _any("parameter"), _maybe("guard"), _one(*_KINDS), _ACTIONS),
+    "default_transition": ElementRule("", "", _maybe("guard"), _one(*_KINDS), _ACTIONS),
+    "parameter": ElementRule("type value", ""),
+    "guard": ElementRule("condition", ""),
+    "simple": ElementRule("", "", _maybe("end_state")),
+    "internal": ElementRule("", ""),
+    "push": ElementRule("", "", _one("end_state"), _maybe("simple")),
+    "pop": ElementRule("", "transition", _any("argument")),
+    "end_state": ElementRule("state", ""),
+    "action": ElementRule("name", "", _any("argument")),
+    "send_action": ElementRule("name", "", _any("argument")),
+    "argument": ElementRule("value", ""),
 }
 
 
@@ -199,7 +199,7 @@ def is_unexpected(element: Element) -> bool:
     return parent is not None and element.tag not in RULES[parent.tag].group_of
 
 
-def _check_attributes(element: Element, rule: Rule) -> Iterator[tuple[Element, SchemaError]]:
+def _check_attributes(element: Element, rule: ElementRule) -> Iterator[tuple[Element, SchemaError]]:
     for name in map(str, element.keys()):
         if name not in rule.attributes and not name.startswith("{"):
             known = suggestion(name, rule.attributes)
@@ -209,7 +209,7 @@ def _check_attributes(element: Element, rule: Rule) -> Iterator[tuple[Element, S
             yield element, wrong(element, f"<{element.tag}> needs the attribute '{name}'")
 
 
-def _check_children(element: Element, rule: Rule) -> Iterator[tuple[Element, SchemaError]]:
+def _check_children(element: Element, rule: ElementRule) -> Iterator[tuple[Element, SchemaError]]:
     counts: Counter[int] = Counter()
     for child in element:
         index = rule.group_of.get(child.tag)

@@ -13,18 +13,18 @@ from jauspy.schema.model import Action, Behavior, State, Transition
 _BLANKS = re.compile(r"(?<=[(!])\s+|\s+(?=[(),])")
 """Blanks in a guard that mean nothing."""
 
-Rule: TypeAlias = tuple[str, str]
+TransitionKey: TypeAlias = tuple[str, str]
 """What a transition waits for, and its guard."""
 
 
 @dataclass(slots=True)
-class _State:
+class _StateEffects:
     """What one state does, without the local names of where that is inherited from."""
 
     initial: str | None
     entry: tuple[str, ...]
     exit: tuple[str, ...]
-    rules: dict[Rule, list[str]] = field(default_factory=dict)
+    rules: dict[TransitionKey, list[str]] = field(default_factory=dict)
 
 
 def compare_behavior(one: Behavior | None, other: Behavior | None) -> Iterator[Change]:
@@ -51,7 +51,7 @@ def _what(path: str) -> str:
     return "state" if "." in path else "state machine"
 
 
-def _compare_states(one: _State, other: _State, path: str) -> Iterator[Change]:
+def _compare_states(one: _StateEffects, other: _StateEffects, path: str) -> Iterator[Change]:
     for what, before, after in (
         ("initial state", (one.initial or "none",), (other.initial or "none",)),
         ("on entry", one.entry, other.entry),
@@ -73,14 +73,14 @@ def _compare_states(one: _State, other: _State, path: str) -> Iterator[Change]:
             yield from (Change("behavior", path, f"{_named(rule)}: {effect} added") for effect in come)
 
 
-def _named(rule: Rule) -> str:
+def _named(rule: TransitionKey) -> str:
     return f"{rule[0]} [{rule[1]}]" if rule[1] else rule[0]
 
 
-def _states(behavior: Behavior | None) -> dict[str, _State]:
-    found: dict[str, _State] = {}
+def _states(behavior: Behavior | None) -> dict[str, _StateEffects]:
+    found: dict[str, _StateEffects] = {}
     for machine in behavior.machines if behavior else ():
-        whole = _State(None, (), ())
+        whole = _StateEffects(None, (), ())
         _add_rules(whole, machine.default_transitions, "by default ")
         found[short(machine.name)] = whole
         for state in machine.states:
@@ -88,8 +88,8 @@ def _states(behavior: Behavior | None) -> dict[str, _State]:
     return found
 
 
-def _add(found: dict[str, _State], state: State, path: str) -> None:
-    made = _State(state.initial, _texts(state.entry), _texts(state.exit))
+def _add(found: dict[str, _StateEffects], state: State, path: str) -> None:
+    made = _StateEffects(state.initial, _texts(state.entry), _texts(state.exit))
     _add_rules(made, state.transitions, "")
     _add_rules(made, state.default_transitions, "by default ")
     found[path] = made
@@ -97,7 +97,7 @@ def _add(found: dict[str, _State], state: State, path: str) -> None:
         _add(found, child, f"{path}.{child.name}")
 
 
-def _add_rules(state: _State, transitions: Sequence[Transition], prefix: str) -> None:
+def _add_rules(state: _StateEffects, transitions: Sequence[Transition], prefix: str) -> None:
     for transition in transitions:
         rule = (prefix + trigger(transition), _BLANKS.sub("", transition.guard))
         state.rules.setdefault(rule, []).append(_effect(transition))
