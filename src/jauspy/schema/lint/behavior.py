@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from lxml.etree import _Element as Element
 
 from jauspy.schema.lint.finding import Problem
-from jauspy.schema.lint.world import World
+from jauspy.schema.lint.world import LintContext
 from jauspy.schema.model import Action, Behavior, Location, State, Transition
 from jauspy.schema.reading import suggestion
 from jauspy.schema.state_tree import MergedMachine, merge_machines, short_name as short, transitions_of, walk_states
@@ -36,7 +36,7 @@ class _Known:
     events: set[str]
 
 
-def _triggers(world: World) -> Iterator[tuple[Transition, _Known]]:
+def _triggers(world: LintContext) -> Iterator[tuple[Transition, _Known]]:
     """Every transition of the checked services whose ancestors are all there."""
     for service in world.services():
         behavior = world.behavior(service)
@@ -51,7 +51,7 @@ def _triggers(world: World) -> Iterator[tuple[Transition, _Known]]:
         yield from ((transition, known) for transition in transitions_of(behavior))
 
 
-def dead_trigger(world: World) -> Iterator[Problem]:
+def dead_trigger(world: LintContext) -> Iterator[Problem]:
     """Transitions that no input of the service or its ancestors can fire."""
     for transition, known in _triggers(world):
         reason = _dead(transition, known)
@@ -75,7 +75,7 @@ def _dead(transition: Transition, known: _Known) -> str:
     return f"no internal event '{event}' in the service or its ancestors{hint}; nothing fires this"
 
 
-def output_trigger(world: World) -> Iterator[Problem]:
+def output_trigger(world: LintContext) -> Iterator[Problem]:
     """Transitions on a message that the service itself sends and does not take."""
     for transition, known in _triggers(world):
         if short(transition.trigger) == RECEIVE and transition.parameters:
@@ -90,7 +90,7 @@ def _incomplete(line: Sequence[Element]) -> bool:
     return line[-1].find("references/inherits_from") is not None
 
 
-def unknown_send(world: World) -> Iterator[Problem]:
+def unknown_send(world: LintContext) -> Iterator[Problem]:
     """Sends of messages that are no output of the service or its ancestors."""
     for service in world.services():
         behavior = world.behavior(service)
@@ -123,11 +123,11 @@ def _sent(action: Action) -> str:
 # --- states ---------------------------------------------------------------------------------------------------------
 
 
-def _machines(world: World, line: Iterable[Element]) -> dict[str, MergedMachine]:
+def _machines(world: LintContext, line: Iterable[Element]) -> dict[str, MergedMachine]:
     return merge_machines([world.definition(each) for each in line])
 
 
-def unknown_state(world: World) -> Iterator[Problem]:
+def unknown_state(world: LintContext) -> Iterator[Problem]:
     """Start, initial and end states that do not exist."""
     for service in world.services():
         behavior = world.behavior(service)
@@ -162,7 +162,7 @@ def _missing(
         yield where, f"{what} '{path}' does not exist{known}; correct the path, it starts at the outermost state"
 
 
-def unreachable_state(world: World) -> Iterator[Problem]:
+def unreachable_state(world: LintContext) -> Iterator[Problem]:
     """States no transition leads to: neither in the service that introduces them nor in one that inherits."""
     reached: dict[tuple[Element, str], set[str]] = {}
     for service in world.all_services():

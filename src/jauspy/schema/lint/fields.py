@@ -11,7 +11,7 @@ from jauspy.errors import SchemaError
 from jauspy.schema.composites import read_composite
 from jauspy.schema.library import Scope
 from jauspy.schema.lint.finding import Problem
-from jauspy.schema.lint.world import World
+from jauspy.schema.lint.world import LintContext
 from jauspy.schema.model import List, Scalar, ValueSet
 from jauspy.schema.reading import location
 from jauspy.schema.sizes import sizes
@@ -45,7 +45,7 @@ def _bits(sub_field: Element) -> tuple[int, int] | None:
     return None
 
 
-def bits_beyond_type(world: World) -> Iterator[Problem]:
+def bits_beyond_type(world: LintContext) -> Iterator[Problem]:
     """Sub-fields outside their bit field."""
     for field, _ in world.elements("bit_field"):
         size = bits_of(field)
@@ -61,7 +61,7 @@ def bits_beyond_type(world: World) -> Iterator[Problem]:
                 yield where, f"{reason}; move it or take a larger type"
 
 
-def overlapping_bits(world: World) -> Iterator[Problem]:
+def overlapping_bits(world: LintContext) -> Iterator[Problem]:
     """Sub-fields that share bits."""
     for field, _ in world.elements("bit_field"):
         taken: list[tuple[int, int, Element]] = []
@@ -77,7 +77,7 @@ def overlapping_bits(world: World) -> Iterator[Problem]:
             taken.append((*found, part))
 
 
-def count_limits(world: World) -> Iterator[Problem]:
+def count_limits(world: LintContext) -> Iterator[Problem]:
     """Counts whose limits are upside down or beyond their type."""
     for element, scope in world.elements(*COUNTS):
         limits = _limits(element, scope)
@@ -100,7 +100,7 @@ def _limits(element: Element, scope: Scope) -> tuple[int, int] | None:
     return low, high
 
 
-def missing_count(world: World) -> Iterator[Problem]:
+def missing_count(world: LintContext) -> Iterator[Problem]:
     """Counts without limits: what a peer sends is bounded by the type alone."""
     for element, _ in world.elements("count_field"):
         missing = [name for name in ("min_count", "max_count") if name not in element.attrib]
@@ -112,7 +112,7 @@ def missing_count(world: World) -> Iterator[Problem]:
             )
 
 
-def tag_limits(world: World) -> Iterator[Problem]:
+def tag_limits(world: LintContext) -> Iterator[Problem]:
     """Variant tags whose limits are not those of the arms."""
     for variant, scope in world.elements("variant"):
         arms = sum(1 for part in variant if part.tag != "vtag_field")
@@ -125,7 +125,7 @@ def tag_limits(world: World) -> Iterator[Problem]:
                 yield location(tag), f'{reason}0..{arms - 1}; write min_count="0" max_count="{arms - 1}"'
 
 
-def small_presence_vector(world: World) -> Iterator[Problem]:
+def small_presence_vector(world: LintContext) -> Iterator[Problem]:
     """Presence vectors with fewer bits than optional members, or none at all."""
     for element, _ in world.elements("record", "sequence"):
         optional = [part for part in element if part.get("optional", "").strip() in ("true", "1")]
@@ -142,7 +142,7 @@ def small_presence_vector(world: World) -> Iterator[Problem]:
             yield location(vector), f"{reason}: {lost} can never be sent; take a larger type"
 
 
-def unbounded_list(world: World) -> Iterator[Problem]:
+def unbounded_list(world: LintContext) -> Iterator[Problem]:
     """Lists of items without a byte: a count of four thousand million fits into four bytes."""
     for element, scope in world.elements("list"):
         if not world.is_sound(element):
@@ -153,7 +153,7 @@ def unbounded_list(world: World) -> Iterator[Problem]:
             yield location(element), f"{reason}; give the item a mandatory field"
 
 
-def scale_limits(world: World) -> Iterator[Problem]:
+def scale_limits(world: LintContext) -> Iterator[Problem]:
     """Scales with nothing between their limits."""
     for element, scope in world.elements("scale_range"):
         limits = world.attempt(lambda element=element, scope=scope: read_limits(element, scope))  # type: ignore[misc]
@@ -162,7 +162,7 @@ def scale_limits(world: World) -> Iterator[Problem]:
             yield location(element), f"scale of {named(element)} goes from {limits[0]:g} to {limits[1]:g}; {what}"
 
 
-def scale_types(world: World) -> Iterator[Problem]:
+def scale_types(world: LintContext) -> Iterator[Problem]:
     """Scales of floats, which mean nothing, and those with finer steps than floats have."""
     for element, scope in world.elements("scale_range"):
         holder = element.getparent()
@@ -178,7 +178,7 @@ def scale_types(world: World) -> Iterator[Problem]:
             yield location(element), f"{reason}; take a smaller type"
 
 
-def duplicate_name(world: World) -> Iterator[Problem]:
+def duplicate_name(world: LintContext) -> Iterator[Problem]:
     """Members of one container, or arms of one variant, with one name."""
     for element, _ in world.elements("record", "sequence", "variant"):
         seen: dict[str, Element] = {}
@@ -188,7 +188,7 @@ def duplicate_name(world: World) -> Iterator[Problem]:
                 yield location(part), f"{named(element)} has two members called '{name}'; rename one"
 
 
-def duplicate_index(world: World) -> Iterator[Problem]:
+def duplicate_index(world: LintContext) -> Iterator[Problem]:
     """Alternatives of a variable field or format with one index."""
     for element, _ in world.elements("type_and_units_field", "format_field"):
         seen: dict[str, Element] = {}
@@ -203,7 +203,7 @@ def duplicate_index(world: World) -> Iterator[Problem]:
 # --- value sets -----------------------------------------------------------------------------------------------------
 
 
-def value_range_limits(world: World) -> Iterator[Problem]:
+def value_range_limits(world: LintContext) -> Iterator[Problem]:
     """Ranges of allowed values that are upside down."""
     for element, scope in world.elements("value_range"):
         limits = world.attempt(
@@ -216,7 +216,7 @@ def value_range_limits(world: World) -> Iterator[Problem]:
             yield location(element), f"range of {named(element)} goes from {limits[0]:g} to {limits[1]:g}; swap them"
 
 
-def values_beyond_type(world: World) -> Iterator[Problem]:
+def values_beyond_type(world: LintContext) -> Iterator[Problem]:
     """Values and ranges that the field's bytes or bits cannot carry."""
     for holder, scope in world.elements("fixed_field", "type_and_units_enum", "sub_field"):
         limits = _value_limits(holder)
@@ -252,7 +252,7 @@ def _beyond(values: ValueSet, low: int, high: int) -> Iterator[str]:
             yield f"the range {part.lower:g}..{part.upper:g}"
 
 
-def duplicate_value(world: World) -> Iterator[Problem]:
+def duplicate_value(world: LintContext) -> Iterator[Problem]:
     """Two names for one value: only the first can be shown."""
     for element, _ in world.elements("value_set"):
         seen: dict[str, Element] = {}

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
-from jauspy.schema.lint.world import World
+from jauspy.schema.lint.world import LintContext
 from jauspy.schema.model import Location
 
 Severity: TypeAlias = Literal["error", "warning", "hint"]
@@ -17,7 +17,7 @@ Problem: TypeAlias = tuple[Location, str]
 
 
 @dataclass(frozen=True, slots=True, order=True)
-class Finding:
+class LintFinding:
     """One finding; sorts by place."""
 
     file: str
@@ -31,10 +31,10 @@ class Finding:
 
 
 @dataclass(frozen=True, slots=True)
-class Rule:
+class LintRule:
     """A code, what it stands for, and the function that looks for it in all files."""
 
     code: str
     severity: Severity
     summary: str
-    check: Callable[[World], Iterator[Problem]]
+    check: Callable[[LintContext], Iterator[Problem]]

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from lxml.etree import _Element as Element
 
 from jauspy.schema.lint.finding import Problem
-from jauspy.schema.lint.world import World
+from jauspy.schema.lint.world import LintContext
 from jauspy.schema.model import Location, Message
 from jauspy.schema.reading import line_of, location
 from jauspy.schema.wire import same_wire
@@ -33,7 +33,7 @@ def shown(message: Message) -> str:
     return f"{message.name}{where}"
 
 
-def duplicate_message(world: World) -> Iterator[Problem]:
+def duplicate_message(world: LintContext) -> Iterator[Problem]:
     """Two messages of one service, or of it and its ancestors, under one id or name."""
     for service in world.services():
         for direction in ("input_set", "output_set"):
@@ -41,7 +41,7 @@ def duplicate_message(world: World) -> Iterator[Problem]:
         yield from _two_meanings(world, service)
 
 
-def _duplicates(world: World, messages: Iterator[Element]) -> Iterator[Problem]:
+def _duplicates(world: LintContext, messages: Iterator[Element]) -> Iterator[Problem]:
     codes: dict[str, Element] = {}
     names: dict[str, Element] = {}
     for element in messages:
@@ -55,7 +55,7 @@ def _duplicates(world: World, messages: Iterator[Element]) -> Iterator[Problem]:
                 yield location(element), f"{reason}; give it another or delete one"
 
 
-def _two_meanings(world: World, service: Element) -> Iterator[Problem]:
+def _two_meanings(world: LintContext, service: Element) -> Iterator[Problem]:
     """One id with different content in inputs and outputs, or in a service and an ancestor."""
     known: dict[int, Message] = {}
     line = world.lineage(service)
@@ -76,7 +76,7 @@ def _two_meanings(world: World, service: Element) -> Iterator[Problem]:
             yield location(element), f"{reason}; a receiver cannot tell them apart, change one id"
 
 
-def _same_set(world: World, service: Element, one: Message, other: Message) -> bool:
+def _same_set(world: LintContext, service: Element, one: Message, other: Message) -> bool:
     sets = [
         {message.name for element in world.messages(service, direction) if (message := world.message(element))}
         for direction in ("input_set", "output_set")
@@ -84,7 +84,7 @@ def _same_set(world: World, service: Element, one: Message, other: Message) -> b
     return any({one.name, other.name} <= names for names in sets)
 
 
-def conflicting_message(world: World) -> Iterator[Problem]:
+def conflicting_message(world: LintContext) -> Iterator[Problem]:
     """One id with different content in different services."""
     own = list(world.services())
     codes = {world.code(element) for service in own for element in world.messages(service)}
@@ -101,7 +101,7 @@ def conflicting_message(world: World) -> Iterator[Problem]:
 class _User:
     """A service, those of its messages that have one of the `codes`, and whom it need not be told apart from."""
 
-    def __init__(self, world: World, service: Element, codes: set[str]) -> None:
+    def __init__(self, world: LintContext, service: Element, codes: set[str]) -> None:
         self.urn, self.version = (service.get(name, "").strip() for name in ("id", "version"))
         self.lineage = {each.get("id", "").strip() for each in world.lineage(service)}
         wanted = (element for element in world.messages(service) if world.code(element) in codes)
@@ -130,7 +130,7 @@ def _conflicts(
         yield where, f"{reason} with other content; decoders have to know the service, or change one id"
 
 
-def no_description(world: World) -> Iterator[Problem]:
+def no_description(world: LintContext) -> Iterator[Problem]:
     """Services, messages and events nobody has described, and fields without an interpretation."""
     for element, _ in world.elements("service_def", "message_def", "event_def"):
         if not (element.findtext("description") or "").strip():

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from jauspy.errors import SchemaError
 from jauspy.schema.grammar import DECLARED
 from jauspy.schema.lint.finding import Problem
-from jauspy.schema.lint.world import World
+from jauspy.schema.lint.world import LintContext
 from jauspy.schema.model import Location
 from jauspy.schema.reading import file_of, identity, line_of, location, suggestion
 
@@ -30,17 +30,17 @@ def placed(error: SchemaError, advice: str = "") -> Problem:
     return where, error.reason + (f"; {advice}" if advice else "")
 
 
-def broken_grammar(world: World) -> Iterator[Problem]:
+def broken_grammar(world: LintContext) -> Iterator[Problem]:
     """Elements and attributes that JSIDL does not have, or that are missing or too many."""
     yield from map(placed, world.grammar)
 
 
-def duplicate_definition(world: World) -> Iterator[Problem]:
+def duplicate_definition(world: LintContext) -> Iterator[Problem]:
     """One id and version, or one name in a set, for two definitions."""
     yield from (placed(error, "rename or delete one") for error in world.duplicates)
 
 
-def dangling_set(world: World) -> Iterator[Problem]:
+def dangling_set(world: LintContext) -> Iterator[Problem]:
     """References to type sets and constant sets that are in no file."""
     uses: Counter[tuple[str, str]] = Counter()
     for element, _ in world.elements(*DECLARED):
@@ -58,7 +58,7 @@ def dangling_set(world: World) -> Iterator[Problem]:
             yield placed(error, f"name its file, too{used}")
 
 
-def dangling_type(world: World) -> Iterator[Problem]:
+def dangling_type(world: LintContext) -> Iterator[Problem]:
     """References to declared types that are not there, or of another kind."""
     for element, scope in world.elements(*DECLARED):
         local, dot, _ = element.get("declared_type_ref", "").partition(".")
@@ -71,7 +71,7 @@ def dangling_type(world: World) -> Iterator[Problem]:
                 yield placed(error)
 
 
-def dangling_constant(world: World) -> Iterator[Problem]:
+def dangling_constant(world: LintContext) -> Iterator[Problem]:
     """Numbers that are neither numbers nor expressions of known constants."""
     for element, scope in world.elements(*_NUMBERS):
         for attribute in _NUMBERS[str(element.tag)]:
@@ -82,7 +82,7 @@ def dangling_constant(world: World) -> Iterator[Problem]:
                     yield placed(error)
 
 
-def missing_parent(world: World) -> Iterator[Problem]:
+def missing_parent(world: LintContext) -> Iterator[Problem]:
     """Services that inherit from one that is in no file, or from themselves."""
     known = {root: f"{root.get('id', '').strip()} {root.get('version', '')}" for root in world.all_services()}
     for service in world.services():

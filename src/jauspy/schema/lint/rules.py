@@ -7,58 +7,62 @@ from collections.abc import Iterator
 from jauspy.errors import SchemaError
 from jauspy.schema.behavior import read_behavior
 from jauspy.schema.lint import behavior, fields, messages, references, shadows
-from jauspy.schema.lint.finding import Problem, Rule
+from jauspy.schema.lint.finding import LintRule, Problem
 from jauspy.schema.lint.references import placed
-from jauspy.schema.lint.world import World
+from jauspy.schema.lint.world import LintContext
 from jauspy.schema.messages import read_event, read_message
 from jauspy.schema.own import load_beside_builtin
 from jauspy.schema.reading import location
 
-RULES: tuple[Rule, ...] = (
-    Rule(
+RULES: tuple[LintRule, ...] = (
+    LintRule(
         "grammar",
         "error",
         "an element or attribute that JSIDL does not have, or one missing",
         references.broken_grammar,
     ),
-    Rule("duplicate-definition", "error", "one id or name for two definitions", references.duplicate_definition),
-    Rule("dangling-set", "error", "a reference to a type set or constant set in no file", references.dangling_set),
-    Rule("dangling-reference", "error", "a reference to a type that is not there", references.dangling_type),
-    Rule(
+    LintRule("duplicate-definition", "error", "one id or name for two definitions", references.duplicate_definition),
+    LintRule("dangling-set", "error", "a reference to a type set or constant set in no file", references.dangling_set),
+    LintRule("dangling-reference", "error", "a reference to a type that is not there", references.dangling_type),
+    LintRule(
         "dangling-constant", "error", "a number that is no expression of known constants", references.dangling_constant
     ),
-    Rule("missing-parent", "error", "a service that inherits from one in no file", references.missing_parent),
-    Rule("duplicate-message", "error", "two messages of a service under one id or name", messages.duplicate_message),
-    Rule("conflicting-message", "warning", "one id, different content in two services", messages.conflicting_message),
-    Rule(
+    LintRule("missing-parent", "error", "a service that inherits from one in no file", references.missing_parent),
+    LintRule(
+        "duplicate-message", "error", "two messages of a service under one id or name", messages.duplicate_message
+    ),
+    LintRule(
+        "conflicting-message", "warning", "one id, different content in two services", messages.conflicting_message
+    ),
+    LintRule(
         "presence-vector", "error", "a presence vector too small for its optional members", fields.small_presence_vector
     ),
-    Rule("bit-range", "error", "bits beyond the type of the bit field", fields.bits_beyond_type),
-    Rule("bit-overlap", "error", "sub-fields that share bits", fields.overlapping_bits),
-    Rule("count-limits", "error", "limits of a count upside down or beyond its type", fields.count_limits),
-    Rule("missing-count", "warning", "a count without min_count or max_count", fields.missing_count),
-    Rule("unbounded-list", "error", "a list of items that may have no content", fields.unbounded_list),
-    Rule("tag-limits", "warning", "limits of a variant's tag that are not those of its arms", fields.tag_limits),
-    Rule("scale-limits", "error", "a scale with nothing between its limits", fields.scale_limits),
-    Rule("scale-type", "warning", "a scale that a float cannot follow", fields.scale_types),
-    Rule("value-range", "error", "a range of values upside down", fields.value_range_limits),
-    Rule("value-set", "error", "values that the type cannot carry", fields.values_beyond_type),
-    Rule("duplicate-value", "warning", "two names for one value", fields.duplicate_value),
-    Rule("duplicate-name", "error", "two members of one container under one name", fields.duplicate_name),
-    Rule("duplicate-index", "error", "two alternatives with one index", fields.duplicate_index),
-    Rule("dead-trigger", "error", "a transition that no input can fire", behavior.dead_trigger),
-    Rule("output-trigger", "warning", "a transition on a message that is only sent", behavior.output_trigger),
-    Rule(
+    LintRule("bit-range", "error", "bits beyond the type of the bit field", fields.bits_beyond_type),
+    LintRule("bit-overlap", "error", "sub-fields that share bits", fields.overlapping_bits),
+    LintRule("count-limits", "error", "limits of a count upside down or beyond its type", fields.count_limits),
+    LintRule("missing-count", "warning", "a count without min_count or max_count", fields.missing_count),
+    LintRule("unbounded-list", "error", "a list of items that may have no content", fields.unbounded_list),
+    LintRule("tag-limits", "warning", "limits of a variant's tag that are not those of its arms", fields.tag_limits),
+    LintRule("scale-limits", "error", "a scale with nothing between its limits", fields.scale_limits),
+    LintRule("scale-type", "warning", "a scale that a float cannot follow", fields.scale_types),
+    LintRule("value-range", "error", "a range of values upside down", fields.value_range_limits),
+    LintRule("value-set", "error", "values that the type cannot carry", fields.values_beyond_type),
+    LintRule("duplicate-value", "warning", "two names for one value", fields.duplicate_value),
+    LintRule("duplicate-name", "error", "two members of one container under one name", fields.duplicate_name),
+    LintRule("duplicate-index", "error", "two alternatives with one index", fields.duplicate_index),
+    LintRule("dead-trigger", "error", "a transition that no input can fire", behavior.dead_trigger),
+    LintRule("output-trigger", "warning", "a transition on a message that is only sent", behavior.output_trigger),
+    LintRule(
         "shadowed-transition", "warning", "a transition that another one always precedes", shadows.shadowed_transition
     ),
-    Rule("unknown-send", "error", "a Send of a message that is no output", behavior.unknown_send),
-    Rule("unknown-state", "error", "a start, initial or end state that does not exist", behavior.unknown_state),
-    Rule("unreachable-state", "warning", "a state that nothing leads to", behavior.unreachable_state),
-    Rule("no-description", "hint", "a message or field that nobody has described", messages.no_description),
+    LintRule("unknown-send", "error", "a Send of a message that is no output", behavior.unknown_send),
+    LintRule("unknown-state", "error", "a start, initial or end state that does not exist", behavior.unknown_state),
+    LintRule("unreachable-state", "warning", "a state that nothing leads to", behavior.unreachable_state),
+    LintRule("no-description", "hint", "a message or field that nobody has described", messages.no_description),
 )
 
 
-def refused(world: World) -> Iterator[Problem]:
+def refused(world: LintContext) -> Iterator[Problem]:
     """Messages, events and behaviour that the loader refuses; most of it other rules have found before."""
     for element, scope in world.elements("message_def", "event_def", "protocol_behavior"):
         if world.is_sound(element) and not world.too_deep:
@@ -77,7 +81,7 @@ def refused(world: World) -> Iterator[Problem]:
                 yield location(element), "refers to declared types too deeply; flatten them"
 
 
-def refused_together(world: World) -> Iterator[Problem]:
+def refused_together(world: LintContext) -> Iterator[Problem]:
     """The mistake that loading everything stops at: the last word on whether files are right."""
     try:
         load_beside_builtin(world.paths)
@@ -85,6 +89,6 @@ def refused_together(world: World) -> Iterator[Problem]:
         yield placed(error)
 
 
-REFUSED = Rule("refused", "error", "anything else that the loader refuses", refused)
-LAST = Rule("refused", "error", "what the loader refuses when nothing else is wrong", refused_together)
+REFUSED = LintRule("refused", "error", "anything else that the loader refuses", refused)
+LAST = LintRule("refused", "error", "what the loader refuses when nothing else is wrong", refused_together)
 UNREADABLE = "unreadable"

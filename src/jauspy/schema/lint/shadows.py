@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from jauspy.schema.lint.behavior import RECEIVE, place, states_of
 from jauspy.schema.lint.finding import Problem
-from jauspy.schema.lint.world import World
+from jauspy.schema.lint.world import LintContext
 from jauspy.schema.model import Behavior, Transition
 from jauspy.schema.state_tree import short_name as short
 
@@ -14,7 +14,7 @@ Key = tuple[str, str]
 """Trigger, and the message where it is the arrival of one; empty is any."""
 
 
-def shadowed_transition(world: World) -> Iterator[Problem]:
+def shadowed_transition(world: LintContext) -> Iterator[Problem]:
     """Transitions behind one of the same state that fits whenever they do: the first that fits is taken."""
     for service in world.services():
         behavior = world.behavior(service)

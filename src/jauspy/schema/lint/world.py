@@ -24,7 +24,7 @@ Thing = TypeVar("Thing")
 MESSAGES = ("message_def", "declared_message_def")
 
 
-class World:
+class LintContext:
     """The files to be checked, and beside them the built-in definitions they may refer to."""
 
     def __init__(self, paths: Iterable[Path]) -> None:
