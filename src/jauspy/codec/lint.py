@@ -10,11 +10,11 @@ from lxml.etree import _Element as Element
 from jauspy.codec.build import build
 from jauspy.codec.names import attribute, constant, snake
 from jauspy.errors import SchemaError
+from jauspy.schema.document import location
 from jauspy.schema.lint import Problem, Rule, World
 from jauspy.schema.lint.fields import unbounded_list
 from jauspy.schema.lint.references import placed
 from jauspy.schema.own import load_own
-from jauspy.schema.reading import location
 
 _CONTAINERS: Final = ("record", "sequence", "variant", "bit_field")
 _NO_MEMBERS: Final = frozenset(("presence_vector", "vtag_field"))

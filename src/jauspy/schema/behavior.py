@@ -7,8 +7,8 @@ from typing import Literal
 
 from lxml.etree import _Element as Element
 
+from jauspy.schema.document import flag, line_of, location, required, suggestion, wrong
 from jauspy.schema.model import Action, Behavior, Parameter, Start, State, StateMachine, Transition
-from jauspy.schema.reading import flag, line_of, location, required, suggestion, wrong
 
 Kind = Literal["simple", "internal", "push", "pop"]
 

@@ -6,11 +6,10 @@ from collections.abc import Callable, Iterable, Mapping
 
 from lxml.etree import _Element as Element
 
+from jauspy.schema.document import DECLARED, child, flag, prose, required, wrong
 from jauspy.schema.fields import read_field
-from jauspy.schema.grammar import DECLARED
 from jauspy.schema.library import Scope
 from jauspy.schema.model import Composite, List, Node, Record, Sequence, Unsigned, Variant
-from jauspy.schema.reading import child, flag, prose, required, wrong
 from jauspy.schema.values import BITS, read_count, unsigned
 
 _AUXILIARY = frozenset(("presence_vector", "count_field", "vtag_field"))

@@ -7,6 +7,7 @@ from typing import Final
 
 from lxml.etree import _Element as Element
 
+from jauspy.schema.document import bounded, child, flag, prose, required, wrong
 from jauspy.schema.library import Scope
 from jauspy.schema.model import (
     Array,
@@ -24,7 +25,6 @@ from jauspy.schema.model import (
     VariableLengthField,
     VariableString,
 )
-from jauspy.schema.reading import bounded, child, flag, prose, required, wrong
 from jauspy.schema.sizes import sizes
 from jauspy.schema.values import BITS, read_count, read_scale, read_values, scalar, unsigned
 

@@ -15,9 +15,8 @@ from lxml.etree import _Element as Element
 
 from jauspy.errors import SchemaError
 from jauspy.schema.constants import ExpressionError, Number, evaluate
-from jauspy.schema.grammar import DECLARED
+from jauspy.schema.document import DECLARED, file_of, flag, identity, line_of, prose, required, suggestion, wrong
 from jauspy.schema.model import DeclaredType, Node
-from jauspy.schema.reading import file_of, flag, identity, line_of, prose, required, suggestion, wrong
 
 AnyNode = TypeVar("AnyNode", bound=Node)
 Thing = TypeVar("Thing")

@@ -9,9 +9,9 @@ from dataclasses import replace
 from lxml.etree import _Element as Element
 
 from jauspy.schema.composites import read_content
+from jauspy.schema.document import flag, line_of, location, prose, required, text_of, wrong
 from jauspy.schema.library import Scope
 from jauspy.schema.model import DeclaredType, FixedField, InternalEvent, Message, Record
-from jauspy.schema.reading import flag, line_of, location, prose, required, text_of, wrong
 
 _CODE = re.compile(r"[0-9A-Fa-f]{4}")
 

@@ -10,10 +10,9 @@ from pathlib import Path
 from lxml.etree import _Element as Element
 
 from jauspy.errors import ConfigError
+from jauspy.schema.document import identity, is_jsidl, parse
 from jauspy.schema.loader import builtin_paths, load_builtin, load_files
 from jauspy.schema.model import Schema
-from jauspy.schema.reading import identity
-from jauspy.schema.source import is_jsidl, parse
 
 Identity = tuple[str, str, str]
 """The kind of a definition (the tag of its root), its id and its version."""

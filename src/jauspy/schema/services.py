@@ -9,10 +9,10 @@ from dataclasses import replace
 from lxml.etree import _Element as Element
 
 from jauspy.schema.behavior import read_behavior
+from jauspy.schema.document import child, identity, location, required, suggestion, text_of, wrong
 from jauspy.schema.library import Key, Scope
 from jauspy.schema.messages import read_events, read_messages
 from jauspy.schema.model import Message, Reference, Service
-from jauspy.schema.reading import child, identity, location, required, suggestion, text_of, wrong
 
 _VERSION = re.compile(r"\d+\.\d+")
 

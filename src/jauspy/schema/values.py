@@ -7,9 +7,9 @@ from typing import Literal
 
 from lxml.etree import _Element as Element
 
+from jauspy.schema.document import choice, flag, required, whole_number, wrong
 from jauspy.schema.library import Scope
 from jauspy.schema.model import Count, Scalar, Scale, Unsigned, ValueEnum, ValueRange, ValueSet
-from jauspy.schema.reading import choice, flag, required, whole_number, wrong
 
 UNSIGNED: Mapping[str, Unsigned] = {
     "unsigned byte": "u8",

@@ -9,11 +9,11 @@ from lxml.etree import _Element as Element
 
 from jauspy.errors import SchemaError
 from jauspy.schema.composites import read_composite
+from jauspy.schema.document import location
 from jauspy.schema.library import Scope
 from jauspy.schema.lint.finding import Problem
 from jauspy.schema.lint.world import LintContext
 from jauspy.schema.model import List, Scalar, ValueSet
-from jauspy.schema.reading import location
 from jauspy.schema.sizes import sizes
 from jauspy.schema.values import BITS, SCALARS, UNSIGNED, read_count, read_limits, read_value_set
 

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 
 from lxml.etree import _Element as Element
 
+from jauspy.schema.document import line_of, location
 from jauspy.schema.lint.finding import Problem
 from jauspy.schema.lint.world import LintContext
 from jauspy.schema.model import Location, Message
-from jauspy.schema.reading import line_of, location
 from jauspy.schema.wire import same_wire
 
 _HOLDERS = ("message_def", "event_def", "service_def", "declared_type_set")

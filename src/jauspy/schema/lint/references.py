@@ -6,11 +6,10 @@ from collections import Counter
 from collections.abc import Iterator
 
 from jauspy.errors import SchemaError
-from jauspy.schema.grammar import DECLARED
+from jauspy.schema.document import DECLARED, file_of, identity, line_of, location, suggestion
 from jauspy.schema.lint.finding import Problem
 from jauspy.schema.lint.world import LintContext
 from jauspy.schema.model import Location
-from jauspy.schema.reading import file_of, identity, line_of, location, suggestion
 
 _NUMBERS = {
     "const_def": ("const_value",),

@@ -6,13 +6,13 @@ from collections.abc import Iterator
 
 from jauspy.errors import SchemaError
 from jauspy.schema.behavior import read_behavior
+from jauspy.schema.document import location
 from jauspy.schema.lint import behavior, fields, messages, references, shadows
 from jauspy.schema.lint.finding import LintRule, Problem
 from jauspy.schema.lint.references import placed
 from jauspy.schema.lint.world import LintContext
 from jauspy.schema.messages import read_event, read_message
 from jauspy.schema.own import load_beside_builtin
-from jauspy.schema.reading import location
 
 RULES: tuple[LintRule, ...] = (
     LintRule(

@@ -10,15 +10,13 @@ from lxml.etree import _Element as Element
 
 from jauspy.errors import SchemaError
 from jauspy.schema.behavior import read_behavior
-from jauspy.schema.grammar import is_unexpected, problems
+from jauspy.schema.document import identity, is_unexpected, parse, problems
 from jauspy.schema.inheritance import lineage
 from jauspy.schema.library import Key, Library, Scope
 from jauspy.schema.messages import read_message
 from jauspy.schema.model import Behavior, Message, Service
 from jauspy.schema.own import Identity, builtin_roots
-from jauspy.schema.reading import identity
 from jauspy.schema.services import matches_version, version_key
-from jauspy.schema.source import parse
 
 Thing = TypeVar("Thing")
 MESSAGES = ("message_def", "declared_message_def")

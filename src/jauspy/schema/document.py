@@ -1,14 +1,118 @@
-"""The grammar of JSIDL (AS5684) as a table: which attributes and children each element has."""
+"""Small readers for one XML element: attributes as Python values, and errors that say where."""
 
 from __future__ import annotations
 
+import re
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
+from difflib import get_close_matches
+from pathlib import Path
+from typing import TypeVar
 
+from lxml import etree
 from lxml.etree import _Element as Element
 
 from jauspy.errors import SchemaError
-from jauspy.schema.reading import suggestion, wrong
+from jauspy.schema.model import Location
+
+Value = TypeVar("Value")
+
+
+def file_of(element: Element) -> str:
+    """The path that the document of this element was read from."""
+    return element.getroottree().docinfo.URL or "<unknown>"
+
+
+def line_of(element: Element) -> int:
+    """The line of the start tag; 0 when libxml2 has lost it."""
+    line: object = element.sourceline
+    return line if isinstance(line, int) else 0
+
+
+def location(element: Element) -> Location:
+    """File and line of an element, for the model."""
+    return Location(file_of(element), line_of(element))
+
+
+def wrong(element: Element, message: str) -> SchemaError:
+    """The error to raise about this element."""
+    return SchemaError(message, file=file_of(element), line=line_of(element))
+
+
+def suggestion(name: str, known: Iterable[str]) -> str:
+    """How an error about an unknown name ends: the closest known names, or all when there are few."""
+    names = sorted(set(known))
+    close = get_close_matches(name, names, n=3, cutoff=0.5)
+    if close:
+        return f"; did you mean {' or '.join(close)}?"
+    if not names:
+        return "; there are none"
+    return f"; known: {', '.join(names[:12])}{', ...' if len(names) > 12 else ''}"
+
+
+def required(element: Element, name: str) -> str:
+    """A mandatory attribute."""
+    text = element.get(name)
+    if text is None:
+        raise wrong(element, f"<{element.tag}> needs the attribute '{name}'")
+    return text
+
+
+def identity(element: Element) -> tuple[str, str]:
+    """Id (URN) and version; blanks around them mean nothing (xsd:anyURI), and public files have some."""
+    return required(element, "id").strip(), required(element, "version").strip()
+
+
+def child(element: Element, tag: str) -> Element:
+    """A mandatory child."""
+    found = element.find(tag)
+    if found is None:
+        raise wrong(element, f"<{element.tag}> needs <{tag}>")
+    return found
+
+
+def choice(element: Element, name: str, values: Mapping[str, Value], default: str | None = None) -> Value:
+    """A mandatory attribute (unless there is a default) with a fixed vocabulary, translated."""
+    text = required(element, name) if default is None else element.get(name, default)
+    try:
+        return values[" ".join(text.split())]
+    except KeyError:
+        raise wrong(element, f"{name}: expected one of {', '.join(map(repr, values))}, got {text!r}") from None
+
+
+def whole_number(element: Element, name: str) -> int:
+    """A mandatory decimal integer."""
+    text = required(element, name)
+    try:
+        return int(text)
+    except ValueError:
+        raise wrong(element, f"{name}: expected a whole number, got {text!r}") from None
+
+
+def bounded(element: Element, name: str, lower: int, upper: int) -> int:
+    """A mandatory decimal integer from `lower` to `upper`."""
+    number = whole_number(element, name)
+    if not lower <= number <= upper:
+        raise wrong(element, f"{name}: expected a whole number from {lower} to {upper}, got {number}")
+    return number
+
+
+_TRUTH: Mapping[str, bool] = {"true": True, "1": True, "false": False, "0": False}
+
+
+def flag(element: Element, name: str) -> bool:
+    """An xsd:boolean that is false when it is not there."""
+    return choice(element, name, _TRUTH, default="false")
+
+
+def prose(element: Element) -> str:
+    """The interpretation of an element as one line."""
+    return " ".join(element.get("interpretation", "").split())
+
+
+def text_of(parent: Element, tag: str) -> str:
+    """The text of a child element as one line; empty when there is none."""
+    return " ".join((parent.findtext(tag) or "").split())
 
 
 class Group:
@@ -224,3 +328,89 @@ def _check_children(element: Element, rule: ElementRule) -> Iterator[tuple[Eleme
     for index, group in enumerate(rule.groups):
         if counts[index] < group.minimum:
             yield element, wrong(element, f"<{element.tag}> needs {group}")
+
+
+NAMESPACES = {"urn:jaus:jsidl:1.0": "1.0", "urn:jaus:jsidl:1.1": "1.1"}
+MAX_FILE_SIZE = 4 * 1024 * 1024
+"""Bytes; the largest public definition has less than a tenth of it."""
+
+ROOTS = ("service_def", "declared_type_set", "declared_const_set")
+
+_DOCTYPE = re.compile(rb"<!(DOCTYPE|ENTITY)")
+
+
+def read(path: Path) -> tuple[Element, str]:
+    """The root element of a file that follows the grammar, and its JSIDL version; tags have lost their namespace."""
+    root, version = parse(path)
+    check(root)
+    return root, version
+
+
+def parse(path: Path) -> tuple[Element, str]:
+    """As `read`, but what is below the root may be against the grammar."""
+    root = _parse(_bytes(path), path)
+    if root.getroottree().docinfo.doctype:  # type: ignore[attr-defined]  # lxml-stubs lacks it
+        raise wrong(root, "a document type declaration is not allowed")
+    version = NAMESPACES.get(etree.QName(root).namespace or "")
+    if version is None:
+        raise wrong(root, f"expected a JSIDL document (xmlns {' or '.join(NAMESPACES)}), got <{root.tag}>")
+    _strip_namespaces(root)
+    if root.tag not in ROOTS:
+        raise wrong(root, f"expected {' or '.join(f'<{tag}>' for tag in ROOTS)} as the root, got <{root.tag}>")
+    return root, version
+
+
+def is_jsidl(path: Path) -> bool:
+    """False for well-formed XML of another kind, such as a package manifest; what cannot be read counts as JSIDL."""
+    try:
+        root = _parse(_bytes(path), path)
+    except SchemaError:
+        return True
+    name = etree.QName(root)
+    return name.namespace in NAMESPACES or name.localname in ROOTS
+
+
+def _bytes(path: Path) -> bytes:
+    try:
+        with path.open("rb") as file:
+            data = file.read(MAX_FILE_SIZE + 1)
+    except OSError as error:
+        raise SchemaError(f"cannot be read: {error.strerror}", file=path) from error
+    if len(data) > MAX_FILE_SIZE:
+        raise SchemaError(f"larger than {MAX_FILE_SIZE} bytes", file=path)
+    _refuse_doctype(data, path)
+    return data
+
+
+def _refuse_doctype(data: bytes, path: Path) -> None:
+    """Before parsing, because libxml2 expands entities in attributes while it reads; without NULs for UTF-16."""
+    plain = data.replace(b"\0", b"")
+    found = _DOCTYPE.search(plain)
+    if found:
+        line = plain.count(b"\n", 0, found.start()) + 1
+        raise SchemaError("a document type declaration is not allowed", file=path, line=line)
+
+
+def _parse(data: bytes, path: Path) -> Element:
+    parser = etree.XMLParser(
+        resolve_entities=False,
+        no_network=True,
+        load_dtd=False,
+        dtd_validation=False,
+        huge_tree=False,
+        remove_comments=True,
+        remove_pis=True,
+    )
+    try:
+        return etree.fromstring(data, parser, base_url=str(path))
+    except etree.XMLSyntaxError as error:
+        raise SchemaError(f"not well-formed XML: {error.msg}", file=path, line=error.lineno) from error
+
+
+def _strip_namespaces(root: Element) -> None:
+    """`{urn:jaus:jsidl:1.1}record` becomes `record`; both versions may be mixed, as public files do."""
+    for element in root.iter():
+        namespace, _, name = str(element.tag).rpartition("}")
+        if namespace[1:] not in NAMESPACES:
+            raise wrong(element, f"unknown element <{element.tag}>; it is in no JSIDL namespace")
+        element.tag = name
