@@ -14,9 +14,8 @@ from jauspy.schema.composites import read_composite, read_content
 from jauspy.schema.document import DECLARED, identity, read, wrong
 from jauspy.schema.fields import read_field
 from jauspy.schema.library import Key, Library, Scope
-from jauspy.schema.messages import read_event, read_message
 from jauspy.schema.model import Schema, Service
-from jauspy.schema.services import read_service, resolve_parents, version_key
+from jauspy.schema.services import read_event, read_message, read_service, resolve_parents, version_key
 from jauspy.schema.state_tree import check_behavior
 from jauspy.schema.values import read_value_set
 
