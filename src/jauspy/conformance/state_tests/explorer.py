@@ -35,7 +35,7 @@ from jauspy.messages.core import (
     Shutdown,
     Standby,
 )
-from jauspy.schema import guards
+from jauspy.schema import behavior
 
 PILOT, RIVAL, MEDIC, OBSERVER = "pilot", "rival", "medic", "observer"
 CLIENTS: Final[Mapping[str, str]] = {PILOT: "42.2.1", RIVAL: "42.2.2", MEDIC: "42.2.4", OBSERVER: "42.2.9"}
@@ -340,7 +340,7 @@ class Stimulus:
     def judge(self, role: str) -> Judge:
         """Decides predicates for this input from this sender."""
 
-        def decide(call: guards.Call, situation: Situation) -> Truth:
+        def decide(call: behavior.Call, situation: Situation) -> Truth:
             name = call.name.rpartition(".")[2]
             if name in SENDER:
                 return situation.controller == role
