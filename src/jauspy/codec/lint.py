@@ -14,7 +14,7 @@ from jauspy.schema.document import location
 from jauspy.schema.lint import Problem, Rule, World
 from jauspy.schema.lint.fields import unbounded_list
 from jauspy.schema.lint.references import placed
-from jauspy.schema.own import load_own
+from jauspy.schema.loader import load_own
 
 _CONTAINERS: Final = ("record", "sequence", "variant", "bit_field")
 _NO_MEMBERS: Final = frozenset(("presence_vector", "vtag_field"))

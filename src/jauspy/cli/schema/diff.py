@@ -63,7 +63,7 @@ def diff(
 def _schema(what: str, beside: list[str]) -> Schema:
     """The services of an argument."""
     from jauspy.cli.schema.lookup import split_version
-    from jauspy.schema.own import load_own
+    from jauspy.schema.loader import load_own
 
     return (None if _is_file(what) else _builtin(*split_version(what))) or load_own([what], beside)
 

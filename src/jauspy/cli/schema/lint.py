@@ -69,7 +69,7 @@ def lint(
 def _paths(files: list[str]) -> list[Path]:
     """The files to check."""
     from jauspy.schema import builtin_paths
-    from jauspy.schema.own import find_files
+    from jauspy.schema.loader import find_files
 
     return find_files(files) if files else builtin_paths()
 

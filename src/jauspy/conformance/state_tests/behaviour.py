@@ -20,7 +20,7 @@ from jauspy.ids import JausID
 from jauspy.messages import registry
 from jauspy.schema import behavior, model
 from jauspy.schema.inheritance import most_derived_first, parents_among
-from jauspy.schema.needed import load_needed
+from jauspy.schema.loader import load_needed
 from jauspy.schema.state_tree import MergedState, Owned, merge_machines
 
 MACHINE: Final = "ReceiveFSM"

@@ -11,7 +11,7 @@ from jauspy.schema.lint import behavior, fields, messages, references, shadows
 from jauspy.schema.lint.finding import LintRule, Problem
 from jauspy.schema.lint.references import placed
 from jauspy.schema.lint.world import LintContext
-from jauspy.schema.own import load_beside_builtin
+from jauspy.schema.loader import load_beside_builtin
 from jauspy.schema.services import read_event, read_message
 
 RULES: tuple[LintRule, ...] = (

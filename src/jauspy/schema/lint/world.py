@@ -13,8 +13,8 @@ from jauspy.schema.behavior import read_behavior
 from jauspy.schema.document import identity, is_unexpected, parse, problems
 from jauspy.schema.inheritance import lineage
 from jauspy.schema.library import Key, Library, Scope
+from jauspy.schema.loader import Identity, builtin_roots
 from jauspy.schema.model import Behavior, Message, Service
-from jauspy.schema.own import Identity, builtin_roots
 from jauspy.schema.services import matches_version, read_message, version_key
 
 Thing = TypeVar("Thing")
