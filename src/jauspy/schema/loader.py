@@ -13,14 +13,12 @@ from typing import Final, TypeAlias
 from lxml.etree import _Element as Element
 
 from jauspy.errors import ConfigError, SchemaError
-from jauspy.schema.composites import read_composite, read_content
 from jauspy.schema.document import DECLARED, identity, is_jsidl, parse, read, wrong
-from jauspy.schema.fields import read_field
+from jauspy.schema.fields import read_composite, read_content, read_field, read_value_set
 from jauspy.schema.library import Key, Library, Scope
 from jauspy.schema.model import Schema, Service
 from jauspy.schema.services import read_event, read_message, read_service, resolve_parents, version_key
 from jauspy.schema.state_tree import check_behavior
-from jauspy.schema.values import read_value_set
 
 
 def load_files(paths: Iterable[str | Path], *, base: Schema | None = None, states: bool = True) -> Schema:

@@ -9,8 +9,8 @@ from dataclasses import replace
 from lxml.etree import _Element as Element
 
 from jauspy.schema.behavior import read_behavior
-from jauspy.schema.composites import read_content
 from jauspy.schema.document import child, flag, identity, line_of, location, prose, required, suggestion, text_of, wrong
+from jauspy.schema.fields import read_content
 from jauspy.schema.library import Key, Scope
 from jauspy.schema.model import DeclaredType, FixedField, InternalEvent, Message, Record, Reference, Service
 

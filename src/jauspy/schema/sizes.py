@@ -54,7 +54,7 @@ def sizes(node: Node | None) -> Sizes:
             low, high = sizes(node.element)
             return low * number, high * number
         case Record(fields=members) | Sequence(items=members):
-            return _container(node.presence, members)
+            return _container_sizes(node.presence, members)
         case List():
             return _counted(node.count, sizes(node.element))
         case Variant():
@@ -69,7 +69,7 @@ def _counted(count: Count, item: Sizes) -> Sizes:
     return width + count.minimum * item[0], width + count.maximum * item[1]
 
 
-def _container(presence: Scalar | None, members: tuple[Node, ...]) -> Sizes:
+def _container_sizes(presence: Scalar | None, members: tuple[Node, ...]) -> Sizes:
     vector = scalar_size(presence) if presence else 0
     there = zip(members, can_be_there(presence, members), strict=True)
     found = [(member.optional, *sizes(member)) for member, possible in there if possible]

@@ -8,14 +8,13 @@ from collections.abc import Iterator
 from lxml.etree import _Element as Element
 
 from jauspy.errors import SchemaError
-from jauspy.schema.composites import read_composite
 from jauspy.schema.document import location
+from jauspy.schema.fields import BITS, SCALARS, UNSIGNED, read_composite, read_count, read_limits, read_value_set
 from jauspy.schema.library import Scope
 from jauspy.schema.lint.finding import Problem
 from jauspy.schema.lint.world import LintContext
 from jauspy.schema.model import List, Scalar, ValueSet
 from jauspy.schema.sizes import sizes
-from jauspy.schema.values import BITS, SCALARS, UNSIGNED, read_count, read_limits, read_value_set
 
 COUNTS = ("count_field", "vtag_field")
 _VALUE_SETS = ("value_set", "declared_value_set")
