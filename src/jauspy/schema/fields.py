@@ -38,7 +38,7 @@ from jauspy.schema.model import (
     VariableString,
     Variant,
 )
-from jauspy.schema.sizes import sizes
+from jauspy.schema.wire import sizes
 
 UNSIGNED: Mapping[str, Unsigned] = {
     "unsigned byte": "u8",

@@ -14,7 +14,7 @@ from jauspy.schema.library import Scope
 from jauspy.schema.lint.finding import Problem
 from jauspy.schema.lint.world import LintContext
 from jauspy.schema.model import List, Scalar, ValueSet
-from jauspy.schema.sizes import sizes
+from jauspy.schema.wire import sizes
 
 COUNTS = ("count_field", "vtag_field")
 _VALUE_SETS = ("value_set", "declared_value_set")
