@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
-from jauspy.schema.lint.world import LintContext
+from jauspy.schema.lint.context import LintContext
 from jauspy.schema.model import Location
 
 Severity: TypeAlias = Literal["error", "warning", "hint"]

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from lxml.etree import _Element as Element
 
 from jauspy.schema.document import line_of, location
+from jauspy.schema.lint.context import LintContext
 from jauspy.schema.lint.finding import Problem
-from jauspy.schema.lint.world import LintContext
 from jauspy.schema.model import Location, Message
 from jauspy.schema.wire import same_wire
 
@@ -33,20 +33,20 @@ def shown(message: Message) -> str:
     return f"{message.name}{where}"
 
 
-def duplicate_message(world: LintContext) -> Iterator[Problem]:
+def duplicate_message(context: LintContext) -> Iterator[Problem]:
     """Two messages of one service, or of it and its ancestors, under one id or name."""
-    for service in world.services():
+    for service in context.services():
         for direction in ("input_set", "output_set"):
-            yield from _duplicates(world, world.messages(service, direction))
-        yield from _two_meanings(world, service)
+            yield from _duplicates(context, context.messages(service, direction))
+        yield from _two_meanings(context, service)
 
 
-def _duplicates(world: LintContext, messages: Iterator[Element]) -> Iterator[Problem]:
+def _duplicates(context: LintContext, messages: Iterator[Element]) -> Iterator[Problem]:
     codes: dict[str, Element] = {}
     names: dict[str, Element] = {}
     for element in messages:
         name = element.get("name", "")
-        message = world.message(element)
+        message = context.message(element)
         code = f"{message.code:04X}" if message else element.get("message_id", "").strip().upper()
         for key, seen, what in ((code, codes, "message_id"), (name, names, "name")):
             first = seen.setdefault(key, element)
@@ -55,40 +55,40 @@ def _duplicates(world: LintContext, messages: Iterator[Element]) -> Iterator[Pro
                 yield location(element), f"{reason}; give it another or delete one"
 
 
-def _two_meanings(world: LintContext, service: Element) -> Iterator[Problem]:
+def _two_meanings(context: LintContext, service: Element) -> Iterator[Problem]:
     """One id with different content in inputs and outputs, or in a service and an ancestor."""
     known: dict[int, Message] = {}
-    line = world.lineage(service)
+    line = context.lineage(service)
     for ancestor in reversed(line[1:]):
-        for element in world.messages(ancestor):
-            message = world.message(element)
+        for element in context.messages(ancestor):
+            message = context.message(element)
             if message is not None:
                 known[message.code] = message
-    for element in world.messages(service):
-        message = world.message(element)
+    for element in context.messages(service):
+        message = context.message(element)
         if message is None:
             continue
         first = known.setdefault(message.code, message)
         if not same_wire(first.body, message.body) or (first.name != message.name and first is not message):
-            if first.name != message.name and _same_set(world, service, first, message):
+            if first.name != message.name and _same_set(context, service, first, message):
                 continue  # reported as a duplicate
             reason = f"message_id {message.code:04X} of {message.name} also means {shown(first)}, with other content"
             yield location(element), f"{reason}; a receiver cannot tell them apart, change one id"
 
 
-def _same_set(world: LintContext, service: Element, one: Message, other: Message) -> bool:
+def _same_set(context: LintContext, service: Element, one: Message, other: Message) -> bool:
     sets = [
-        {message.name for element in world.messages(service, direction) if (message := world.message(element))}
+        {message.name for element in context.messages(service, direction) if (message := context.message(element))}
         for direction in ("input_set", "output_set")
     ]
     return any({one.name, other.name} <= names for names in sets)
 
 
-def conflicting_message(world: LintContext) -> Iterator[Problem]:
+def conflicting_message(context: LintContext) -> Iterator[Problem]:
     """One id with different content in different services."""
-    own = list(world.services())
-    codes = {world.code(element) for service in own for element in world.messages(service)}
-    users = [_User(world, service, codes) for service in world.all_services()]
+    own = list(context.services())
+    codes = {context.code(element) for service in own for element in context.messages(service)}
+    users = [_User(context, service, codes) for service in context.all_services()]
     by_code: dict[int, list[tuple[_User, Message]]] = {}
     for user in users:
         for message, _ in user.messages:
@@ -101,11 +101,11 @@ def conflicting_message(world: LintContext) -> Iterator[Problem]:
 class _User:
     """A service, those of its messages that have one of the `codes`, and whom it need not be told apart from."""
 
-    def __init__(self, world: LintContext, service: Element, codes: set[str]) -> None:
+    def __init__(self, context: LintContext, service: Element, codes: set[str]) -> None:
         self.urn, self.version = (service.get(name, "").strip() for name in ("id", "version"))
-        self.lineage = {each.get("id", "").strip() for each in world.lineage(service)}
-        wanted = (element for element in world.messages(service) if world.code(element) in codes)
-        found = ((world.message(element), element) for element in wanted)
+        self.lineage = {each.get("id", "").strip() for each in context.lineage(service)}
+        wanted = (element for element in context.messages(service) if context.code(element) in codes)
+        found = ((context.message(element), element) for element in wanted)
         self.messages = [(message, element) for message, element in found if message is not None]
 
     def may_differ(self, other: _User) -> bool:
@@ -130,13 +130,13 @@ def _conflicts(
         yield where, f"{reason} with other content; decoders have to know the service, or change one id"
 
 
-def no_description(world: LintContext) -> Iterator[Problem]:
+def no_description(context: LintContext) -> Iterator[Problem]:
     """Services, messages and events nobody has described, and fields without an interpretation."""
-    for element, _ in world.elements("service_def", "message_def", "event_def"):
+    for element, _ in context.elements("service_def", "message_def", "event_def"):
         if not (element.findtext("description") or "").strip():
             yield location(element), f"{_kind(element)} '{element.get('name')}' has no description; say what it is for"
     undocumented: dict[Element, list[str]] = {}
-    for element, _ in world.elements(*_FIELDS):
+    for element, _ in context.elements(*_FIELDS):
         if not element.get("interpretation", "").strip():
             holder = next(element.iterancestors(*_HOLDERS), element)
             undocumented.setdefault(holder, []).append(element.get("name", ""))

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from jauspy.schema.lint.behavior import RECEIVE, place, states_of
+from jauspy.schema.lint.context import LintContext
 from jauspy.schema.lint.finding import Problem
-from jauspy.schema.lint.world import LintContext
 from jauspy.schema.model import Behavior, Transition
 from jauspy.schema.state_tree import short_name as short
 
@@ -14,10 +14,10 @@ Key = tuple[str, str]
 """Trigger, and the message where it is the arrival of one; empty is any."""
 
 
-def shadowed_transition(world: LintContext) -> Iterator[Problem]:
+def shadowed_transition(context: LintContext) -> Iterator[Problem]:
     """Transitions behind one of the same state that fits whenever they do: the first that fits is taken."""
-    for service in world.services():
-        behavior = world.behavior(service)
+    for service in context.services():
+        behavior = context.behavior(service)
         for transitions in _lists(behavior) if behavior else ():
             yield from _shadowed(transitions)
 

@@ -1,16 +1,17 @@
-"""All rules of the linter. Their codes are stable: people write them into their build files."""
+"""The rules of the linter, and the run over all files. Codes are stable: people write them into their build files."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
+from pathlib import Path
 
 from jauspy.errors import SchemaError
 from jauspy.schema.behavior import read_behavior
 from jauspy.schema.document import location
 from jauspy.schema.lint import behavior, fields, messages, references, shadows
-from jauspy.schema.lint.finding import LintRule, Problem
+from jauspy.schema.lint.context import LintContext
+from jauspy.schema.lint.finding import LintFinding, LintRule, Problem
 from jauspy.schema.lint.references import placed
-from jauspy.schema.lint.world import LintContext
 from jauspy.schema.loader import load_beside_builtin
 from jauspy.schema.services import read_event, read_message
 
@@ -62,10 +63,10 @@ RULES: tuple[LintRule, ...] = (
 )
 
 
-def refused(world: LintContext) -> Iterator[Problem]:
+def refused(context: LintContext) -> Iterator[Problem]:
     """Messages, events and behaviour that the loader refuses; most of it other rules have found before."""
-    for element, scope in world.elements("message_def", "event_def", "protocol_behavior"):
-        if world.is_sound(element) and not world.too_deep:
+    for element, scope in context.elements("message_def", "event_def", "protocol_behavior"):
+        if context.is_sound(element) and not context.too_deep:
             try:
                 match element.tag:
                     case "message_def":
@@ -77,14 +78,14 @@ def refused(world: LintContext) -> Iterator[Problem]:
             except SchemaError as error:
                 yield placed(error)
             except RecursionError:
-                world.too_deep = True
+                context.too_deep = True
                 yield location(element), "refers to declared types too deeply; flatten them"
 
 
-def refused_together(world: LintContext) -> Iterator[Problem]:
+def refused_together(context: LintContext) -> Iterator[Problem]:
     """The mistake that loading everything stops at: the last word on whether files are right."""
     try:
-        load_beside_builtin(world.paths)
+        load_beside_builtin(context.paths)
     except SchemaError as error:
         yield placed(error)
 
@@ -92,3 +93,33 @@ def refused_together(world: LintContext) -> Iterator[Problem]:
 REFUSED = LintRule("refused", "error", "anything else that the loader refuses", refused)
 LAST = LintRule("refused", "error", "what the loader refuses when nothing else is wrong", refused_together)
 UNREADABLE = "unreadable"
+
+
+def lint(paths: Iterable[Path], rules: Sequence[LintRule] = RULES) -> list[LintFinding]:
+    """All findings in these files, by place; what they refer to may also be built in.
+
+    A file that cannot be read at all is one finding with the code `unreadable`.
+    """
+    context = LintContext(paths)
+    found = {
+        LintFinding(error.file or "", error.line or 0, UNREADABLE, "error", error.reason)
+        for error in context.unreadable
+    }
+    for rule in rules:
+        found.update(_findings(rule, context))
+    found.update(_elsewhere(_findings(REFUSED, context), found))
+    if not any(finding.severity == "error" for finding in found):
+        found.update(_findings(LAST, context))
+    own = {str(path) for path in context.paths}
+    return sorted(finding for finding in found if finding.file in own)
+
+
+def _elsewhere(more: Iterable[LintFinding], found: Iterable[LintFinding]) -> list[LintFinding]:
+    """Those in lines where no mistake is known yet."""
+    known = {(finding.file, finding.line) for finding in found if finding.severity == "error"}
+    return [finding for finding in more if (finding.file, finding.line) not in known]
+
+
+def _findings(rule: LintRule, context: LintContext) -> Iterable[LintFinding]:
+    for where, message in rule.check(context):
+        yield LintFinding(where.file, where.line, rule.code, rule.severity, message)
