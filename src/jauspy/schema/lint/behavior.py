@@ -8,8 +8,7 @@ from dataclasses import dataclass
 from lxml.etree import _Element as Element
 
 from jauspy.schema.document import suggestion
-from jauspy.schema.lint.context import LintContext
-from jauspy.schema.lint.finding import Problem
+from jauspy.schema.lint.context import LintContext, Problem
 from jauspy.schema.model import Action, Behavior, Location, State, Transition
 from jauspy.schema.state_tree import MergedMachine, merge_machines, short_name as short, transitions_of, walk_states
 

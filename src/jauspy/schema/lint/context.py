@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
 from pathlib import Path
-from typing import TypeVar
+from typing import Literal, TypeAlias, TypeVar
 
 from lxml.etree import _Element as Element
 
@@ -14,7 +15,7 @@ from jauspy.schema.document import identity, is_unexpected, parse, problems
 from jauspy.schema.inheritance import lineage
 from jauspy.schema.library import Key, Library, Scope
 from jauspy.schema.loader import Identity, builtin_roots
-from jauspy.schema.model import Behavior, Message, Service
+from jauspy.schema.model import Behavior, Location, Message, Service
 from jauspy.schema.services import matches_version, read_message, version_key
 
 Thing = TypeVar("Thing")
@@ -176,3 +177,34 @@ def _order(key: Key) -> tuple[int, ...]:
         return version_key(key[1])
     except ValueError:
         return ()
+
+
+Severity: TypeAlias = Literal["error", "warning", "hint"]
+"""An error stops a tool or is sent wrongly, a warning may, a hint makes the definition harder to use."""
+
+Problem: TypeAlias = tuple[Location, str]
+"""Where, and a sentence with what to do."""
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class LintFinding:
+    """One finding; sorts by place."""
+
+    file: str
+    line: int
+    code: str
+    severity: Severity
+    message: str
+
+    def __str__(self) -> str:
+        return f"{self.file}:{self.line}: {self.severity}: {self.code}: {self.message}"
+
+
+@dataclass(frozen=True, slots=True)
+class LintRule:
+    """A code, what it stands for, and the function that looks for it in all files."""
+
+    code: str
+    severity: Severity
+    summary: str
+    check: Callable[[LintContext], Iterator[Problem]]

@@ -11,8 +11,7 @@ from jauspy.errors import SchemaError
 from jauspy.schema.document import location
 from jauspy.schema.fields import BITS, SCALARS, UNSIGNED, read_composite, read_count, read_limits, read_value_set
 from jauspy.schema.library import Scope
-from jauspy.schema.lint.context import LintContext
-from jauspy.schema.lint.finding import Problem
+from jauspy.schema.lint.context import LintContext, Problem
 from jauspy.schema.model import List, Scalar, ValueSet
 from jauspy.schema.wire import sizes
 

@@ -7,8 +7,7 @@ from collections.abc import Iterator
 from lxml.etree import _Element as Element
 
 from jauspy.schema.document import line_of, location
-from jauspy.schema.lint.context import LintContext
-from jauspy.schema.lint.finding import Problem
+from jauspy.schema.lint.context import LintContext, Problem
 from jauspy.schema.model import Location, Message
 from jauspy.schema.wire import same_wire
 

@@ -7,8 +7,7 @@ from collections.abc import Iterator
 
 from jauspy.errors import SchemaError
 from jauspy.schema.document import DECLARED, file_of, identity, line_of, location, suggestion
-from jauspy.schema.lint.context import LintContext
-from jauspy.schema.lint.finding import Problem
+from jauspy.schema.lint.context import LintContext, Problem
 from jauspy.schema.model import Location
 
 _NUMBERS = {

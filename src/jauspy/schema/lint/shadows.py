@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from jauspy.schema.lint.behavior import RECEIVE, place, states_of
-from jauspy.schema.lint.context import LintContext
-from jauspy.schema.lint.finding import Problem
+from jauspy.schema.lint.context import LintContext, Problem
 from jauspy.schema.model import Behavior, Transition
 from jauspy.schema.state_tree import short_name as short
 
