@@ -13,7 +13,7 @@ from jauspy.errors import SchemaError
 from jauspy.schema.document import location
 from jauspy.schema.lint import LintContext, LintRule, Problem
 from jauspy.schema.lint.fields import unbounded_list
-from jauspy.schema.lint.references import placed
+from jauspy.schema.lint.messages import placed
 from jauspy.schema.loader import load_own
 
 _CONTAINERS: Final = ("record", "sequence", "variant", "bit_field")

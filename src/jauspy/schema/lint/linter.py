@@ -8,9 +8,9 @@ from pathlib import Path
 from jauspy.errors import SchemaError
 from jauspy.schema.behavior import read_behavior
 from jauspy.schema.document import location
-from jauspy.schema.lint import behavior, fields, messages, references, shadows
+from jauspy.schema.lint import behavior, fields, messages, messages as references, shadows
 from jauspy.schema.lint.context import LintContext, LintFinding, LintRule, Problem
-from jauspy.schema.lint.references import placed
+from jauspy.schema.lint.messages import placed
 from jauspy.schema.loader import load_beside_builtin
 from jauspy.schema.services import read_event, read_message
 
