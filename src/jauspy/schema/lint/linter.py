@@ -8,7 +8,7 @@ from pathlib import Path
 from jauspy.errors import SchemaError
 from jauspy.schema.behavior import read_behavior
 from jauspy.schema.document import location
-from jauspy.schema.lint import behavior, fields, messages, messages as references, shadows
+from jauspy.schema.lint import behavior, behavior as shadows, fields, messages, messages as references
 from jauspy.schema.lint.context import LintContext, LintFinding, LintRule, Problem
 from jauspy.schema.lint.messages import placed
 from jauspy.schema.loader import load_beside_builtin
