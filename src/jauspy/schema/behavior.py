@@ -1,4 +1,8 @@
-"""Protocol behaviour: state machines."""
+"""Readers of protocol behaviour: state machines, and the guards of their transitions.
+
+Guards are predicate calls joined by `&&`, `||`, `!` and parentheses. `parse` makes a tree of one, `compile_guard` turns
+the tree into one callable over whatever the predicates take.
+"""
 
 from __future__ import annotations
 

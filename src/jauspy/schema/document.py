@@ -1,4 +1,7 @@
-"""Small readers for one XML element: attributes as Python values, and errors that say where."""
+"""One JSIDL document (AS5684): XML that is safe to walk and follows the grammar, and readers of its attributes.
+
+Document type declarations are refused, so nothing in a document can be expanded or fetched. Errors name file and line.
+"""
 
 from __future__ import annotations
 
@@ -331,24 +334,21 @@ def _check_children(element: Element, rule: ElementRule) -> Iterator[tuple[Eleme
 
 
 NAMESPACES = {"urn:jaus:jsidl:1.0": "1.0", "urn:jaus:jsidl:1.1": "1.1"}
-MAX_FILE_SIZE = 4 * 1024 * 1024
-"""Bytes; the largest public definition has less than a tenth of it."""
-
 ROOTS = ("service_def", "declared_type_set", "declared_const_set")
 
 _DOCTYPE = re.compile(rb"<!(DOCTYPE|ENTITY)")
 
 
-def read(path: Path) -> tuple[Element, str]:
-    """The root element of a file that follows the grammar, and its JSIDL version; tags have lost their namespace."""
-    root, version = parse(path)
+def read(data: bytes, path: Path) -> tuple[Element, str]:
+    """The root element of a document that follows the grammar (tags without namespace), and its JSIDL version."""
+    root, version = parse(data, path)
     check(root)
     return root, version
 
 
-def parse(path: Path) -> tuple[Element, str]:
+def parse(data: bytes, path: Path) -> tuple[Element, str]:
     """As `read`, but what is below the root may be against the grammar."""
-    root = _parse(_bytes(path), path)
+    root = _parse(data, path)
     if root.getroottree().docinfo.doctype:  # type: ignore[attr-defined]  # lxml-stubs lacks it
         raise wrong(root, "a document type declaration is not allowed")
     version = NAMESPACES.get(etree.QName(root).namespace or "")
@@ -360,26 +360,14 @@ def parse(path: Path) -> tuple[Element, str]:
     return root, version
 
 
-def is_jsidl(path: Path) -> bool:
+def is_jsidl(data: bytes, path: Path) -> bool:
     """False for well-formed XML of another kind, such as a package manifest; what cannot be read counts as JSIDL."""
     try:
-        root = _parse(_bytes(path), path)
+        root = _parse(data, path)
     except SchemaError:
         return True
     name = etree.QName(root)
     return name.namespace in NAMESPACES or name.localname in ROOTS
-
-
-def _bytes(path: Path) -> bytes:
-    try:
-        with path.open("rb") as file:
-            data = file.read(MAX_FILE_SIZE + 1)
-    except OSError as error:
-        raise SchemaError(f"cannot be read: {error.strerror}", file=path) from error
-    if len(data) > MAX_FILE_SIZE:
-        raise SchemaError(f"larger than {MAX_FILE_SIZE} bytes", file=path)
-    _refuse_doctype(data, path)
-    return data
 
 
 def _refuse_doctype(data: bytes, path: Path) -> None:
@@ -392,6 +380,7 @@ def _refuse_doctype(data: bytes, path: Path) -> None:
 
 
 def _parse(data: bytes, path: Path) -> Element:
+    _refuse_doctype(data, path)
     parser = etree.XMLParser(
         resolve_entities=False,
         no_network=True,

@@ -1,4 +1,4 @@
-"""Fields: what a record is made of."""
+"""Readers of fields, value sets and composites (records, lists, variants, sequences)."""
 
 from __future__ import annotations
 

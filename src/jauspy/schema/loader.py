@@ -1,4 +1,7 @@
-"""From files to a `Schema`."""
+"""From JSIDL files to a `Schema`: the user's own ones, the shipped ones, or the part of those that some services need.
+
+All reading of files in this package is done here.
+"""
 
 from __future__ import annotations
 
@@ -20,6 +23,40 @@ from jauspy.schema.model import Schema, Service
 from jauspy.schema.services import read_event, read_message, read_service, resolve_parents, version_key
 from jauspy.schema.state_tree import check_behavior
 
+MAX_FILE_SIZE: Final = 4 * 1024 * 1024
+"""Bytes; the largest public definition has less than a tenth of it."""
+
+Identity: TypeAlias = tuple[str, str, str]
+"""The kind of a definition (the tag of its root), its id and its version."""
+
+Wanted: TypeAlias = tuple[str, str | None]
+"""The URN of a service and its version, None for the newest."""
+
+# Shipped files are in one form, so their tags can be found without parsing: that is what makes this fast.
+_HEAD: Final = 1024
+"""Bytes within which the start tag of the root ends."""
+_ROOT: Final = re.compile(rb"<(?:service_def|declared_type_set|declared_const_set)\s([^>]*)>")
+_REFERENCE: Final = re.compile(rb"<(?:inherits_from|declared_type_set_ref|declared_const_set_ref)\s([^>]*)>")
+_ID: Final = re.compile(rb'\bid="([^"]*)"')
+_VERSION: Final = re.compile(rb'\bversion="([^"]*)"')
+
+
+def read_bytes(path: Path) -> bytes:
+    """The content of a file; `SchemaError` for one that cannot be read, or is larger than any definition."""
+    try:
+        with path.open("rb") as file:
+            data = file.read(MAX_FILE_SIZE + 1)
+    except OSError as error:
+        raise SchemaError(f"cannot be read: {error.strerror}", file=path) from error
+    if len(data) > MAX_FILE_SIZE:
+        raise SchemaError(f"larger than {MAX_FILE_SIZE} bytes", file=path)
+    return data
+
+
+def parse_file(path: Path) -> Element:
+    """The root element of a JSIDL file; what is below it may be against the grammar."""
+    return parse(read_bytes(path), path)[0]
+
 
 def load_files(paths: Iterable[str | Path], *, base: Schema | None = None, states: bool = True) -> Schema:
     """Read JSIDL files that may refer to each other, in any order; `SchemaError` says what is wrong where.
@@ -32,7 +69,7 @@ def load_files(paths: Iterable[str | Path], *, base: Schema | None = None, state
     versions: dict[Key, str] = {}
     roots: dict[Key, Element] = {}
     for path in paths:
-        root, jsidl = read(Path(path))
+        root, jsidl = read(read_bytes(Path(path)), Path(path))
         key = identity(root)
         if library.add(root) and root.tag == "service_def":
             roots[key] = root
@@ -97,10 +134,6 @@ def load_builtin() -> Schema:
     return load_files(builtin_paths())
 
 
-Identity = tuple[str, str, str]
-"""The kind of a definition (the tag of its root), its id and its version."""
-
-
 def find_files(sources: Iterable[str | Path]) -> list[Path]:
     """The files of these files, folders and patterns; other XML in a folder, such as a manifest, is left out.
 
@@ -119,7 +152,14 @@ def find_files(sources: Iterable[str | Path]) -> list[Path]:
 
 
 def _in_folder(folder: Path) -> list[Path]:
-    return [path for path in sorted(folder.rglob("*.xml")) if is_jsidl(path)]
+    return [path for path in sorted(folder.rglob("*.xml")) if _is_jsidl_file(path)]
+
+
+def _is_jsidl_file(path: Path) -> bool:
+    try:
+        return is_jsidl(read_bytes(path), path)
+    except SchemaError:
+        return True  # reading it says what is wrong
 
 
 def _matching(pattern: str) -> list[Path]:
@@ -150,7 +190,7 @@ def load_beside_builtin(paths: Iterable[Path], *, states: bool = True) -> Schema
 
 def _builtin_sets(own: Iterable[Path]) -> list[Path]:
     """The shipped type sets that files refer to, directly or through each other."""
-    roots = [parse(path)[0] for path in own]
+    roots = [parse_file(path) for path in own]
     known = {(str(root.tag), *identity(root)) for root in roots}
     found = []
     for root in roots:
@@ -167,26 +207,14 @@ def _builtin_sets(own: Iterable[Path]) -> list[Path]:
 @cache
 def builtin_roots() -> Mapping[Identity, tuple[Path, Element]]:
     """The shipped definitions as they are written, read once per process; nobody changes them."""
-    found = ((path, parse(path)[0]) for path in builtin_paths())
+    found = ((path, parse_file(path)) for path in builtin_paths())
     return {(str(root.tag), *identity(root)): (path, root) for path, root in found}
 
 
 def identity_of(path: Path) -> Identity:
     """What a file defines."""
-    root, _ = parse(path)
+    root = parse_file(path)
     return (str(root.tag), *identity(root))
-
-
-Wanted: TypeAlias = tuple[str, str | None]
-"""The URN of a service and its version, None for the newest."""
-
-# Shipped files are in one form, so their tags can be found without parsing: that is what makes this fast.
-_HEAD: Final = 1024
-"""Bytes within which the start tag of the root ends."""
-_ROOT: Final = re.compile(rb"<(?:service_def|declared_type_set|declared_const_set)\s([^>]*)>")
-_REFERENCE: Final = re.compile(rb"<(?:inherits_from|declared_type_set_ref|declared_const_set_ref)\s([^>]*)>")
-_ID: Final = re.compile(rb'\bid="([^"]*)"')
-_VERSION: Final = re.compile(rb'\bversion="([^"]*)"')
 
 
 @cache
@@ -201,7 +229,7 @@ def load_needed(wanted: frozenset[Wanted]) -> Schema:
         path = waiting.pop()
         if path not in paths:
             paths.add(path)
-            waiting += [other for key in _keys(_REFERENCE, path.read_bytes()) for other in _files(*key)]
+            waiting += [other for key in _keys(_REFERENCE, read_bytes(path)) for other in _files(*key)]
     return load_files(sorted(paths))
 
 

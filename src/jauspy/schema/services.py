@@ -1,4 +1,4 @@
-"""Service definitions, and what they inherit from each other."""
+"""Readers of services, their messages and internal events; what services inherit from each other."""
 
 from __future__ import annotations
 

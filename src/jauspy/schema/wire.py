@@ -1,4 +1,4 @@
-"""What of a definition matters on the wire: everything but names, units, prose and where it was declared."""
+"""What of a definition matters on the wire: equality of shape, whatever things are called, and sizes in bytes."""
 
 from __future__ import annotations
 

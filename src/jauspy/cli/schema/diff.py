@@ -12,7 +12,7 @@ from jauspy.cli.options import Json
 if TYPE_CHECKING:
     from rich.text import Text
 
-    from jauspy.schema.compare import Change, MessageDiff, ServiceDiff
+    from jauspy.schema.differences import Change, MessageDiff, ServiceDiff
     from jauspy.schema.model import Message, Schema, Service
 
 _WHAT = "A file, folder or pattern, or NAME@VERSION of what is built in: a service or a set."
@@ -43,7 +43,7 @@ def diff(
     import json
 
     from jauspy.cli import console
-    from jauspy.schema.compare import compare
+    from jauspy.schema.differences import compare
 
     found = compare(_schema(one, beside or []), _schema(other, beside or []))
     for number, service in enumerate(found):

@@ -1,4 +1,4 @@
-"""Rules about state machines: triggers, sends and states."""
+"""Rules about state machines: triggers, sends, states, and transitions that another one precedes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""All files the linter looks at. Mistakes are collected where the loader would stop."""
+"""What the linter looks at and what it finds. Mistakes are collected where the loader would stop."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from lxml.etree import _Element as Element
 
 from jauspy.errors import SchemaError
 from jauspy.schema.behavior import read_behavior
-from jauspy.schema.document import identity, is_unexpected, parse, problems
+from jauspy.schema.document import identity, is_unexpected, problems
 from jauspy.schema.inheritance import lineage
 from jauspy.schema.library import Key, Library, Scope
-from jauspy.schema.loader import Identity, builtin_roots
+from jauspy.schema.loader import Identity, builtin_roots, parse_file
 from jauspy.schema.model import Behavior, Location, Message, Service
 from jauspy.schema.services import matches_version, read_message, version_key
 
@@ -44,7 +44,7 @@ class LintContext:
     def _read(self, path: Path) -> Element | None:
         """The root of a file, entered in the library; None when it cannot be, or is there already."""
         try:
-            root, _ = parse(path)
+            root = parse_file(path)
         except SchemaError as error:
             self.unreadable.append(error)
             return None

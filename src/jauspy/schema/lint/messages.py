@@ -1,4 +1,4 @@
-"""Rules about messages: their ids, and what is said about them."""
+"""Rules about messages and references: ids, descriptions, type sets, constants, parents."""
 
 from __future__ import annotations
 
