@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from jauspy.geometry.geodesy import Geodetic, from_ned, meridian_convergence, to_ned
 from jauspy.geometry.poses import Pose, wrap_angle
-from jauspy.services.mobility.guidance.leg import Point
+from jauspy.services.mobility.guidance.leg import PlanarPoint
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,12 +44,12 @@ class GlobalFrame:
         heading = wrap_angle(pose.yaw + self._turn + meridian_convergence(self._place, there))
         return GlobalPose(math.degrees(there.latitude), math.degrees(there.longitude), there.height, heading)
 
-    def place(self, latitude: float, longitude: float) -> Point:
+    def place(self, latitude: float, longitude: float) -> PlanarPoint:
         """Where a point of the globe (degrees) is in the world, straight below or above it."""
         there = replace(self._place, latitude=math.radians(latitude), longitude=math.radians(longitude))
         north, east, _ = to_ned(self._place, there)
         sine, cosine = math.sin(self._turn), math.cos(self._turn)
-        return Point(self._anchor.x + cosine * north + sine * east, self._anchor.y - sine * north + cosine * east)
+        return PlanarPoint(self._anchor.x + cosine * north + sine * east, self._anchor.y - sine * north + cosine * east)
 
     def heading(self, heading: float) -> float:
         """A true heading, in the world; at the anchor, so that it is off by the convergence of the meridians."""

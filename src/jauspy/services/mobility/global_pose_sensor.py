@@ -16,7 +16,7 @@ from jauspy.messages.mobility import (
     SetGlobalPoseExt,
 )
 from jauspy.services.mobility.global_frame import GlobalPose
-from jauspy.services.mobility.reach import sayable_altitude
+from jauspy.services.mobility.reach import encodable_altitude
 from jauspy.services.mobility.vehicle import Vehicle
 from jauspy.services.service import Service
 from jauspy.services.stamps import epoch_seconds, time_stamp
@@ -72,7 +72,7 @@ class GlobalPoseSensor(Service, urn="urn:jaus:jss:mobility:GlobalPoseSensor"):
         return ReportGlobalPose(
             latitude=shown.latitude,
             longitude=shown.longitude,
-            altitude=sayable_altitude(shown.altitude),
+            altitude=encodable_altitude(shown.altitude),
             roll=attitude.roll,
             pitch=attitude.pitch,
             yaw=shown.heading,

@@ -11,8 +11,8 @@ from jauspy.messages.mobility import (
     SetGlobalVector,
     SetGlobalVectorExt,
 )
-from jauspy.services.mobility.speeds import over_ground, undirected
-from jauspy.services.mobility.vector_driver import Vector, VectorDriver
+from jauspy.services.mobility.speeds import speed_over_ground, unsigned_speed
+from jauspy.services.mobility.vector_driver import CommandedVector, VectorDriver
 from jauspy.services.mobility.vehicle import Vehicle
 
 
@@ -40,7 +40,7 @@ class GlobalVectorDriver(VectorDriver, urn="urn:jaus:jss:mobility:GlobalVectorDr
 
     def set_global_vector(self, msg: SetGlobalVector) -> None:
         """Reached only in Ready, from the controlling client. A speed that is left out is zero."""
-        self.drive_along(Vector(msg.speed or 0.0, msg.heading, msg.roll, msg.pitch))
+        self.drive_along(CommandedVector(msg.speed or 0.0, msg.heading, msg.roll, msg.pitch))
         self._altitude, self._z, self._course = msg.altitude, None, None
 
     def set_global_vector_ext(self, msg: SetGlobalVectorExt) -> None:
@@ -48,14 +48,14 @@ class GlobalVectorDriver(VectorDriver, urn="urn:jaus:jss:mobility:GlobalVectorDr
         speed = self.usable_speed(msg)
         if speed is not None:
             heading = msg.course if msg.heading is None else msg.heading
-            self.drive_along(Vector(speed, heading, msg.roll, msg.pitch))
+            self.drive_along(CommandedVector(speed, heading, msg.roll, msg.pitch))
             self._altitude, self._z, self._course = None, msg.z_position, msg.course
 
     def report_global_vector(self) -> ReportGlobalVector:
         """What was commanded; the speed without its direction, which only the wider form has."""
         vector = self.vector
         return ReportGlobalVector(
-            speed=undirected(vector.speed),
+            speed=unsigned_speed(vector.speed),
             altitude=self._altitude,
             heading=vector.heading,
             roll=vector.roll,
@@ -66,7 +66,7 @@ class GlobalVectorDriver(VectorDriver, urn="urn:jaus:jss:mobility:GlobalVectorDr
         """What was commanded."""
         vector = self.vector
         return ReportGlobalVectorExt(
-            speed=over_ground(vector.speed),
+            speed=speed_over_ground(vector.speed),
             z_position=self._z,
             roll=vector.roll,
             pitch=vector.pitch,

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass, replace
 
 from jauspy.geometry.poses import Pose, wrap_angle
-from jauspy.services.mobility.guidance.leg import Point
+from jauspy.services.mobility.guidance.leg import PlanarPoint
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,11 +44,11 @@ class LocalFrame:
             yaw=wrap_angle(pose.yaw + reference.turn),
         )
 
-    def place(self, x: float, y: float) -> Point:
+    def place(self, x: float, y: float) -> PlanarPoint:
         """Where a point of the frame is in the world."""
         reference = self._reference
         dx, dy = _turned(x - reference.shown.x, y - reference.shown.y, -reference.turn)
-        return Point(reference.raw.x + dx, reference.raw.y + dy)
+        return PlanarPoint(reference.raw.x + dx, reference.raw.y + dy)
 
     def heading(self, yaw: float) -> float:
         """A heading of the frame, in the world."""

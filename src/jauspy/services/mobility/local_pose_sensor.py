@@ -12,7 +12,7 @@ from jauspy.messages.mobility import (
     SetLocalPoseExt,
     ZPosition,
 )
-from jauspy.services.mobility.reach import HIGH, NARROW, WIDE, within
+from jauspy.services.mobility.reach import MAX_XY_EXT, MAX_XYZ, MAX_Z_EXT, encodable
 from jauspy.services.mobility.vehicle import Vehicle
 from jauspy.services.service import Service
 from jauspy.services.stamps import epoch_seconds, time_stamp
@@ -52,9 +52,9 @@ class LocalPoseSensor(Service, urn="urn:jaus:jss:mobility:LocalPoseSensor"):
         """Everything that is measured and can be said; there is no estimate of the errors."""
         pose = self.pose
         return ReportLocalPose(
-            x=within(pose.x, NARROW),
-            y=within(pose.y, NARROW),
-            z=within(pose.z, NARROW),
+            x=encodable(pose.x, MAX_XYZ),
+            y=encodable(pose.y, MAX_XYZ),
+            z=encodable(pose.z, MAX_XYZ),
             roll=pose.roll,
             pitch=pose.pitch,
             yaw=pose.yaw,
@@ -66,9 +66,9 @@ class LocalPoseSensor(Service, urn="urn:jaus:jss:mobility:LocalPoseSensor"):
         pose = self.pose
         seconds, nanoseconds = epoch_seconds(self.host.utc_time)
         return ReportLocalPoseExt(
-            x=within(pose.x, WIDE),
-            y=within(pose.y, WIDE),
-            z_local=within(pose.z, HIGH),
+            x=encodable(pose.x, MAX_XY_EXT),
+            y=encodable(pose.y, MAX_XY_EXT),
+            z_local=encodable(pose.z, MAX_Z_EXT),
             roll=pose.roll,
             pitch=pose.pitch,
             heading=pose.yaw,

@@ -11,9 +11,9 @@ from jauspy.messages.mobility import (
     SetLocalVectorExt,
     ZPosition,
 )
-from jauspy.services.mobility.reach import HIGHEST, LOWEST, local_z
-from jauspy.services.mobility.speeds import over_ground, undirected
-from jauspy.services.mobility.vector_driver import Vector, VectorDriver
+from jauspy.services.mobility.reach import MAX_ALTITUDE, MIN_ALTITUDE, local_z
+from jauspy.services.mobility.speeds import speed_over_ground, unsigned_speed
+from jauspy.services.mobility.vector_driver import CommandedVector, VectorDriver
 from jauspy.services.mobility.vehicle import Vehicle
 
 
@@ -35,7 +35,7 @@ class LocalVectorDriver(VectorDriver, urn="urn:jaus:jss:mobility:LocalVectorDriv
 
     def set_local_vector(self, msg: SetLocalVector) -> None:
         """Reached only in Ready, from the controlling client."""
-        self.drive_along(Vector(msg.speed, msg.heading, msg.roll, msg.pitch))
+        self.drive_along(CommandedVector(msg.speed, msg.heading, msg.roll, msg.pitch))
         self._z = None if msg.z is None else ZPosition(ZPosition.Choice.Z_LOCAL, msg.z)
         self._course = None
 
@@ -44,15 +44,15 @@ class LocalVectorDriver(VectorDriver, urn="urn:jaus:jss:mobility:LocalVectorDriv
         speed = self.usable_speed(msg)
         if speed is not None:
             heading = msg.course if msg.heading is None else msg.heading
-            self.drive_along(Vector(speed, heading, msg.roll, msg.pitch))
+            self.drive_along(CommandedVector(speed, heading, msg.roll, msg.pitch))
             self._z, self._course = msg.z_position, msg.course
 
     def report_local_vector(self) -> ReportLocalVector:
         """What was commanded; the speed without its direction, which only the wider form has."""
         vector = self.vector
         return ReportLocalVector(
-            speed=undirected(vector.speed),
-            z=local_z(self._z, LOWEST, HIGHEST),
+            speed=unsigned_speed(vector.speed),
+            z=local_z(self._z, MIN_ALTITUDE, MAX_ALTITUDE),
             heading=vector.heading,
             roll=vector.roll,
             pitch=vector.pitch,
@@ -62,7 +62,7 @@ class LocalVectorDriver(VectorDriver, urn="urn:jaus:jss:mobility:LocalVectorDriv
         """What was commanded."""
         vector = self.vector
         return ReportLocalVectorExt(
-            speed=over_ground(vector.speed),
+            speed=speed_over_ground(vector.speed),
             z_position=self._z,
             roll=vector.roll,
             pitch=vector.pitch,

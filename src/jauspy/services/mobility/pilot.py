@@ -11,8 +11,8 @@ from jauspy.geometry.poses import jaus_pose, jaus_twist
 from jauspy.platform.chassis import Chassis
 from jauspy.platform.contract import DriveBase
 from jauspy.services.mobility.guidance.course import Course, Halt
-from jauspy.services.mobility.guidance.motion import STANDSTILL, Limits, Motion, approach
-from jauspy.services.mobility.guidance.velocity_control import VelocityControl, limit
+from jauspy.services.mobility.guidance.motion import STANDSTILL, AccelerationLimits, PlanarVelocity, ramped
+from jauspy.services.mobility.guidance.velocity_control import VelocityControl, clamp
 
 if TYPE_CHECKING:
     from jauspy.services.host import Host
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 PERIOD: Final = 0.02
 """Seconds between two looks at where the platform is."""
-LONGEST: Final = 0.1
+MAX_STEP: Final = 0.1
 """Seconds of which guidance knows at most at once: after a stall it does not jump."""
 _TIMER: Final = "pilot"
 
@@ -31,7 +31,7 @@ class Pilot:
     def __init__(self, drive: DriveBase, chassis: Chassis) -> None:
         self._drive = drive
         self._chassis = chassis
-        self.limits = Limits(
+        self.limits = AccelerationLimits(
             chassis.acceleration, chassis.deceleration, chassis.turn_acceleration, chassis.turn_acceleration
         )
         self._control = VelocityControl()
@@ -100,7 +100,7 @@ class Pilot:
         host, course = self._clock, self._course
         if course is None:
             return
-        dt, self._last = min(LONGEST, host.now - self._last), host.now
+        dt, self._last = min(MAX_STEP, host.now - self._last), host.now
         host.set_timer(_TIMER, host.now + PERIOD, self._steer)
         wanted = course.steer(jaus_pose(self._drive.pose()))
         if wanted is None:
@@ -114,8 +114,8 @@ class Pilot:
         if self.driver is not None:
             self.driver.arrived()
 
-    def _move(self, wanted: Motion, limits: Limits, dt: float) -> None:
-        self._motion = approach(self._motion, wanted, limits, dt)
+    def _move(self, wanted: PlanarVelocity, limits: AccelerationLimits, dt: float) -> None:
+        self._motion = ramped(self._motion, wanted, limits, dt)
         if self._motion == wanted == STANDSTILL:
             self._control.reset()
             self._drive.stop()
@@ -123,10 +123,10 @@ class Pilot:
         forward, right = self._control.efforts(self._motion, self._measured(), dt)
         self._drive.set_effort(linear_x=forward, rotational_z=-right)
 
-    def _possible(self, wanted: Motion) -> Motion:
+    def _possible(self, wanted: PlanarVelocity) -> PlanarVelocity:
         chassis = self._chassis
-        return Motion(limit(wanted.speed, chassis.max_speed), limit(wanted.turn_rate, chassis.max_turn_rate))
+        return PlanarVelocity(clamp(wanted.speed, chassis.max_speed), clamp(wanted.turn_rate, chassis.max_turn_rate))
 
-    def _measured(self) -> Motion:
+    def _measured(self) -> PlanarVelocity:
         twist = jaus_twist(self._drive.twist())
-        return Motion(twist.vx, twist.wz)
+        return PlanarVelocity(twist.vx, twist.wz)

@@ -6,7 +6,7 @@ from typing import Final
 
 from jauspy.messages.mobility import Speed
 
-FASTEST: Final = 327.67
+MAX_SPEED: Final = 327.67
 """m/s, in every message."""
 _ON_THE_GROUND: Final = (Speed.Choice.SPEED_OVER_GROUND, Speed.Choice.SPEED_RELATIVE_TO_MEDIUM)
 
@@ -18,11 +18,11 @@ def ground_speed(speed: float | Speed) -> float | None:
     return speed.value if speed.choice in _ON_THE_GROUND else None
 
 
-def over_ground(speed: float) -> Speed:
+def speed_over_ground(speed: float) -> Speed:
     """A speed as the wider messages have it."""
     return Speed(Speed.Choice.SPEED_OVER_GROUND, speed)
 
 
-def undirected(speed: float) -> float:
+def unsigned_speed(speed: float) -> float:
     """A speed as the narrower messages have it: without its direction, and 1 cm/s less at most than backward."""
-    return min(abs(speed), FASTEST)
+    return min(abs(speed), MAX_SPEED)

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from jauspy.messages.mobility import ReportTravelSpeed, ReportTravelSpeedExt
 from jauspy.services.mobility.driver import Driver
-from jauspy.services.mobility.guidance.leg import Point
-from jauspy.services.mobility.guidance.waypoint_course import TOLERANCE, Goal, WaypointCourse
-from jauspy.services.mobility.speeds import over_ground, undirected
+from jauspy.services.mobility.guidance.leg import PlanarPoint
+from jauspy.services.mobility.guidance.waypoint_course import DEFAULT_TOLERANCE, Goal, WaypointCourse
+from jauspy.services.mobility.speeds import speed_over_ground, unsigned_speed
 from jauspy.services.mobility.vehicle import Vehicle
 from jauspy.services.mobility.waypoint import LocalWaypoint, Waypoint
 
 
-class Traveller(Driver):
+class WaypointFollower(Driver):
     """Drives to waypoints at the pilot's travel speed."""
 
     travels = True
@@ -31,22 +31,22 @@ class Traveller(Driver):
 
     def report_travel_speed(self) -> ReportTravelSpeed:
         """Zero unless the platform is under way to a waypoint; without the direction, which only the wider form has."""
-        return ReportTravelSpeed(speed=undirected(self.vehicle.pilot.travel_speed))
+        return ReportTravelSpeed(speed=unsigned_speed(self.vehicle.pilot.travel_speed))
 
     def report_travel_speed_ext(self) -> ReportTravelSpeedExt:
         """As `report_travel_speed`, negative backward."""
-        return ReportTravelSpeedExt(speed=over_ground(self.vehicle.pilot.travel_speed))
+        return ReportTravelSpeedExt(speed=speed_over_ground(self.vehicle.pilot.travel_speed))
 
 
 def goal_of(vehicle: Vehicle, waypoint: Waypoint, *, is_last: bool) -> Goal:
     """Where a waypoint lies in the world as its frame is now."""
     attitude = waypoint.attitude
     point, heading = _placed(vehicle, waypoint)
-    tolerance = TOLERANCE if attitude.tolerance is None else attitude.tolerance
+    tolerance = DEFAULT_TOLERANCE if attitude.tolerance is None else attitude.tolerance
     return Goal(point, heading, tolerance, attitude.path_tolerance, is_last)
 
 
-def _placed(vehicle: Vehicle, waypoint: Waypoint) -> tuple[Point, float | None]:
+def _placed(vehicle: Vehicle, waypoint: Waypoint) -> tuple[PlanarPoint, float | None]:
     yaw = waypoint.attitude.yaw
     if isinstance(waypoint, LocalWaypoint):
         frame = vehicle.local

@@ -11,7 +11,7 @@ from jauspy.services.mobility.vehicle import Vehicle
 
 
 @dataclass(frozen=True, slots=True)
-class Vector:
+class CommandedVector:
     """m/s (negative backward) and radians, in the driver's frame; None for what a client leaves out."""
 
     speed: float = 0.0
@@ -28,7 +28,7 @@ class VectorDriver(Driver):
 
     def __init__(self, vehicle: Vehicle) -> None:
         super().__init__(vehicle)
-        self._vector = Vector()
+        self._vector = CommandedVector()
 
     def present_heading(self) -> float:
         """Where the platform looks, in the driver's frame."""
@@ -38,7 +38,7 @@ class VectorDriver(Driver):
         """A heading of the driver's frame as the world's, whenever asked: the frame may be set meanwhile."""
         raise NotImplementedError(f"{type(self).__name__}.in_world")
 
-    def drive_along(self, vector: Vector) -> None:
+    def drive_along(self, vector: CommandedVector) -> None:
         """From now on."""
         heading = self.present_heading() if vector.heading is None else vector.heading
         course = VectorCourse(self.in_world(heading), vector.speed, self.vehicle.chassis.max_turn_rate)
@@ -50,6 +50,6 @@ class VectorDriver(Driver):
         self._vector = replace(self._vector, speed=0.0)
 
     @property
-    def vector(self) -> Vector:
+    def vector(self) -> CommandedVector:
         """What was last commanded; its speed is zero when it was stopped or another service drives."""
         return self._vector

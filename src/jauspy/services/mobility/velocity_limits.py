@@ -7,12 +7,12 @@ from typing import Final
 
 from jauspy.messages.mobility import SetAccelerationLimit
 from jauspy.platform.chassis import Chassis
-from jauspy.services.mobility.guidance.motion import Limits, Motion
-from jauspy.services.mobility.guidance.velocity_control import limit
+from jauspy.services.mobility.guidance.motion import AccelerationLimits, PlanarVelocity
+from jauspy.services.mobility.guidance.velocity_control import clamp
 
 ROUNDING: Final = 1e-3
 """m/s, rad/s: a velocity at its limit may have been rounded upward on the wire, where rates have steps as large."""
-SLOWEST_CHANGE: Final = 0.05
+MIN_ACCELERATION_LIMIT: Final = 0.05
 """m/s^2, rad/s^2: a limit of zero would keep a moving platform moving for ever."""
 
 
@@ -20,15 +20,18 @@ SLOWEST_CHANGE: Final = 0.05
 class VelocityRange:
     """From the least to the most velocity, of both axes."""
 
-    least: Motion
-    most: Motion
+    least: PlanarVelocity
+    most: PlanarVelocity
 
     @classmethod
     def of(cls, chassis: Chassis) -> VelocityRange:
         """All that the chassis can do."""
-        return cls(Motion(-chassis.max_speed, -chassis.max_turn_rate), Motion(chassis.max_speed, chassis.max_turn_rate))
+        return cls(
+            PlanarVelocity(-chassis.max_speed, -chassis.max_turn_rate),
+            PlanarVelocity(chassis.max_speed, chassis.max_turn_rate),
+        )
 
-    def contains(self, motion: Motion) -> bool:
+    def contains(self, motion: PlanarVelocity) -> bool:
         """True for a motion that is neither too fast nor too slow."""
         return _within(self.least.speed, motion.speed, self.most.speed) and _within(
             self.least.turn_rate, motion.turn_rate, self.most.turn_rate
@@ -39,26 +42,26 @@ def _within(least: float, value: float, most: float) -> bool:
     return least - ROUNDING <= value <= most + ROUNDING
 
 
-def possible(motion: Motion, chassis: Chassis) -> Motion:
+def clamped(motion: PlanarVelocity, chassis: Chassis) -> PlanarVelocity:
     """The motion, or as much of it as the chassis can do."""
-    return Motion(limit(motion.speed, chassis.max_speed), limit(motion.turn_rate, chassis.max_turn_rate))
+    return PlanarVelocity(clamp(motion.speed, chassis.max_speed), clamp(motion.turn_rate, chassis.max_turn_rate))
 
 
-def with_acceleration(limits: Limits, msg: SetAccelerationLimit, chassis: Chassis) -> Limits:
+def updated_limits(limits: AccelerationLimits, msg: SetAccelerationLimit, chassis: Chassis) -> AccelerationLimits:
     """The limits after a command; what it leaves out stays, and the chassis sets the upper bound."""
     x, yaw = msg.acceleration_x, msg.yaw_acceleration
     if msg.command_type == SetAccelerationLimit.CommandType.MAX_ACCELERATION:
         return replace(
             limits,
-            acceleration=_usable(x, limits.acceleration, chassis.acceleration),
-            turn_acceleration=_usable(yaw, limits.turn_acceleration, chassis.turn_acceleration),
+            acceleration=_limit(x, limits.acceleration, chassis.acceleration),
+            turn_acceleration=_limit(yaw, limits.turn_acceleration, chassis.turn_acceleration),
         )
     return replace(
         limits,
-        deceleration=_usable(x, limits.deceleration, chassis.deceleration),
-        turn_deceleration=_usable(yaw, limits.turn_deceleration, chassis.turn_acceleration),
+        deceleration=_limit(x, limits.deceleration, chassis.deceleration),
+        turn_deceleration=_limit(yaw, limits.turn_deceleration, chassis.turn_acceleration),
     )
 
 
-def _usable(wanted: float | None, present: float, most: float) -> float:
-    return present if wanted is None else min(most, max(SLOWEST_CHANGE, abs(wanted)))
+def _limit(wanted: float | None, present: float, most: float) -> float:
+    return present if wanted is None else min(most, max(MIN_ACCELERATION_LIMIT, abs(wanted)))

@@ -18,9 +18,9 @@ from jauspy.messages.mobility import (
 )
 from jauspy.services.mobility.driver import Driver
 from jauspy.services.mobility.guidance.course import VelocityCourse
-from jauspy.services.mobility.guidance.motion import STANDSTILL, Motion
+from jauspy.services.mobility.guidance.motion import STANDSTILL, PlanarVelocity
 from jauspy.services.mobility.vehicle import Vehicle
-from jauspy.services.mobility.velocity_limits import VelocityRange, possible, with_acceleration
+from jauspy.services.mobility.velocity_limits import VelocityRange, clamped, updated_limits
 
 Command: TypeAlias = SetVelocityCommand | SetVelocityCommandExt
 
@@ -28,7 +28,7 @@ _KINDS: Final = 4
 """The wider form has each kind of command twice: over ground, and relative to the medium, here the same."""
 
 
-class Kind(IntEnum):
+class CommandKind(IntEnum):
     """What a velocity command sets."""
 
     CURRENT = 0
@@ -55,7 +55,7 @@ class VelocityStateDriver(Driver, urn="urn:jaus:jss:mobility:VelocityStateDriver
 
     def is_current_velocity_cmd(self, msg: Command) -> bool:
         """The command is to be carried out, rather than to be kept."""
-        return _kind(msg) is Kind.CURRENT
+        return _kind(msg) is CommandKind.CURRENT
 
     def is_command_value_valid(self, msg: Command) -> bool:
         """The velocities are within the limits."""
@@ -78,11 +78,11 @@ class VelocityStateDriver(Driver, urn="urn:jaus:jss:mobility:VelocityStateDriver
     def set_velocity_limit(self, msg: Command) -> None:
         """Keep a limit, or the default. Limits beyond what the chassis can do are what it can do."""
         match _kind(msg):
-            case Kind.MAX:
+            case CommandKind.MAX:
                 self._range = VelocityRange(self._range.least, self._limited(msg, self._range.most))
-            case Kind.MIN:
+            case CommandKind.MIN:
                 self._range = VelocityRange(self._limited(msg, self._range.least), self._range.most)
-            case Kind.DEFAULT:
+            case CommandKind.DEFAULT:
                 self._default = _motion(msg)
 
     def set_velocity_limit_ext(self, msg: Command) -> None:
@@ -91,7 +91,7 @@ class VelocityStateDriver(Driver, urn="urn:jaus:jss:mobility:VelocityStateDriver
 
     def set_acceleration_limit(self, msg: SetAccelerationLimit) -> None:
         """How fast the motion may change; acts on the present command, too."""
-        self._limits = with_acceleration(self._limits, msg, self.vehicle.chassis)
+        self._limits = updated_limits(self._limits, msg, self.vehicle.chassis)
         if self.drives:
             self.vehicle.pilot.follow(self, VelocityCourse(self._current, self._limits))
 
@@ -110,10 +110,10 @@ class VelocityStateDriver(Driver, urn="urn:jaus:jss:mobility:VelocityStateDriver
         """The command ends."""
         self._current = self._default
 
-    def _limited(self, msg: Command, present: Motion) -> Motion:
+    def _limited(self, msg: Command, present: PlanarVelocity) -> PlanarVelocity:
         speed = present.speed if msg.velocity_x is None else msg.velocity_x
         turn_rate = present.turn_rate if msg.yaw_rate is None else msg.yaw_rate
-        return possible(Motion(speed, turn_rate), self.vehicle.chassis)
+        return clamped(PlanarVelocity(speed, turn_rate), self.vehicle.chassis)
 
     # --- reports
 
@@ -125,17 +125,17 @@ class VelocityStateDriver(Driver, urn="urn:jaus:jss:mobility:VelocityStateDriver
     def report_velocity_command_ext(self, query: QueryVelocityCommandExt) -> ReportVelocityCommandExt:
         """As `report_velocity_command`."""
         _, motion = self._asked(query.command_type % _KINDS)
-        kind = query.command_type if query.command_type < 2 * _KINDS else Kind.CURRENT
+        kind = query.command_type if query.command_type < 2 * _KINDS else CommandKind.CURRENT
         return ReportVelocityCommandExt(command_type=kind, velocity_x=motion.speed, yaw_rate=motion.turn_rate)
 
-    def _asked(self, kind: int) -> tuple[Kind, Motion]:
+    def _asked(self, kind: int) -> tuple[CommandKind, PlanarVelocity]:
         motions = {
-            Kind.CURRENT: self._current,
-            Kind.MAX: self._range.most,
-            Kind.MIN: self._range.least,
-            Kind.DEFAULT: self._default,
+            CommandKind.CURRENT: self._current,
+            CommandKind.MAX: self._range.most,
+            CommandKind.MIN: self._range.least,
+            CommandKind.DEFAULT: self._default,
         }
-        known = Kind(kind) if kind in tuple(Kind) else Kind.CURRENT
+        known = CommandKind(kind) if kind in tuple(CommandKind) else CommandKind.CURRENT
         return known, motions[known]
 
     def report_acceleration_limit(self, query: QueryAccelerationLimit) -> ReportAccelerationLimit:
@@ -148,9 +148,9 @@ class VelocityStateDriver(Driver, urn="urn:jaus:jss:mobility:VelocityStateDriver
         return ReportAccelerationLimit(command_type=kind, acceleration_x=x, yaw_acceleration=yaw)
 
 
-def _kind(msg: Any) -> Kind:
-    return Kind(msg.command_type % _KINDS)
+def _kind(msg: Any) -> CommandKind:
+    return CommandKind(msg.command_type % _KINDS)
 
 
-def _motion(msg: Command) -> Motion:
-    return Motion(msg.velocity_x or 0.0, msg.yaw_rate or 0.0)
+def _motion(msg: Command) -> PlanarVelocity:
+    return PlanarVelocity(msg.velocity_x or 0.0, msg.yaw_rate or 0.0)

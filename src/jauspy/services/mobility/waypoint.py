@@ -17,14 +17,14 @@ from jauspy.messages.mobility import (
     SetLocalWaypointExt,
     ZPosition,
 )
-from jauspy.services.mobility.reach import NARROW, local_z, sayable
+from jauspy.services.mobility.reach import MAX_XYZ, encodable_z, local_z
 
-WIDEST: Final = 100.0
+MAX_TOLERANCE: Final = 100.0
 """Metres; a larger tolerance fits only the wider form of a waypoint."""
 
 
 @dataclass(frozen=True, slots=True)
-class Attitude:
+class WaypointAttitude:
     """Radians and metres; what a client leaves out is None. A platform on the ground minds only the yaw."""
 
     roll: float | None = None
@@ -36,7 +36,7 @@ class Attitude:
     @property
     def narrow_tolerance(self) -> float | None:
         """The tolerance where only 100 m fit; left out when it does not."""
-        return None if self.tolerance is None or self.tolerance > WIDEST else self.tolerance
+        return None if self.tolerance is None or self.tolerance > MAX_TOLERANCE else self.tolerance
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,13 +45,13 @@ class LocalWaypoint:
 
     x: float
     y: float
-    attitude: Attitude
+    attitude: WaypointAttitude
     z: ZPosition | None = None
 
     def report(self) -> ReportLocalWaypoint | None:
         """As it was set; None when it is too far away for that."""
         attitude = self.attitude
-        if max(abs(self.x), abs(self.y)) > NARROW:
+        if max(abs(self.x), abs(self.y)) > MAX_XYZ:
             return None
         return ReportLocalWaypoint(
             x=self.x,
@@ -70,7 +70,7 @@ class LocalWaypoint:
         return ReportLocalWaypointExt(
             x=self.x,
             y=self.y,
-            z_position=sayable(self.z),
+            z_position=encodable_z(self.z),
             roll=attitude.roll,
             pitch=attitude.pitch,
             heading=attitude.yaw,
@@ -85,7 +85,7 @@ class GlobalWaypoint:
 
     latitude: float
     longitude: float
-    attitude: Attitude
+    attitude: WaypointAttitude
     altitude: float | None = None
     z: GlobalZPosition | None = None
 
@@ -138,5 +138,5 @@ def global_waypoint(msg: SetGlobalWaypoint | SetGlobalWaypointExt) -> GlobalWayp
 
 def _attitude(
     msg: SetLocalWaypoint | SetLocalWaypointExt | SetGlobalWaypoint | SetGlobalWaypointExt, yaw: float | None
-) -> Attitude:
-    return Attitude(msg.roll, msg.pitch, yaw, msg.waypoint_tolerance, msg.path_tolerance)
+) -> WaypointAttitude:
+    return WaypointAttitude(msg.roll, msg.pitch, yaw, msg.waypoint_tolerance, msg.path_tolerance)

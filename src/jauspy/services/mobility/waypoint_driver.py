@@ -5,12 +5,12 @@ from __future__ import annotations
 from typing import Any
 
 from jauspy.services.completion import Completion
-from jauspy.services.mobility.travel import Traveller
+from jauspy.services.mobility.travel import WaypointFollower
 from jauspy.services.mobility.vehicle import Vehicle
 from jauspy.services.mobility.waypoint import Waypoint
 
 
-class WaypointDriver(Traveller):
+class WaypointDriver(WaypointFollower):
     """The waypoint may be set before Ready. A new one on the way keeps the speed; reaching it ends the drive.
 
     Of two such drivers in a component the one that was given its waypoint last is meant by SetTravelSpeed.

@@ -7,11 +7,11 @@ from typing import Any
 from jauspy.codec.base import Message
 from jauspy.messages.mobility import ReportActiveElement
 from jauspy.services.core.list_driver import ListDriver
-from jauspy.services.mobility.travel import Traveller
+from jauspy.services.mobility.travel import WaypointFollower
 from jauspy.services.mobility.waypoint import Waypoint
 
 
-class WaypointListDriver(Traveller, ListDriver):
+class WaypointListDriver(WaypointFollower, ListDriver):
     """Carries out the list at the speed of ExecuteList; the robot stops at the last waypoint.
 
     A component has one list. With both drivers in it, it may hold waypoints of both kinds, and each goes for its own.

@@ -8,10 +8,10 @@ from dataclasses import dataclass
 from typing import Final, Protocol
 
 from jauspy.geometry.poses import Pose
-from jauspy.services.mobility.guidance.heading import head_for, turn_of
-from jauspy.services.mobility.guidance.motion import STANDSTILL, Limits, Motion
+from jauspy.services.mobility.guidance.heading import heading_error, steer_to_heading
+from jauspy.services.mobility.guidance.motion import STANDSTILL, AccelerationLimits, PlanarVelocity
 
-LOOKS_THERE: Final = 0.03
+HEADING_TOLERANCE: Final = 0.03
 """Radians from a heading at which a robot that shall stand there stops turning."""
 
 
@@ -19,11 +19,11 @@ class Course(Protocol):
     """Where to go."""
 
     @property
-    def limits(self) -> Limits | None:
+    def limits(self) -> AccelerationLimits | None:
         """How fast the motion may change; None: as the chassis likes it."""
         ...
 
-    def steer(self, pose: Pose, /) -> Motion | None:
+    def steer(self, pose: Pose, /) -> PlanarVelocity | None:
         """The motion wanted at a pose (JAUS axes, world); None when there is nothing more to do."""
         ...
 
@@ -32,10 +32,10 @@ class Course(Protocol):
 class VelocityCourse:
     """A motion that is given as such."""
 
-    motion: Motion
-    limits: Limits
+    motion: PlanarVelocity
+    limits: AccelerationLimits
 
-    def steer(self, _: Pose) -> Motion:
+    def steer(self, _: Pose) -> PlanarVelocity:
         """Always the same."""
         return self.motion
 
@@ -49,12 +49,12 @@ class VectorCourse:
     max_turn_rate: float
     limits: None = None
 
-    def steer(self, pose: Pose) -> Motion:
+    def steer(self, pose: Pose) -> PlanarVelocity:
         """Towards the heading, without an end."""
-        error = turn_of(pose.yaw, self.heading())
-        if self.speed == 0.0 and abs(error) < LOOKS_THERE:
+        error = heading_error(pose.yaw, self.heading())
+        if self.speed == 0.0 and abs(error) < HEADING_TOLERANCE:
             return STANDSTILL
-        return head_for(error, self.speed, self.max_turn_rate)
+        return steer_to_heading(error, self.speed, self.max_turn_rate)
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,7 +63,7 @@ class Halt:
 
     limits: None = None
 
-    def steer(self, _: Pose) -> Motion:
+    def steer(self, _: Pose) -> PlanarVelocity:
         """Stand still."""
         return STANDSTILL
 

@@ -7,18 +7,18 @@ from dataclasses import dataclass
 
 
 @dataclass(frozen=True, slots=True)
-class Motion:
+class PlanarVelocity:
     """Speed forward in m/s, and turn rate in rad/s, positive to the right (JAUS: z down)."""
 
     speed: float = 0.0
     turn_rate: float = 0.0
 
 
-STANDSTILL = Motion()
+STANDSTILL = PlanarVelocity()
 
 
 @dataclass(frozen=True, slots=True)
-class Limits:
+class AccelerationLimits:
     """How fast a motion may change: m/s^2 away from and towards standstill, and the same about z in rad/s^2."""
 
     acceleration: float
@@ -27,9 +27,9 @@ class Limits:
     turn_deceleration: float
 
 
-def approach(motion: Motion, wanted: Motion, limits: Limits, dt: float) -> Motion:
+def ramped(motion: PlanarVelocity, wanted: PlanarVelocity, limits: AccelerationLimits, dt: float) -> PlanarVelocity:
     """The motion `dt` seconds later, on its way to the wanted one."""
-    return Motion(
+    return PlanarVelocity(
         _ramp(motion.speed, wanted.speed, limits.acceleration * dt, limits.deceleration * dt),
         _ramp(motion.turn_rate, wanted.turn_rate, limits.turn_acceleration * dt, limits.turn_deceleration * dt),
     )

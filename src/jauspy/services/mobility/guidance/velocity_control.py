@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from jauspy.services.mobility.guidance.motion import Motion
+from jauspy.services.mobility.guidance.motion import PlanarVelocity
 
 
 @dataclass(frozen=True, slots=True)
-class Gains:
+class AxisGains:
     """Of one axis. Efforts are fractions of the full one; the rest is in m/s, or rad/s, and seconds."""
 
     forward: float
@@ -19,18 +19,18 @@ class Gains:
     integral: float
 
 
-SPEED = Gains(forward=0.64, breakaway=0.01, proportional=0.15, integral=0.6)
-TURN = Gains(forward=0.27, breakaway=0.06, proportional=0.05, integral=0.4)
+SPEED_GAINS = AxisGains(forward=0.64, breakaway=0.01, proportional=0.15, integral=0.6)
+TURN_RATE_GAINS = AxisGains(forward=0.27, breakaway=0.06, proportional=0.05, integral=0.4)
 """Between those of inc1 as it is simulated with and without physics; the integral makes up for the difference."""
 
-SOFT = 0.1
+BREAKAWAY_BAND = 0.1
 """Velocity (m/s, rad/s) from which on the whole breakaway effort is added, so that it does not jump at zero."""
 
 
 class AxisControl:
     """PI control with feed-forward; the integral does not grow while the effort is at its limit."""
 
-    def __init__(self, gains: Gains) -> None:
+    def __init__(self, gains: AxisGains) -> None:
         self._gains = gains
         self._integral = 0.0
 
@@ -41,26 +41,26 @@ class AxisControl:
     def effort(self, wanted: float, measured: float, dt: float) -> float:
         """The effort, -1..1, for the next `dt` seconds."""
         gains, error = self._gains, wanted - measured
-        feed_forward = gains.forward * wanted + gains.breakaway * limit(wanted / SOFT)
+        feed_forward = gains.forward * wanted + gains.breakaway * clamp(wanted / BREAKAWAY_BAND)
         integral = self._integral + gains.integral * error * dt
         effort = feed_forward + gains.proportional * error + integral
         if abs(effort) <= 1.0 or effort * error < 0.0:
             self._integral = integral
-        return limit(effort)
+        return clamp(effort)
 
 
 class VelocityControl:
     """Both axes of the chassis."""
 
     def __init__(self) -> None:
-        self._speed, self._turn = AxisControl(SPEED), AxisControl(TURN)
+        self._speed, self._turn = AxisControl(SPEED_GAINS), AxisControl(TURN_RATE_GAINS)
 
     def reset(self) -> None:
         """Start anew."""
         self._speed.reset()
         self._turn.reset()
 
-    def efforts(self, wanted: Motion, measured: Motion, dt: float) -> tuple[float, float]:
+    def efforts(self, wanted: PlanarVelocity, measured: PlanarVelocity, dt: float) -> tuple[float, float]:
         """Efforts forward and to the right, -1..1."""
         return (
             self._speed.effort(wanted.speed, measured.speed, dt),
@@ -68,6 +68,6 @@ class VelocityControl:
         )
 
 
-def limit(value: float, most: float = 1.0) -> float:
+def clamp(value: float, most: float = 1.0) -> float:
     """The value within -most..most."""
     return min(most, max(-most, value))

@@ -8,18 +8,18 @@ from dataclasses import dataclass
 from typing import Final
 
 from jauspy.geometry.poses import Pose
-from jauspy.services.mobility.guidance.course import LOOKS_THERE, reversed_yaw
-from jauspy.services.mobility.guidance.heading import head_for, turn_of
-from jauspy.services.mobility.guidance.leg import Leg, Point, look_ahead
-from jauspy.services.mobility.guidance.motion import STANDSTILL, Motion
+from jauspy.services.mobility.guidance.course import HEADING_TOLERANCE, reversed_yaw
+from jauspy.services.mobility.guidance.heading import heading_error, steer_to_heading
+from jauspy.services.mobility.guidance.leg import Leg, PlanarPoint, look_ahead
+from jauspy.services.mobility.guidance.motion import STANDSTILL, PlanarVelocity
 
-TOLERANCE: Final = 0.3
+DEFAULT_TOLERANCE: Final = 0.3
 """Metres within which a waypoint counts as reached that says nothing about it."""
-CLOSE: Final = 0.1
+STOP_TOLERANCE: Final = 0.1
 """Metres up to which a waypoint where the robot shall stop is approached, whatever its tolerance."""
-SLOWEST: Final = 0.1
+FINAL_SPEED: Final = 0.1
 """Speed of the last centimetres, m/s."""
-PASSING: Final = 0.4
+PASSING_SPEED: Final = 0.4
 """Speed, m/s, at which a waypoint is passed when there are more."""
 
 
@@ -27,9 +27,9 @@ PASSING: Final = 0.4
 class Goal:
     """A waypoint in the world, JAUS axes: metres and radians, None for what it leaves open."""
 
-    point: Point
+    point: PlanarPoint
     heading: float | None = None
-    tolerance: float = TOLERANCE
+    tolerance: float = DEFAULT_TOLERANCE
     path_tolerance: float | None = None
     is_last: bool = True
     """The robot stops here."""
@@ -50,13 +50,13 @@ class WaypointCourse:
         self._speed = speed
         self._deceleration = deceleration
         self._max_turn_rate = max_turn_rate
-        self._start: Point | None = None
+        self._start: PlanarPoint | None = None
         self._reached = False
 
-    def steer(self, pose: Pose) -> Motion | None:
+    def steer(self, pose: Pose) -> PlanarVelocity | None:
         """The motion at that pose; None once the waypoint is reached and the heading, too, if it has one."""
         goal, speed = self._goal(), self._speed()
-        here = Point(pose.x, pose.y)
+        here = PlanarPoint(pose.x, pose.y)
         self._start = self._start or here
         if speed == 0.0:
             return STANDSTILL
@@ -66,28 +66,28 @@ class WaypointCourse:
             return self._align(pose.yaw, goal.heading)
         return self._drive(pose, leg, goal, speed)
 
-    def _drive(self, pose: Pose, leg: Leg, goal: Goal, speed: float) -> Motion:
-        here = Point(pose.x, pose.y)
+    def _drive(self, pose: Pose, leg: Leg, goal: Goal, speed: float) -> PlanarVelocity:
+        here = PlanarPoint(pose.x, pose.y)
         _, bearing = here.to(leg.ahead(here, look_ahead(speed, goal.path_tolerance)))
         yaw = reversed_yaw(pose.yaw) if speed < 0.0 else pose.yaw
         remaining, _ = here.to(goal.point)
         slowed = min(abs(speed), self._approach(remaining, goal))
-        return head_for(turn_of(yaw, bearing), math.copysign(slowed, speed), self._max_turn_rate)
+        return steer_to_heading(heading_error(yaw, bearing), math.copysign(slowed, speed), self._max_turn_rate)
 
     def _approach(self, remaining: float, goal: Goal) -> float:
         """The speed from which the robot can still slow down; half of its deceleration is kept in reserve."""
-        final = SLOWEST if goal.is_last or goal.heading is not None else PASSING
+        final = FINAL_SPEED if goal.is_last or goal.heading is not None else PASSING_SPEED
         return math.sqrt(final**2 + self._deceleration * remaining)
 
-    def _align(self, yaw: float, heading: float | None) -> Motion | None:
-        if heading is None or abs(error := turn_of(yaw, heading)) < LOOKS_THERE:
+    def _align(self, yaw: float, heading: float | None) -> PlanarVelocity | None:
+        if heading is None or abs(error := heading_error(yaw, heading)) < HEADING_TOLERANCE:
             return None
-        return head_for(error, 0.0, self._max_turn_rate)
+        return steer_to_heading(error, 0.0, self._max_turn_rate)
 
 
-def is_reached(goal: Goal, leg: Leg, here: Point) -> bool:
-    """Within the tolerance; where the robot stops it goes on, as near as it gets, to within `CLOSE` of the point."""
+def is_reached(goal: Goal, leg: Leg, here: PlanarPoint) -> bool:
+    """Within the tolerance; where the robot stops it goes on, as near as it gets, to within `STOP_TOLERANCE` of the point."""
     distance, _ = here.to(goal.point)
     if distance > goal.tolerance:
         return False
-    return not goal.is_last or distance <= CLOSE or leg.passed(here)
+    return not goal.is_last or distance <= STOP_TOLERANCE or leg.passed(here)
