@@ -7,12 +7,29 @@ import math
 import pytest
 
 from jauspy.geometry.poses import Pose
-from jauspy.services.mobility.guidance.course import VectorCourse, VelocityCourse
-from jauspy.services.mobility.guidance.heading import MAX_DRIVING_ERROR, heading_error, steer_to_heading
-from jauspy.services.mobility.guidance.leg import Leg, PlanarPoint, look_ahead
-from jauspy.services.mobility.guidance.motion import STANDSTILL, AccelerationLimits, PlanarVelocity, ramped
-from jauspy.services.mobility.guidance.velocity_control import SPEED_GAINS, AxisControl, VelocityControl
-from jauspy.services.mobility.guidance.waypoint_course import STOP_TOLERANCE, Goal, WaypointCourse, is_reached
+from jauspy.services.mobility.guidance.course import (
+    MAX_DRIVING_ERROR,
+    STOP_TOLERANCE,
+    Goal,
+    Leg,
+    PlanarPoint,
+    VectorCourse,
+    VelocityCourse,
+    WaypointCourse,
+    heading_error,
+    is_reached,
+    look_ahead,
+    steer_to_heading,
+)
+from jauspy.services.mobility.guidance.velocity_control import (
+    SPEED_GAINS,
+    STANDSTILL,
+    AccelerationLimits,
+    AxisControl,
+    PlanarVelocity,
+    VelocityControl,
+    ramped,
+)
 
 LIMITS = AccelerationLimits(acceleration=1.0, deceleration=2.0, turn_acceleration=3.0, turn_deceleration=4.0)
 

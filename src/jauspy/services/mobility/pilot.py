@@ -11,8 +11,14 @@ from jauspy.geometry.poses import jaus_pose, jaus_twist
 from jauspy.platform.chassis import Chassis
 from jauspy.platform.contract import DriveBase
 from jauspy.services.mobility.guidance.course import Course, Halt
-from jauspy.services.mobility.guidance.motion import STANDSTILL, AccelerationLimits, PlanarVelocity, ramped
-from jauspy.services.mobility.guidance.velocity_control import VelocityControl, clamp
+from jauspy.services.mobility.guidance.velocity_control import (
+    STANDSTILL,
+    AccelerationLimits,
+    PlanarVelocity,
+    VelocityControl,
+    clamp,
+    ramped,
+)
 
 if TYPE_CHECKING:
     from jauspy.services.host import Host

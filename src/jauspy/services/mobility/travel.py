@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from jauspy.messages.mobility import ReportTravelSpeed, ReportTravelSpeedExt
 from jauspy.services.mobility.driver import Driver
-from jauspy.services.mobility.guidance.leg import PlanarPoint
-from jauspy.services.mobility.guidance.waypoint_course import DEFAULT_TOLERANCE, Goal, WaypointCourse
+from jauspy.services.mobility.guidance.course import DEFAULT_TOLERANCE, Goal, PlanarPoint, WaypointCourse
 from jauspy.services.mobility.speeds import speed_over_ground, unsigned_speed
 from jauspy.services.mobility.vehicle import Vehicle
 from jauspy.services.mobility.waypoint import LocalWaypoint, Waypoint

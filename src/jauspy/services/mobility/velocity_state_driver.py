@@ -18,7 +18,7 @@ from jauspy.messages.mobility import (
 )
 from jauspy.services.mobility.driver import Driver
 from jauspy.services.mobility.guidance.course import VelocityCourse
-from jauspy.services.mobility.guidance.motion import STANDSTILL, PlanarVelocity
+from jauspy.services.mobility.guidance.velocity_control import STANDSTILL, PlanarVelocity
 from jauspy.services.mobility.vehicle import Vehicle
 from jauspy.services.mobility.velocity_limits import VelocityRange, clamped, updated_limits
 
