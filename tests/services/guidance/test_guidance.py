@@ -7,7 +7,7 @@ import math
 import pytest
 
 from jauspy.geometry.poses import Pose
-from jauspy.services.mobility.guidance.course import (
+from jauspy.services.mobility.courses import (
     MAX_DRIVING_ERROR,
     STOP_TOLERANCE,
     Goal,
@@ -21,7 +21,7 @@ from jauspy.services.mobility.guidance.course import (
     look_ahead,
     steer_to_heading,
 )
-from jauspy.services.mobility.guidance.velocity_control import (
+from jauspy.services.mobility.velocity_control import (
     SPEED_GAINS,
     STANDSTILL,
     AccelerationLimits,

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from jauspy.geometry.geodesy import Geodetic, from_ned, meridian_convergence, to_ned
 from jauspy.geometry.poses import Pose, wrap_angle
-from jauspy.services.mobility.guidance.course import PlanarPoint
+from jauspy.services.mobility.courses import PlanarPoint
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass, replace
 
 from jauspy.geometry.poses import Pose, wrap_angle
-from jauspy.services.mobility.guidance.course import PlanarPoint
+from jauspy.services.mobility.courses import PlanarPoint
 
 
 @dataclass(frozen=True, slots=True)

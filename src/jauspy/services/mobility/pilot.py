@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Final
 from jauspy.geometry.poses import jaus_pose, jaus_twist
 from jauspy.platform.chassis import Chassis
 from jauspy.platform.contract import DriveBase
-from jauspy.services.mobility.guidance.course import Course, Halt
-from jauspy.services.mobility.guidance.velocity_control import (
+from jauspy.services.mobility.courses import Course, Halt
+from jauspy.services.mobility.velocity_control import (
     STANDSTILL,
     AccelerationLimits,
     PlanarVelocity,

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from jauspy.messages.mobility import ReportTravelSpeed, ReportTravelSpeedExt
+from jauspy.services.mobility.courses import DEFAULT_TOLERANCE, Goal, PlanarPoint, WaypointCourse
 from jauspy.services.mobility.driver import Driver
-from jauspy.services.mobility.guidance.course import DEFAULT_TOLERANCE, Goal, PlanarPoint, WaypointCourse
 from jauspy.services.mobility.speeds import speed_over_ground, unsigned_speed
 from jauspy.services.mobility.vehicle import Vehicle
 from jauspy.services.mobility.waypoint import LocalWaypoint, Waypoint

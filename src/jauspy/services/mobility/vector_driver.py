@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
+from jauspy.services.mobility.courses import VectorCourse
 from jauspy.services.mobility.driver import Driver
-from jauspy.services.mobility.guidance.course import VectorCourse
 from jauspy.services.mobility.vehicle import Vehicle
 
 

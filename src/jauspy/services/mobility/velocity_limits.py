@@ -7,7 +7,7 @@ from typing import Final
 
 from jauspy.messages.mobility import SetAccelerationLimit
 from jauspy.platform.chassis import Chassis
-from jauspy.services.mobility.guidance.velocity_control import AccelerationLimits, PlanarVelocity, clamp
+from jauspy.services.mobility.velocity_control import AccelerationLimits, PlanarVelocity, clamp
 
 ROUNDING: Final = 1e-3
 """m/s, rad/s: a velocity at its limit may have been rounded upward on the wire, where rates have steps as large."""

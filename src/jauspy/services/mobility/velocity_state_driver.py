@@ -16,10 +16,10 @@ from jauspy.messages.mobility import (
     SetVelocityCommand,
     SetVelocityCommandExt,
 )
+from jauspy.services.mobility.courses import VelocityCourse
 from jauspy.services.mobility.driver import Driver
-from jauspy.services.mobility.guidance.course import VelocityCourse
-from jauspy.services.mobility.guidance.velocity_control import STANDSTILL, PlanarVelocity
 from jauspy.services.mobility.vehicle import Vehicle
+from jauspy.services.mobility.velocity_control import STANDSTILL, PlanarVelocity
 from jauspy.services.mobility.velocity_limits import VelocityRange, clamped, updated_limits
 
 Command: TypeAlias = SetVelocityCommand | SetVelocityCommandExt

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Final, Protocol
 
 from jauspy.geometry.poses import Pose
-from jauspy.services.mobility.guidance.velocity_control import STANDSTILL, AccelerationLimits, PlanarVelocity, clamp
+from jauspy.services.mobility.velocity_control import STANDSTILL, AccelerationLimits, PlanarVelocity, clamp
 
 TURN_GAIN = 1.8
 """Turn rate per heading error, 1/s."""
