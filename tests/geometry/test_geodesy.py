@@ -8,7 +8,7 @@ import pytest
 
 from jauspy.geometry.geodesy import Geodetic, from_ecef, from_ned, to_ecef, to_ned
 from jauspy.geometry.poses import Pose
-from jauspy.services.mobility.global_frame import GlobalFrame, GlobalPose
+from jauspy.services.mobility.reference_frames import GlobalFrame, GlobalPose
 
 # Made with PROJ 9.5 (EPSG:4979 to EPSG:4978): latitude, longitude (degrees), height; x, y, z (m).
 PROJ = [

@@ -1,7 +1,6 @@
 """Mobility services (AS6009) over the contracts of `jauspy.platform`."""
 
 from jauspy.services.mobility.acceleration_state_sensor import AccelerationStateSensor
-from jauspy.services.mobility.global_frame import GlobalPose
 from jauspy.services.mobility.global_pose_sensor import GlobalPoseSensor
 from jauspy.services.mobility.global_vector_driver import GlobalVectorDriver
 from jauspy.services.mobility.global_waypoint_driver import GlobalWaypointDriver
@@ -11,6 +10,7 @@ from jauspy.services.mobility.local_vector_driver import LocalVectorDriver
 from jauspy.services.mobility.local_waypoint_driver import LocalWaypointDriver
 from jauspy.services.mobility.local_waypoint_list_driver import LocalWaypointListDriver
 from jauspy.services.mobility.primitive_driver import PrimitiveDriver
+from jauspy.services.mobility.reference_frames import GlobalPose
 from jauspy.services.mobility.vehicle import Vehicle
 from jauspy.services.mobility.velocity_state_driver import VelocityStateDriver
 from jauspy.services.mobility.velocity_state_sensor import VelocityStateSensor

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, ClassVar
 
-from jauspy.services.mobility.speeds import ground_speed
+from jauspy.services.mobility.field_ranges import ground_speed
 from jauspy.services.mobility.vehicle import Vehicle
 from jauspy.services.service import Service
 

@@ -15,8 +15,8 @@ from jauspy.messages.mobility import (
     SetGlobalPose,
     SetGlobalPoseExt,
 )
-from jauspy.services.mobility.global_frame import GlobalPose
-from jauspy.services.mobility.reach import encodable_altitude
+from jauspy.services.mobility.field_ranges import encodable_altitude
+from jauspy.services.mobility.reference_frames import GlobalPose
 from jauspy.services.mobility.vehicle import Vehicle
 from jauspy.services.service import Service
 from jauspy.services.stamps import epoch_seconds, time_stamp

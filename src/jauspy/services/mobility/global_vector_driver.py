@@ -11,7 +11,7 @@ from jauspy.messages.mobility import (
     SetGlobalVector,
     SetGlobalVectorExt,
 )
-from jauspy.services.mobility.speeds import speed_over_ground, unsigned_speed
+from jauspy.services.mobility.field_ranges import speed_over_ground, unsigned_speed
 from jauspy.services.mobility.vector_driver import CommandedVector, VectorDriver
 from jauspy.services.mobility.vehicle import Vehicle
 

@@ -12,7 +12,7 @@ from jauspy.messages.mobility import (
     SetLocalPoseExt,
     ZPosition,
 )
-from jauspy.services.mobility.reach import MAX_XY_EXT, MAX_XYZ, MAX_Z_EXT, encodable
+from jauspy.services.mobility.field_ranges import MAX_XY_EXT, MAX_XYZ, MAX_Z_EXT, encodable
 from jauspy.services.mobility.vehicle import Vehicle
 from jauspy.services.service import Service
 from jauspy.services.stamps import epoch_seconds, time_stamp

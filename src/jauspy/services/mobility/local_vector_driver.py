@@ -11,8 +11,7 @@ from jauspy.messages.mobility import (
     SetLocalVectorExt,
     ZPosition,
 )
-from jauspy.services.mobility.reach import MAX_ALTITUDE, MIN_ALTITUDE, local_z
-from jauspy.services.mobility.speeds import speed_over_ground, unsigned_speed
+from jauspy.services.mobility.field_ranges import MAX_ALTITUDE, MIN_ALTITUDE, local_z, speed_over_ground, unsigned_speed
 from jauspy.services.mobility.vector_driver import CommandedVector, VectorDriver
 from jauspy.services.mobility.vehicle import Vehicle
 

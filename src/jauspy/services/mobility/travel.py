@@ -5,7 +5,7 @@ from __future__ import annotations
 from jauspy.messages.mobility import ReportTravelSpeed, ReportTravelSpeedExt
 from jauspy.services.mobility.courses import DEFAULT_TOLERANCE, Goal, PlanarPoint, WaypointCourse
 from jauspy.services.mobility.driver import Driver
-from jauspy.services.mobility.speeds import speed_over_ground, unsigned_speed
+from jauspy.services.mobility.field_ranges import speed_over_ground, unsigned_speed
 from jauspy.services.mobility.vehicle import Vehicle
 from jauspy.services.mobility.waypoint import LocalWaypoint, Waypoint
 

@@ -8,9 +8,8 @@ from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Pose, jaus_pose
 from jauspy.platform.chassis import Chassis
 from jauspy.platform.contract import DriveBase
-from jauspy.services.mobility.global_frame import GlobalFrame, GlobalPose
-from jauspy.services.mobility.local_frame import LocalFrame
 from jauspy.services.mobility.pilot import Pilot
+from jauspy.services.mobility.reference_frames import GlobalFrame, GlobalPose, LocalFrame
 
 if TYPE_CHECKING:
     from jauspy.services.mobility.waypoint import Waypoint

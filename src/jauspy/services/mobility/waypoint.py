@@ -17,7 +17,7 @@ from jauspy.messages.mobility import (
     SetLocalWaypointExt,
     ZPosition,
 )
-from jauspy.services.mobility.reach import MAX_XYZ, encodable_z, local_z
+from jauspy.services.mobility.field_ranges import MAX_XYZ, encodable_z, local_z
 
 MAX_TOLERANCE: Final = 100.0
 """Metres; a larger tolerance fits only the wider form of a waypoint."""

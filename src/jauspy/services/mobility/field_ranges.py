@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from jauspy.messages.mobility import ZPosition
+from jauspy.messages.mobility import Speed, ZPosition
 
 MAX_XYZ: Final = 100_000.0
 """Metres along x, y and z that fit the narrower forms; clients may set more by the wider ones."""
@@ -38,3 +38,25 @@ def encodable_z(z: ZPosition | None) -> ZPosition | None:
 def encodable(value: float, most: float) -> float | None:
     """The value, or None, which leaves the field out, when the message cannot say it."""
     return value if abs(value) <= most else None
+
+
+MAX_SPEED: Final = 327.67
+"""m/s, in every message."""
+_ON_THE_GROUND: Final = (Speed.Choice.SPEED_OVER_GROUND, Speed.Choice.SPEED_RELATIVE_TO_MEDIUM)
+
+
+def ground_speed(speed: float | Speed) -> float | None:
+    """m/s over the ground, negative backward; None for revolutions and indicated speeds. The ground does not flow."""
+    if not isinstance(speed, Speed):
+        return speed
+    return speed.value if speed.choice in _ON_THE_GROUND else None
+
+
+def speed_over_ground(speed: float) -> Speed:
+    """A speed as the wider messages have it."""
+    return Speed(Speed.Choice.SPEED_OVER_GROUND, speed)
+
+
+def unsigned_speed(speed: float) -> float:
+    """A speed as the narrower messages have it: without its direction, and 1 cm/s less at most than backward."""
+    return min(abs(speed), MAX_SPEED)
