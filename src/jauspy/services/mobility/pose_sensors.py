@@ -6,16 +6,21 @@ import math
 from dataclasses import replace
 from typing import Final
 
-from jauspy.geometry.poses import jaus_twist, wrap_angle
+from jauspy.geometry.poses import Pose, jaus_twist, wrap_angle
 from jauspy.messages.mobility import (
     ReportGeomagneticProperty,
     ReportGlobalPose,
     ReportGlobalPoseExt,
+    ReportLocalPose,
+    ReportLocalPoseExt,
     SetGeomagneticProperty,
     SetGlobalPose,
     SetGlobalPoseExt,
+    SetLocalPose,
+    SetLocalPoseExt,
+    ZPosition,
 )
-from jauspy.services.mobility.field_ranges import encodable_altitude
+from jauspy.services.mobility.field_ranges import MAX_XY_EXT, MAX_XYZ, MAX_Z_EXT, encodable, encodable_altitude
 from jauspy.services.mobility.reference_frames import GlobalPose
 from jauspy.services.mobility.vehicle import Vehicle
 from jauspy.services.service import Service
@@ -99,3 +104,62 @@ class GlobalPoseSensor(Service, urn="urn:jaus:jss:mobility:GlobalPoseSensor"):
         if math.hypot(twist.vx, twist.vy) < MOVING:
             return None
         return wrap_angle(heading + math.atan2(twist.vy, twist.vx))
+
+
+class LocalPoseSensor(Service, urn="urn:jaus:jss:mobility:LocalPoseSensor"):
+    """Position (m), attitude (rad) and time.
+
+    The controlling client may set x, y, z and yaw; roll and pitch are measured against gravity and stay as they are.
+    The frame that is set is that of the drivers to local waypoints and along local vectors, too.
+    """
+
+    def __init__(self, vehicle: Vehicle) -> None:
+        self._vehicle = vehicle
+
+    @property
+    def pose(self) -> Pose:
+        """The pose in JAUS axes, in the local frame as it was last set."""
+        return self._vehicle.local.show(self._vehicle.pose)
+
+    def update_local_pose(self, msg: SetLocalPose) -> None:
+        """The platform is, from now on, where the client says that it is."""
+        self._set(msg.x, msg.y, msg.z, msg.yaw)
+
+    def update_local_pose_ext(self, msg: SetLocalPoseExt) -> None:
+        """As `update_local_pose`; a height above some datum says nothing about z of the local frame."""
+        z = msg.z_position
+        local = z is not None and z.choice == ZPosition.Choice.Z_LOCAL
+        self._set(msg.x, msg.y, z.value if z is not None and local else None, msg.heading)
+
+    def _set(self, x: float | None, y: float | None, z: float | None, yaw: float | None) -> None:
+        given = {"x": x, "y": y, "z": z, "yaw": yaw}
+        shown = replace(self.pose, **{name: value for name, value in given.items() if value is not None})
+        self._vehicle.local.set(self._vehicle.pose, shown)
+
+    def report_local_pose(self) -> ReportLocalPose:
+        """Everything that is measured and can be said; there is no estimate of the errors."""
+        pose = self.pose
+        return ReportLocalPose(
+            x=encodable(pose.x, MAX_XYZ),
+            y=encodable(pose.y, MAX_XYZ),
+            z=encodable(pose.z, MAX_XYZ),
+            roll=pose.roll,
+            pitch=pose.pitch,
+            yaw=pose.yaw,
+            time_stamp=time_stamp(self.host.utc_time),
+        )
+
+    def report_local_pose_ext(self) -> ReportLocalPoseExt:
+        """As `report_local_pose`, with the time since 1970."""
+        pose = self.pose
+        seconds, nanoseconds = epoch_seconds(self.host.utc_time)
+        return ReportLocalPoseExt(
+            x=encodable(pose.x, MAX_XY_EXT),
+            y=encodable(pose.y, MAX_XY_EXT),
+            z_local=encodable(pose.z, MAX_Z_EXT),
+            roll=pose.roll,
+            pitch=pose.pitch,
+            heading=pose.yaw,
+            time_seconds=seconds,
+            time_nano_seconds=nanoseconds,
+        )
