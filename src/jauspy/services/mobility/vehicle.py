@@ -12,7 +12,7 @@ from jauspy.services.mobility.pilot import Pilot
 from jauspy.services.mobility.reference_frames import GlobalFrame, GlobalPose, LocalFrame
 
 if TYPE_CHECKING:
-    from jauspy.services.mobility.waypoint import Waypoint
+    from jauspy.services.mobility.waypoints import Waypoint
 
 
 class Vehicle:

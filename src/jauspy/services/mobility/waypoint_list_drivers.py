@@ -5,10 +5,20 @@ from __future__ import annotations
 from typing import Any
 
 from jauspy.codec.base import Message
-from jauspy.messages.mobility import ReportActiveElement
+from jauspy.messages.mobility import (
+    ReportActiveElement,
+    ReportGlobalWaypoint,
+    ReportGlobalWaypointExt,
+    ReportLocalWaypoint,
+    ReportLocalWaypointExt,
+    SetGlobalWaypoint,
+    SetGlobalWaypointExt,
+    SetLocalWaypoint,
+    SetLocalWaypointExt,
+)
 from jauspy.services.core.list_driver import ListDriver
-from jauspy.services.mobility.travel import WaypointFollower
-from jauspy.services.mobility.waypoint import Waypoint
+from jauspy.services.mobility.waypoint_drivers import WaypointFollower
+from jauspy.services.mobility.waypoints import GlobalWaypoint, LocalWaypoint, Waypoint, global_waypoint, local_waypoint
 
 
 class WaypointListDriver(WaypointFollower, ListDriver):
@@ -70,3 +80,58 @@ class WaypointListDriver(WaypointFollower, ListDriver):
     def report_active_element(self) -> ReportActiveElement:
         """The element that is being carried out, 0 for none."""
         return ReportActiveElement(element_uid=self.elements.active)
+
+
+class LocalWaypointListDriver(WaypointListDriver, urn="urn:jaus:jss:mobility:LocalWaypointListDriver"):
+    """Its elements are SetLocalWaypoint and SetLocalWaypointExt messages."""
+
+    element_types = (SetLocalWaypoint, SetLocalWaypointExt)
+
+    def waypoint_of(self, message: Message) -> LocalWaypoint:
+        """What an element says."""
+        assert isinstance(message, SetLocalWaypoint | SetLocalWaypointExt)
+        return local_waypoint(message)
+
+    def waypoint_exists(self) -> bool:
+        """There is a local waypoint to report."""
+        return isinstance(self.waypoint(), LocalWaypoint)
+
+    def report_local_waypoint(self) -> ReportLocalWaypoint | None:
+        """The waypoint as it was set."""
+        waypoint = self.waypoint()
+        return waypoint.report() if isinstance(waypoint, LocalWaypoint) else None
+
+    def report_local_waypoint_ext(self) -> ReportLocalWaypointExt | None:
+        """The waypoint as it was set."""
+        waypoint = self.waypoint()
+        return waypoint.report_ext() if isinstance(waypoint, LocalWaypoint) else None
+
+
+class GlobalWaypointListDriver(WaypointListDriver, urn="urn:jaus:jss:mobility:GlobalWaypointListDriver"):
+    """Its elements are SetGlobalWaypoint and SetGlobalWaypointExt messages. The vehicle needs an origin."""
+
+    element_types = (SetGlobalWaypoint, SetGlobalWaypointExt)
+
+    def attached(self) -> None:
+        """Check that the vehicle has an origin: `ConfigError` if not."""
+        super().attached()
+        self.vehicle.georeference()
+
+    def waypoint_of(self, message: Message) -> GlobalWaypoint:
+        """What an element says."""
+        assert isinstance(message, SetGlobalWaypoint | SetGlobalWaypointExt)
+        return global_waypoint(message)
+
+    def waypoint_exists(self) -> bool:
+        """There is a global waypoint to report."""
+        return isinstance(self.waypoint(), GlobalWaypoint)
+
+    def report_global_waypoint(self) -> ReportGlobalWaypoint | None:
+        """The waypoint as it was set."""
+        waypoint = self.waypoint()
+        return waypoint.report() if isinstance(waypoint, GlobalWaypoint) else None
+
+    def report_global_waypoint_ext(self) -> ReportGlobalWaypointExt | None:
+        """The waypoint as it was set."""
+        waypoint = self.waypoint()
+        return waypoint.report_ext() if isinstance(waypoint, GlobalWaypoint) else None
