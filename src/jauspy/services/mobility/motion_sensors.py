@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import math
 
-from jauspy.geometry.poses import jaus_twist
+from jauspy.geometry.poses import jaus_acceleration, jaus_twist
 from jauspy.messages.mobility import (
+    ReportAccelerationState,
+    ReportAccelerationStateExt,
     ReportVelocityState,
     ReportVelocityStateExt,
     ReportVelocityStateExtRec,
@@ -49,4 +51,39 @@ class VelocityStateSensor(Service, urn="urn:jaus:jss:mobility:VelocityStateSenso
                 time_seconds=seconds,
                 time_nano_seconds=nanoseconds,
             ),
+        )
+
+
+class AccelerationStateSensor(Service, urn="urn:jaus:jss:mobility:AccelerationStateSensor"):
+    """Accelerations (m/s^2, rad/s^2) in JAUS body axes, x forward, y right, z down; gravity is left out."""
+
+    def __init__(self, vehicle: Vehicle) -> None:
+        self._drive = vehicle.drive
+
+    def report_acceleration_state(self) -> ReportAccelerationState:
+        """Everything that is measured; there is no estimate of the errors."""
+        acceleration = jaus_acceleration(self._drive.acceleration())
+        return ReportAccelerationState(
+            acceleration_x=acceleration.ax,
+            acceleration_y=acceleration.ay,
+            acceleration_z=acceleration.az,
+            roll_acceleration=acceleration.wx,
+            pitch_acceleration=acceleration.wy,
+            yaw_acceleration=acceleration.wz,
+            time_stamp=time_stamp(self.host.utc_time),
+        )
+
+    def report_acceleration_state_ext(self) -> ReportAccelerationStateExt:
+        """As `report_acceleration_state`, with the time since 1970."""
+        acceleration = jaus_acceleration(self._drive.acceleration())
+        seconds, nanoseconds = epoch_seconds(self.host.utc_time)
+        return ReportAccelerationStateExt(
+            acceleration_x=acceleration.ax,
+            acceleration_y=acceleration.ay,
+            acceleration_z=acceleration.az,
+            roll_acceleration=acceleration.wx,
+            pitch_acceleration=acceleration.wy,
+            yaw_acceleration=acceleration.wz,
+            time_seconds=seconds,
+            time_nano_seconds=nanoseconds,
         )
