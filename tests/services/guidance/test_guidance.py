@@ -6,13 +6,12 @@ import math
 
 import pytest
 
-from jauspy.geometry.poses import Pose
+from jauspy.geometry.poses import PlanarPoint, Pose
 from jauspy.services.mobility.courses import (
     MAX_DRIVING_ERROR,
     STOP_TOLERANCE,
     Goal,
     Leg,
-    PlanarPoint,
     VectorCourse,
     VelocityCourse,
     WaypointCourse,

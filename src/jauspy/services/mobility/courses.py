@@ -1,4 +1,7 @@
-"""The kinds of course that the pilot can follow; each says, again and again, how to move on."""
+"""Courses: what the pilot follows. At each pose a course gives the velocity that is wanted (docs/adr/0037-guidance.md).
+
+Poses are in the world, in JAUS axes: metres, and headings in radians, positive to the right.
+"""
 
 from __future__ import annotations
 
@@ -7,61 +10,68 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final, Protocol
 
-from jauspy.geometry.poses import Pose
+from jauspy.geometry.poses import PlanarPoint, Pose
 from jauspy.services.mobility.velocity_control import STANDSTILL, AccelerationLimits, PlanarVelocity, clamp
 
-TURN_GAIN = 1.8
+TURN_GAIN: Final = 1.8
 """Turn rate per heading error, 1/s."""
-MAX_DRIVING_ERROR = 0.8
-"""Heading error, rad, from which on the robot only turns."""
-
-
-def steer_to_heading(error: float, speed: float, max_turn_rate: float) -> PlanarVelocity:
-    """The motion that takes the heading error (rad, positive when the heading lies to the right) to zero.
-
-    The speed, negative for backward, fades as the error grows: a curve that is driven slowly is a narrow one.
-    """
-    fade = max(0.0, 1.0 - (error / MAX_DRIVING_ERROR) ** 2)
-    return PlanarVelocity(speed * fade, clamp(TURN_GAIN * error, max_turn_rate))
-
-
-def heading_error(heading: float, wanted: float) -> float:
-    """The shorter way round from one heading to another, -pi..pi, positive to the right."""
-    return math.remainder(wanted - heading, math.tau)
-
-
+MAX_DRIVING_ERROR: Final = 0.8
+"""Heading error, rad, above which the robot turns on the spot."""
 HEADING_TOLERANCE: Final = 0.03
-"""Radians from a heading at which a robot that shall stand there stops turning."""
+"""Heading error, rad, below which a robot that stands does not turn."""
+MIN_LOOK_AHEAD: Final = 0.6
+"""Metres ahead on the leg that the robot steers for when it is slow."""
+LOOK_AHEAD_TIME: Final = 0.7
+"""Seconds of driving ahead when it is fast."""
+DEFAULT_TOLERANCE: Final = 0.3
+"""Metres within which a waypoint without a tolerance counts as reached."""
+STOP_TOLERANCE: Final = 0.1
+"""Metres to which the robot approaches a waypoint where it stops, whatever the tolerance."""
+FINAL_SPEED: Final = 0.1
+"""m/s of the last centimetres to a stop."""
+PASSING_SPEED: Final = 0.4
+"""m/s at which a waypoint is passed when more follow."""
 
 
 class Course(Protocol):
-    """Where to go."""
+    """What the pilot follows."""
 
     @property
     def limits(self) -> AccelerationLimits | None:
-        """How fast the motion may change; None: as the chassis likes it."""
+        """How fast the velocity may change; None for the limits of the chassis."""
         ...
 
     def steer(self, pose: Pose, /) -> PlanarVelocity | None:
-        """The motion wanted at a pose (JAUS axes, world); None when there is nothing more to do."""
+        """The velocity wanted at a pose; None at the end of the course."""
         ...
+
+
+@dataclass(frozen=True, slots=True)
+class Halt:
+    """Slows down, and stands."""
+
+    limits: None = None
+
+    def steer(self, _: Pose) -> PlanarVelocity:
+        """Zero."""
+        return STANDSTILL
 
 
 @dataclass(frozen=True, slots=True)
 class VelocityCourse:
-    """A motion that is given as such."""
+    """A constant velocity."""
 
-    motion: PlanarVelocity
+    velocity: PlanarVelocity
     limits: AccelerationLimits
 
     def steer(self, _: Pose) -> PlanarVelocity:
-        """Always the same."""
-        return self.motion
+        """The same at each pose."""
+        return self.velocity
 
 
 @dataclass(frozen=True, slots=True)
 class VectorCourse:
-    """A heading in the world, which may change with its frame, at a speed (m/s, negative backward)."""
+    """A heading, which is read anew each time since its frame may be set, and a speed (m/s, negative backward)."""
 
     heading: Callable[[], float]
     speed: float
@@ -69,63 +79,47 @@ class VectorCourse:
     limits: None = None
 
     def steer(self, pose: Pose) -> PlanarVelocity:
-        """Towards the heading, without an end."""
+        """Towards the heading; never None."""
         error = heading_error(pose.yaw, self.heading())
         if self.speed == 0.0 and abs(error) < HEADING_TOLERANCE:
             return STANDSTILL
         return steer_to_heading(error, self.speed, self.max_turn_rate)
 
 
-@dataclass(frozen=True, slots=True)
-class Halt:
-    """Slows down and waits."""
+def steer_to_heading(error: float, speed: float, max_turn_rate: float) -> PlanarVelocity:
+    """The velocity that reduces a heading error (rad, positive when the heading lies to the right).
 
-    limits: None = None
+    The speed (m/s, negative backward) falls as the error grows: the slower a curve is driven, the narrower it is.
+    """
+    fade = max(0.0, 1.0 - (error / MAX_DRIVING_ERROR) ** 2)
+    return PlanarVelocity(speed * fade, clamp(TURN_GAIN * error, max_turn_rate))
 
-    def steer(self, _: Pose) -> PlanarVelocity:
-        """Stand still."""
-        return STANDSTILL
+
+def heading_error(heading: float, wanted: float) -> float:
+    """The smaller angle from one heading to another, -pi..pi, positive to the right."""
+    return math.remainder(wanted - heading, math.tau)
 
 
 def reversed_yaw(yaw: float) -> float:
-    """The direction in which a robot drives that drives backward."""
+    """The direction of travel of a robot that drives backward."""
     return math.remainder(yaw + math.pi, math.tau)
-
-
-MIN_LOOK_AHEAD = 0.6
-"""Metres ahead on the leg that the robot steers for when it is slow."""
-LOOK_AHEAD_TIME = 0.7
-"""Seconds of driving ahead when it is fast."""
-
-
-@dataclass(frozen=True, slots=True)
-class PlanarPoint:
-    """A place on the ground, metres."""
-
-    x: float
-    y: float
-
-    def to(self, other: PlanarPoint) -> tuple[float, float]:
-        """Distance (m) and direction (rad, from x towards y) of another point."""
-        return math.hypot(other.x - self.x, other.y - self.y), math.atan2(other.y - self.y, other.x - self.x)
 
 
 @dataclass(frozen=True, slots=True)
 class Leg:
-    """From where the robot was to where it shall be."""
+    """The straight line from where the robot was to its waypoint."""
 
     start: PlanarPoint
     end: PlanarPoint
 
     def ahead(self, here: PlanarPoint, look_ahead: float) -> PlanarPoint:
-        """The point of the leg to steer for: as far along as the robot is, and `look_ahead` metres more."""
+        """The point of the leg to steer for: `look_ahead` metres beyond the one abeam of the robot."""
         length, direction = self.start.to(self.end)
-        covered = self._covered(here, direction)
-        along = min(length, max(0.0, covered) + look_ahead)
+        along = min(length, max(0.0, self._covered(here, direction)) + look_ahead)
         return PlanarPoint(self.start.x + along * math.cos(direction), self.start.y + along * math.sin(direction))
 
     def passed(self, here: PlanarPoint) -> bool:
-        """True when the robot is abeam of the end, or beyond it."""
+        """True if the robot is abeam of the end, or beyond it."""
         length, direction = self.start.to(self.end)
         return self._covered(here, direction) >= length
 
@@ -134,24 +128,14 @@ class Leg:
 
 
 def look_ahead(speed: float, path_tolerance: float | None) -> float:
-    """Metres to look ahead at that speed; a narrow path is followed more closely."""
+    """Metres to look ahead at a speed; less where the path tolerance is narrow."""
     wanted = max(MIN_LOOK_AHEAD, LOOK_AHEAD_TIME * abs(speed))
     return wanted if path_tolerance is None else min(wanted, max(0.2, path_tolerance))
 
 
-DEFAULT_TOLERANCE: Final = 0.3
-"""Metres within which a waypoint counts as reached that says nothing about it."""
-STOP_TOLERANCE: Final = 0.1
-"""Metres up to which a waypoint where the robot shall stop is approached, whatever its tolerance."""
-FINAL_SPEED: Final = 0.1
-"""Speed of the last centimetres, m/s."""
-PASSING_SPEED: Final = 0.4
-"""Speed, m/s, at which a waypoint is passed when there are more."""
-
-
 @dataclass(frozen=True, slots=True)
 class Goal:
-    """A waypoint in the world, JAUS axes: metres and radians, None for what it leaves open."""
+    """A waypoint in the world. Metres and radians; None for what is not commanded."""
 
     point: PlanarPoint
     heading: float | None = None
@@ -162,9 +146,10 @@ class Goal:
 
 
 class WaypointCourse:
-    """Drives to `goal`, asked for anew each time since its frame may be set meanwhile, at `speed` (m/s).
+    """Along a straight leg to `goal`, slower towards its end, then to its heading, if it has one.
 
-    A negative speed drives backward; zero waits. `deceleration` (m/s^2) and `max_turn_rate` (rad/s) are the chassis'.
+    `goal` and `speed` (m/s; negative drives backward, zero waits) are read anew each time, since the frame of the
+    waypoint and the speed may be set. `deceleration` (m/s^2) and `max_turn_rate` (rad/s) are those of the chassis.
     """
 
     limits: None = None
@@ -180,7 +165,7 @@ class WaypointCourse:
         self._reached = False
 
     def steer(self, pose: Pose) -> PlanarVelocity | None:
-        """The motion at that pose; None once the waypoint is reached and the heading, too, if it has one."""
+        """The velocity wanted at a pose; None once the waypoint, and its heading, are reached."""
         goal, speed = self._goal(), self._speed()
         here = PlanarPoint(pose.x, pose.y)
         self._start = self._start or here
@@ -197,11 +182,11 @@ class WaypointCourse:
         _, bearing = here.to(leg.ahead(here, look_ahead(speed, goal.path_tolerance)))
         yaw = reversed_yaw(pose.yaw) if speed < 0.0 else pose.yaw
         remaining, _ = here.to(goal.point)
-        slowed = min(abs(speed), self._approach(remaining, goal))
+        slowed = min(abs(speed), self._approach_speed(remaining, goal))
         return steer_to_heading(heading_error(yaw, bearing), math.copysign(slowed, speed), self._max_turn_rate)
 
-    def _approach(self, remaining: float, goal: Goal) -> float:
-        """The speed from which the robot can still slow down; half of its deceleration is kept in reserve."""
+    def _approach_speed(self, remaining: float, goal: Goal) -> float:
+        """The speed from which half of the chassis' deceleration suffices to slow down."""
         final = FINAL_SPEED if goal.is_last or goal.heading is not None else PASSING_SPEED
         return math.sqrt(final**2 + self._deceleration * remaining)
 
@@ -212,7 +197,7 @@ class WaypointCourse:
 
 
 def is_reached(goal: Goal, leg: Leg, here: PlanarPoint) -> bool:
-    """Within the tolerance; where the robot stops it goes on, as near as it gets, to within `STOP_TOLERANCE` of the point."""
+    """Within the tolerance; at the last waypoint also abeam of the point or within `STOP_TOLERANCE` of it."""
     distance, _ = here.to(goal.point)
     if distance > goal.tolerance:
         return False

@@ -1,4 +1,7 @@
-"""Where the world of a platform lies on the globe."""
+"""The local and the global frame of JAUS in the world of a platform; one of each for all services of a component.
+
+The world's frame has JAUS axes here: x forward, y right, z down where the robot started.
+"""
 
 from __future__ import annotations
 
@@ -6,8 +9,44 @@ import math
 from dataclasses import dataclass, replace
 
 from jauspy.geometry.geodesy import Geodetic, from_ned, meridian_convergence, to_ned
-from jauspy.geometry.poses import Pose, wrap_angle
-from jauspy.services.mobility.courses import PlanarPoint
+from jauspy.geometry.poses import PlanarPoint, Pose, wrap_angle
+
+
+class LocalFrame:
+    """The frame in which local poses are reported: the world's, until a client sets its own pose in it."""
+
+    def __init__(self) -> None:
+        self._world = self._local = Pose()
+
+    def set(self, world: Pose, local: Pose) -> None:
+        """Shift the frame, and turn it about z, so that the platform, at `world`, has the pose `local`."""
+        self._world, self._local = world, local
+
+    def from_world(self, pose: Pose) -> Pose:
+        """A pose of the world in this frame."""
+        world, local = self._world, self._local
+        x, y = _rotated(pose.x - world.x, pose.y - world.y, self._turn)
+        return replace(
+            pose, x=local.x + x, y=local.y + y, z=local.z + pose.z - world.z, yaw=wrap_angle(pose.yaw + self._turn)
+        )
+
+    def to_world(self, x: float, y: float) -> PlanarPoint:
+        """A point of this frame (m) in the world."""
+        dx, dy = _rotated(x - self._local.x, y - self._local.y, -self._turn)
+        return PlanarPoint(self._world.x + dx, self._world.y + dy)
+
+    def heading_to_world(self, yaw: float) -> float:
+        """A heading of this frame (rad) in the world."""
+        return wrap_angle(yaw - self._turn)
+
+    @property
+    def _turn(self) -> float:
+        """Added to headings of the world, gives headings of this frame."""
+        return self._local.yaw - self._world.yaw
+
+
+def _rotated(x: float, y: float, angle: float) -> tuple[float, float]:
+    return math.cos(angle) * x - math.sin(angle) * y, math.sin(angle) * x + math.cos(angle) * y
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,93 +63,43 @@ class GlobalPose:
 
 
 class GlobalFrame:
-    """The world's origin lies at `origin`, whose heading is that of the world's x axis; poses are in JAUS axes."""
+    """The frame in which global poses are reported. `origin`: pose of the world's origin and x axis on the globe."""
 
     def __init__(self, origin: GlobalPose) -> None:
-        self._anchor = Pose()
-        self._shown = origin
+        self._world = Pose()
+        self._global = origin
 
-    def set(self, raw: Pose, shown: GlobalPose) -> None:
-        """The platform, in the world at `raw`, is at `shown` from now on."""
-        self._anchor, self._shown = raw, shown
+    def set(self, world: Pose, globe: GlobalPose) -> None:
+        """Place the world so that the platform, at `world`, has the global pose `globe`."""
+        self._world, self._global = world, globe
 
-    def show(self, pose: Pose) -> GlobalPose:
-        """A pose in the world, on the globe."""
-        ahead, right = pose.x - self._anchor.x, pose.y - self._anchor.y
+    def from_world(self, pose: Pose) -> GlobalPose:
+        """A pose of the world on the globe."""
+        ahead, right = pose.x - self._world.x, pose.y - self._world.y
         sine, cosine = math.sin(self._turn), math.cos(self._turn)
         there = from_ned(
-            self._place, cosine * ahead - sine * right, sine * ahead + cosine * right, pose.z - self._anchor.z
+            self._anchor, cosine * ahead - sine * right, sine * ahead + cosine * right, pose.z - self._world.z
         )
-        heading = wrap_angle(pose.yaw + self._turn + meridian_convergence(self._place, there))
+        heading = wrap_angle(pose.yaw + self._turn + meridian_convergence(self._anchor, there))
         return GlobalPose(math.degrees(there.latitude), math.degrees(there.longitude), there.height, heading)
 
-    def place(self, latitude: float, longitude: float) -> PlanarPoint:
-        """Where a point of the globe (degrees) is in the world, straight below or above it."""
-        there = replace(self._place, latitude=math.radians(latitude), longitude=math.radians(longitude))
-        north, east, _ = to_ned(self._place, there)
+    def to_world(self, latitude: float, longitude: float) -> PlanarPoint:
+        """A point of the globe (degrees) in the world, at the height of the platform when the frame was set."""
+        there = replace(self._anchor, latitude=math.radians(latitude), longitude=math.radians(longitude))
+        north, east, _ = to_ned(self._anchor, there)
         sine, cosine = math.sin(self._turn), math.cos(self._turn)
-        return PlanarPoint(self._anchor.x + cosine * north + sine * east, self._anchor.y - sine * north + cosine * east)
+        return PlanarPoint(self._world.x + cosine * north + sine * east, self._world.y - sine * north + cosine * east)
 
-    def heading(self, heading: float) -> float:
-        """A true heading, in the world; at the anchor, so that it is off by the convergence of the meridians."""
+    def heading_to_world(self, heading: float) -> float:
+        """A true heading (rad) in the world; away from the anchor it is off by the convergence of the meridians."""
         return wrap_angle(heading - self._turn)
 
     @property
-    def _place(self) -> Geodetic:
-        shown = self._shown
-        return Geodetic(math.radians(shown.latitude), math.radians(shown.longitude), shown.altitude)
+    def _anchor(self) -> Geodetic:
+        place = self._global
+        return Geodetic(math.radians(place.latitude), math.radians(place.longitude), place.altitude)
 
     @property
     def _turn(self) -> float:
-        """From the world's headings to true ones."""
-        return self._shown.heading - self._anchor.yaw
-
-
-@dataclass(frozen=True, slots=True)
-class Reference:
-    """Puts the local frame so that the platform at `raw` reads as `shown`: a shift and a turn about z."""
-
-    raw: Pose
-    shown: Pose
-
-    @property
-    def turn(self) -> float:
-        """From the world's headings to those of the frame, rad."""
-        return self.shown.yaw - self.raw.yaw
-
-
-class LocalFrame:
-    """One for all services of a component; all in JAUS axes, m and rad."""
-
-    def __init__(self) -> None:
-        self._reference = Reference(Pose(), Pose())
-
-    def set(self, raw: Pose, shown: Pose) -> None:
-        """The platform, in the world at `raw`, is at `shown` of the frame from now on."""
-        self._reference = Reference(raw, shown)
-
-    def show(self, pose: Pose) -> Pose:
-        """A pose in the world, in the frame."""
-        reference = self._reference
-        x, y = _turned(pose.x - reference.raw.x, pose.y - reference.raw.y, reference.turn)
-        return replace(
-            pose,
-            x=reference.shown.x + x,
-            y=reference.shown.y + y,
-            z=reference.shown.z + pose.z - reference.raw.z,
-            yaw=wrap_angle(pose.yaw + reference.turn),
-        )
-
-    def place(self, x: float, y: float) -> PlanarPoint:
-        """Where a point of the frame is in the world."""
-        reference = self._reference
-        dx, dy = _turned(x - reference.shown.x, y - reference.shown.y, -reference.turn)
-        return PlanarPoint(reference.raw.x + dx, reference.raw.y + dy)
-
-    def heading(self, yaw: float) -> float:
-        """A heading of the frame, in the world."""
-        return wrap_angle(yaw - self._reference.turn)
-
-
-def _turned(x: float, y: float, by: float) -> tuple[float, float]:
-    return math.cos(by) * x - math.sin(by) * y, math.sin(by) * x + math.cos(by) * y
+        """Added to headings of the world, gives true headings."""
+        return self._global.heading - self._world.yaw

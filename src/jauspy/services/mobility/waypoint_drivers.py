@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from jauspy.geometry.poses import PlanarPoint
 from jauspy.messages.mobility import (
     ReportGlobalWaypoint,
     ReportGlobalWaypointExt,
@@ -17,7 +18,7 @@ from jauspy.messages.mobility import (
     SetLocalWaypointExt,
 )
 from jauspy.services.completion import Completion
-from jauspy.services.mobility.courses import DEFAULT_TOLERANCE, Goal, PlanarPoint, WaypointCourse
+from jauspy.services.mobility.courses import DEFAULT_TOLERANCE, Goal, WaypointCourse
 from jauspy.services.mobility.driver import Driver
 from jauspy.services.mobility.field_ranges import speed_over_ground, unsigned_speed
 from jauspy.services.mobility.vehicle import Vehicle
