@@ -43,10 +43,10 @@ class GlobalPoseSensor(Service, urn="urn:jaus:jss:mobility:GlobalPoseSensor"):
 
     def attached(self) -> None:
         """Check that there is an origin: `ConfigError` if not."""
-        self._vehicle.georeference()
+        self._vehicle.global_frame()
 
     def _pose(self) -> GlobalPose:
-        return self._vehicle.georeference().show(self._vehicle.pose)
+        return self._vehicle.global_frame().from_world(self._vehicle.pose)
 
     def update_global_pose(self, msg: SetGlobalPose) -> None:
         """The platform is, from now on, where the client says that it is; the local frame stays."""
@@ -61,7 +61,7 @@ class GlobalPoseSensor(Service, urn="urn:jaus:jss:mobility:GlobalPoseSensor"):
     ) -> None:
         given = {"latitude": latitude, "longitude": longitude, "altitude": altitude, "heading": heading}
         shown = replace(self._pose(), **{name: value for name, value in given.items() if value is not None})
-        self._vehicle.georeference().set(self._vehicle.pose, shown)
+        self._vehicle.global_frame().set(self._vehicle.pose, shown)
 
     def update_geomagnetic_property(self, msg: SetGeomagneticProperty) -> None:
         """Kept and reported; headings are true ones here, whatever a compass would say."""
@@ -119,7 +119,7 @@ class LocalPoseSensor(Service, urn="urn:jaus:jss:mobility:LocalPoseSensor"):
     @property
     def pose(self) -> Pose:
         """The pose in JAUS axes, in the local frame as it was last set."""
-        return self._vehicle.local.show(self._vehicle.pose)
+        return self._vehicle.local_frame.from_world(self._vehicle.pose)
 
     def update_local_pose(self, msg: SetLocalPose) -> None:
         """The platform is, from now on, where the client says that it is."""
@@ -134,7 +134,7 @@ class LocalPoseSensor(Service, urn="urn:jaus:jss:mobility:LocalPoseSensor"):
     def _set(self, x: float | None, y: float | None, z: float | None, yaw: float | None) -> None:
         given = {"x": x, "y": y, "z": z, "yaw": yaw}
         shown = replace(self.pose, **{name: value for name, value in given.items() if value is not None})
-        self._vehicle.local.set(self._vehicle.pose, shown)
+        self._vehicle.local_frame.set(self._vehicle.pose, shown)
 
     def report_local_pose(self) -> ReportLocalPose:
         """Everything that is measured and can be said; there is no estimate of the errors."""

@@ -47,18 +47,18 @@ class VectorDriver(Driver):
         """Where the platform looks, in the driver's frame."""
         raise NotImplementedError(f"{type(self).__name__}.present_heading")
 
-    def in_world(self, heading: float) -> Callable[[], float]:
+    def heading_in_world(self, heading: float) -> Callable[[], float]:
         """A heading of the driver's frame as the world's, whenever asked: the frame may be set meanwhile."""
-        raise NotImplementedError(f"{type(self).__name__}.in_world")
+        raise NotImplementedError(f"{type(self).__name__}.heading_in_world")
 
     def drive_along(self, vector: CommandedVector) -> None:
         """From now on."""
         heading = self.present_heading() if vector.heading is None else vector.heading
-        course = VectorCourse(self.in_world(heading), vector.speed, self.vehicle.chassis.max_turn_rate)
+        course = VectorCourse(self.heading_in_world(heading), vector.speed, self.vehicle.chassis.max_turn_rate)
         self.vehicle.pilot.follow(self, course)
         self._vector = vector
 
-    def taken_over(self) -> None:
+    def on_preempted(self) -> None:
         """The speed ends; the rest is remembered for reports."""
         self._vector = replace(self._vector, speed=0.0)
 
@@ -80,15 +80,15 @@ class GlobalVectorDriver(VectorDriver, urn="urn:jaus:jss:mobility:GlobalVectorDr
     def attached(self) -> None:
         """Check that there is one: `ConfigError` if not."""
         super().attached()
-        self.vehicle.georeference()
+        self.vehicle.global_frame()
 
     def present_heading(self) -> float:
         """Where the platform looks, from true north."""
-        return self.vehicle.georeference().show(self.vehicle.pose).heading
+        return self.vehicle.global_frame().from_world(self.vehicle.pose).heading
 
-    def in_world(self, heading: float) -> Callable[[], float]:
+    def heading_in_world(self, heading: float) -> Callable[[], float]:
         """A true heading, in the world."""
-        return lambda: self.vehicle.georeference().heading(heading)
+        return lambda: self.vehicle.global_frame().heading_to_world(heading)
 
     def set_global_vector(self, msg: SetGlobalVector) -> None:
         """Reached only in Ready, from the controlling client. A speed that is left out is zero."""
@@ -137,11 +137,11 @@ class LocalVectorDriver(VectorDriver, urn="urn:jaus:jss:mobility:LocalVectorDriv
 
     def present_heading(self) -> float:
         """Where the platform looks, in the local frame."""
-        return self.vehicle.local.show(self.vehicle.pose).yaw
+        return self.vehicle.local_frame.from_world(self.vehicle.pose).yaw
 
-    def in_world(self, heading: float) -> Callable[[], float]:
+    def heading_in_world(self, heading: float) -> Callable[[], float]:
         """A heading of the local frame, in the world."""
-        return lambda: self.vehicle.local.heading(heading)
+        return lambda: self.vehicle.local_frame.heading_to_world(heading)
 
     def set_local_vector(self, msg: SetLocalVector) -> None:
         """Reached only in Ready, from the controlling client."""

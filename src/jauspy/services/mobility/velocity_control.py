@@ -1,4 +1,4 @@
-"""Closed-loop velocity control of a skid-steered chassis: wanted and measured motion to efforts."""
+"""Closed-loop velocity control of a skid-steered chassis: wanted and measured velocity to efforts."""
 
 from __future__ import annotations
 
@@ -8,10 +8,14 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True)
 class PlanarVelocity:
-    """Speed forward in m/s, and turn rate in rad/s, positive to the right (JAUS: z down)."""
+    """Forward speed in m/s, and turn rate in rad/s, positive to the right (JAUS: z down)."""
 
     speed: float = 0.0
     turn_rate: float = 0.0
+
+    def clamped(self, max_speed: float, max_turn_rate: float) -> PlanarVelocity:
+        """Each axis limited to what the chassis can do."""
+        return PlanarVelocity(clamp(self.speed, max_speed), clamp(self.turn_rate, max_turn_rate))
 
 
 STANDSTILL = PlanarVelocity()
@@ -19,7 +23,7 @@ STANDSTILL = PlanarVelocity()
 
 @dataclass(frozen=True, slots=True)
 class AccelerationLimits:
-    """How fast a motion may change: m/s^2 away from and towards standstill, and the same about z in rad/s^2."""
+    """Away from and towards standstill: m/s^2, and rad/s^2 about z."""
 
     acceleration: float
     deceleration: float
@@ -27,16 +31,16 @@ class AccelerationLimits:
     turn_deceleration: float
 
 
-def ramped(motion: PlanarVelocity, wanted: PlanarVelocity, limits: AccelerationLimits, dt: float) -> PlanarVelocity:
-    """The motion `dt` seconds later, on its way to the wanted one."""
+def ramped(velocity: PlanarVelocity, wanted: PlanarVelocity, limits: AccelerationLimits, dt: float) -> PlanarVelocity:
+    """The velocity after `dt` seconds, within the limits, on the way to the wanted one."""
     return PlanarVelocity(
-        _ramp(motion.speed, wanted.speed, limits.acceleration * dt, limits.deceleration * dt),
-        _ramp(motion.turn_rate, wanted.turn_rate, limits.turn_acceleration * dt, limits.turn_deceleration * dt),
+        _ramp(velocity.speed, wanted.speed, limits.acceleration * dt, limits.deceleration * dt),
+        _ramp(velocity.turn_rate, wanted.turn_rate, limits.turn_acceleration * dt, limits.turn_deceleration * dt),
     )
 
 
 def _ramp(value: float, wanted: float, up: float, down: float) -> float:
-    """Slower by at most `down`, faster by at most `up`; a change of direction stops at zero first."""
+    """Grows by at most `up` or falls by at most `down`; a change of sign stops at zero first."""
     if value * wanted < 0.0:
         wanted = 0.0
     step = up if abs(wanted) > abs(value) else down
@@ -45,33 +49,33 @@ def _ramp(value: float, wanted: float, up: float, down: float) -> float:
 
 @dataclass(frozen=True, slots=True)
 class AxisGains:
-    """Of one axis. Efforts are fractions of the full one; the rest is in m/s, or rad/s, and seconds."""
+    """Gains of one axis: efforts as fractions of the full effort, per m/s or rad/s, and seconds."""
 
     forward: float
-    """Effort per unit of wanted velocity: what the drive needs by and large."""
+    """Feed-forward: effort per unit of wanted velocity."""
     breakaway: float
-    """Effort that only overcomes friction; tracks that skid sideways need some before anything turns."""
+    """Feed-forward against static friction, which is large for tracks that skid sideways."""
     proportional: float
     integral: float
 
 
 SPEED_GAINS = AxisGains(forward=0.64, breakaway=0.01, proportional=0.15, integral=0.6)
 TURN_RATE_GAINS = AxisGains(forward=0.27, breakaway=0.06, proportional=0.05, integral=0.4)
-"""Between those of inc1 as it is simulated with and without physics; the integral makes up for the difference."""
+"""Between the best gains for inc1 with and without physics; the integral compensates the difference."""
 
 BREAKAWAY_BAND = 0.1
-"""Velocity (m/s, rad/s) from which on the whole breakaway effort is added, so that it does not jump at zero."""
+"""Velocity (m/s, rad/s) below which the breakaway effort is proportional, so that it does not jump at zero."""
 
 
 class AxisControl:
-    """PI control with feed-forward; the integral does not grow while the effort is at its limit."""
+    """PI control with feed-forward and anti-windup."""
 
     def __init__(self, gains: AxisGains) -> None:
         self._gains = gains
         self._integral = 0.0
 
     def reset(self) -> None:
-        """Forget what was learned about the resistance."""
+        """Clear the integral."""
         self._integral = 0.0
 
     def effort(self, wanted: float, measured: float, dt: float) -> float:
@@ -86,13 +90,13 @@ class AxisControl:
 
 
 class VelocityControl:
-    """Both axes of the chassis."""
+    """Speed and turn rate of the chassis."""
 
     def __init__(self) -> None:
         self._speed, self._turn = AxisControl(SPEED_GAINS), AxisControl(TURN_RATE_GAINS)
 
     def reset(self) -> None:
-        """Start anew."""
+        """Clear both integrals."""
         self._speed.reset()
         self._turn.reset()
 
@@ -104,6 +108,6 @@ class VelocityControl:
         )
 
 
-def clamp(value: float, most: float = 1.0) -> float:
-    """The value within -most..most."""
-    return min(most, max(-most, value))
+def clamp(value: float, limit: float = 1.0) -> float:
+    """The value limited to -limit..limit."""
+    return min(limit, max(-limit, value))

@@ -28,9 +28,9 @@ from jauspy.services.mobility.waypoints import GlobalWaypoint, LocalWaypoint, Wa
 class WaypointFollower(Driver):
     """Drives to waypoints at the pilot's travel speed."""
 
-    travels = True
+    uses_travel_speed = True
 
-    def travel(self, waypoint: Waypoint, speed: float, *, is_last: bool) -> None:
+    def drive_to(self, waypoint: Waypoint, speed: float, *, is_last: bool) -> None:
         """Set out for a waypoint; the robot stops there if it is the last one."""
         vehicle = self.vehicle
         course = WaypointCourse(
@@ -63,10 +63,10 @@ def goal_of(vehicle: Vehicle, waypoint: Waypoint, *, is_last: bool) -> Goal:
 def _placed(vehicle: Vehicle, waypoint: Waypoint) -> tuple[PlanarPoint, float | None]:
     yaw = waypoint.attitude.yaw
     if isinstance(waypoint, LocalWaypoint):
-        frame = vehicle.local
-        return frame.place(waypoint.x, waypoint.y), None if yaw is None else frame.heading(yaw)
-    globe = vehicle.georeference()
-    return globe.place(waypoint.latitude, waypoint.longitude), None if yaw is None else globe.heading(yaw)
+        frame = vehicle.local_frame
+        return frame.to_world(waypoint.x, waypoint.y), None if yaw is None else frame.heading_to_world(yaw)
+    globe = vehicle.global_frame()
+    return globe.to_world(waypoint.latitude, waypoint.longitude), None if yaw is None else globe.heading_to_world(yaw)
 
 
 class WaypointDriver(WaypointFollower):
@@ -83,26 +83,26 @@ class WaypointDriver(WaypointFollower):
     def waypoint_exists(self, msg: Any) -> bool:
         """To drive: a waypoint that this client has set. To report: any of this kind that was set or driven to."""
         if msg.IS_COMMAND:
-            return self.vehicle.goal is not None and self.is_mine(self.vehicle.goal)
-        return self.is_mine(self.vehicle.waypoint)
+            return self.vehicle.goal is not None and self.accepts(self.vehicle.goal)
+        return self.accepts(self.vehicle.waypoint)
 
-    def is_mine(self, waypoint: Waypoint | None) -> bool:
+    def accepts(self, waypoint: Waypoint | None) -> bool:
         """True for waypoints in this driver's frame."""
         raise NotImplementedError(f"{type(self).__name__}.is_mine")
 
-    def take(self, waypoint: Waypoint) -> None:
+    def set_target(self, waypoint: Waypoint) -> None:
         """Drive here next, or now when this driver is under way."""
         self.vehicle.goal = self.vehicle.waypoint = waypoint
-        if self.drives:
-            self._set_out(waypoint, self.vehicle.pilot.travel_speed)
+        if self.is_driving:
+            self._start(waypoint, self.vehicle.pilot.travel_speed)
 
     def set_travel_speed(self, msg: Any) -> None:
         """Set out for the waypoint, or go on faster or slower; zero waits."""
         speed, goal = self.usable_speed(msg), self.vehicle.goal
         if speed is None or goal is None:
             return
-        if not self.drives:
-            self._set_out(goal, speed)
+        if not self.is_driving:
+            self._start(goal, speed)
             return
         self.vehicle.pilot.travel_speed = speed
         if speed:
@@ -112,17 +112,17 @@ class WaypointDriver(WaypointFollower):
         """As `set_travel_speed`, of several kinds."""
         self.set_travel_speed(msg)
 
-    def arrived(self) -> None:
+    def on_arrival(self) -> None:
         """That was all."""
         self._command(True)
-        super().arrived()
+        super().on_arrival()
 
-    def taken_over(self) -> None:
+    def on_preempted(self) -> None:
         """The waypoint was not reached."""
         self._command(False)
 
-    def _set_out(self, waypoint: Waypoint, speed: float) -> None:
-        self.travel(waypoint, speed, is_last=True)
+    def _start(self, waypoint: Waypoint, speed: float) -> None:
+        self.drive_to(waypoint, speed, is_last=True)
         self._begin()
 
     def _begin(self) -> None:
@@ -139,17 +139,17 @@ class WaypointDriver(WaypointFollower):
 class LocalWaypointDriver(WaypointDriver, urn="urn:jaus:jss:mobility:LocalWaypointDriver"):
     """Follows the straight line from where it is; when the local frame is set meanwhile, the waypoint goes with it."""
 
-    def is_mine(self, waypoint: Waypoint | None) -> bool:
+    def accepts(self, waypoint: Waypoint | None) -> bool:
         """True for local waypoints."""
         return isinstance(waypoint, LocalWaypoint)
 
     def set_waypoint(self, msg: SetLocalWaypoint) -> None:
         """From the controlling client, also in Standby."""
-        self.take(local_waypoint(msg))
+        self.set_target(local_waypoint(msg))
 
     def set_waypoint_ext(self, msg: SetLocalWaypointExt) -> None:
         """As `set_waypoint`, with a choice of vertical datums, which a platform on the ground does not mind."""
-        self.take(local_waypoint(msg))
+        self.set_target(local_waypoint(msg))
 
     def report_local_waypoint(self) -> ReportLocalWaypoint | None:
         """The waypoint as it was set."""
@@ -168,19 +168,19 @@ class GlobalWaypointDriver(WaypointDriver, urn="urn:jaus:jss:mobility:GlobalWayp
     def attached(self) -> None:
         """Check that there is one: `ConfigError` if not."""
         super().attached()
-        self.vehicle.georeference()
+        self.vehicle.global_frame()
 
-    def is_mine(self, waypoint: Waypoint | None) -> bool:
+    def accepts(self, waypoint: Waypoint | None) -> bool:
         """True for global waypoints."""
         return isinstance(waypoint, GlobalWaypoint)
 
     def set_waypoint(self, msg: SetGlobalWaypoint) -> None:
         """From the controlling client, also in Standby."""
-        self.take(global_waypoint(msg))
+        self.set_target(global_waypoint(msg))
 
     def set_waypoint_ext(self, msg: SetGlobalWaypointExt) -> None:
         """As `set_waypoint`, with a choice of vertical datums, which a platform on the ground does not mind."""
-        self.take(global_waypoint(msg))
+        self.set_target(global_waypoint(msg))
 
     def report_global_waypoint(self) -> ReportGlobalWaypoint | None:
         """The waypoint as it was set."""

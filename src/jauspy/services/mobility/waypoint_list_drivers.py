@@ -44,9 +44,9 @@ class WaypointListDriver(WaypointFollower, ListDriver):
         """Start, or start over, from the element that is named."""
         speed = self.usable_speed(msg)
         if speed is not None:
-            self._set_out(msg.element_uid, speed)
+            self._start(msg.element_uid, speed)
 
-    def _set_out(self, uid: int, speed: float) -> None:
+    def _start(self, uid: int, speed: float) -> None:
         self.elements.execute(uid)
         self.vehicle.pilot.travel_speed = speed
 
@@ -59,18 +59,18 @@ class WaypointListDriver(WaypointFollower, ListDriver):
     def begin_element(self, uid: int, message: Message) -> None:
         """The next waypoint."""
         is_last = self.elements.list.next(uid) == 0
-        self.travel(self.waypoint_of(message), self.vehicle.pilot.travel_speed, is_last=is_last)
+        self.drive_to(self.waypoint_of(message), self.vehicle.pilot.travel_speed, is_last=is_last)
 
     def end_elements(self) -> None:
         """Stop, unless the next element is another driver's: then the list is still active, and it takes over."""
         if not self.elements.active:
             self.vehicle.pilot.release(self)
 
-    def arrived(self) -> None:
+    def on_arrival(self) -> None:
         """On to the next one."""
         self.elements.done()
 
-    def taken_over(self) -> None:
+    def on_preempted(self) -> None:
         """Another service drives now, or nobody may: the list is not carried out any more."""
         if self.elements.active and not isinstance(self.vehicle.pilot.driver, WaypointListDriver):
             self.elements.stop()
@@ -115,7 +115,7 @@ class GlobalWaypointListDriver(WaypointListDriver, urn="urn:jaus:jss:mobility:Gl
     def attached(self) -> None:
         """Check that the vehicle has an origin: `ConfigError` if not."""
         super().attached()
-        self.vehicle.georeference()
+        self.vehicle.global_frame()
 
     def waypoint_of(self, message: Message) -> GlobalWaypoint:
         """What an element says."""
