@@ -12,11 +12,11 @@ CASES ?= 200000
 SECONDS ?= 600
 
 .DEFAULT_GOAL := help
-.PHONY: help setup dev demo test test-slow check lint types imports unit wheel-test bench fuzz soak format generate clean
+.PHONY: help setup dev demo test test-slow coverage check lint types imports unit wheel-test bench fuzz soak format generate clean
 
 help:
 	@sed -n 's/^# //p' Makefile | head -3
-	@echo "others: test-slow lint types imports unit wheel-test bench fuzz soak format generate clean (see CONTRIBUTING.md)"
+	@echo "others: test-slow coverage lint types imports unit wheel-test bench fuzz soak format generate clean (see CONTRIBUTING.md)"
 
 $(VENV)/.installed: pyproject.toml tools/setup_venv.sh
 	@PYTHON=$(PYTHON) tools/setup_venv.sh $(VENV) user
@@ -33,6 +33,9 @@ demo: setup
 	@$(BIN)/jauspy demo --port $(PORT)
 
 test: check wheel-test unit
+
+coverage: dev
+	$(BIN)/pytest -n 2 --cov --cov-report=term $(PYTEST_ARGS)
 
 test-slow: dev
 	$(BIN)/pytest -n 2 -m slow $(PYTEST_ARGS)

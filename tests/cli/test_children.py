@@ -9,7 +9,7 @@ import psutil
 import pytest
 
 from jauspy.cli.children import Child, ChildFailed
-from jauspy.transport.local_socket import is_alive
+from jauspy.transport.local import is_alive
 
 
 async def test_a_child_is_ready_when_it_says_so_and_gone_afterwards(free_port, local_root):

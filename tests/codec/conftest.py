@@ -10,7 +10,7 @@ import pytest
 from hypothesis import strategies as st
 
 import jauspy
-from jauspy.codec import runtime as rt
+from jauspy.codec import declare as rt
 from jauspy.codec.dynamic import load_schema
 from jauspy.codec.registry import Registry
 from jauspy.codec.wire import FLOATS, SIZES, limits

@@ -8,10 +8,10 @@ from subprocess import run
 
 import pytest
 
+from jauspy.codec.codegen import MAX_CACHED_PACKERS, Masks
 from jauspy.codec.dynamic import load_schema
-from jauspy.codec.fast import MOST_MASKS, Masks
-from jauspy.codec.generator import generate
 from jauspy.codec.names import attribute, class_name, constant, members, set_package
+from jauspy.codec.source import generate
 from jauspy.errors import SchemaError
 from jauspy.schema import load_builtin, model as m
 
@@ -114,6 +114,6 @@ def test_letters_with_marks_become_plain_ones() -> None:
 
 def test_packers_of_masks_are_bounded() -> None:
     masks = Masks("2x", tuple((1 << bit, "B") for bit in range(16)))
-    for mask in range(3 * MOST_MASKS):
+    for mask in range(3 * MAX_CACHED_PACKERS):
         assert masks[mask].size == 2 + mask.bit_count()
-    assert len(masks) <= MOST_MASKS
+    assert len(masks) <= MAX_CACHED_PACKERS

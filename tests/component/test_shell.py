@@ -24,10 +24,9 @@ from jauspy.messages.core import (
     RequestControl,
     ServiceRec,
 )
-from jauspy.protocol.delivery import Delivery
+from jauspy.protocol.delivery import FRAGMENTS_PER_BURST, Delivery
 from jauspy.protocol.header import Ack, DataFlag, Packet
 from jauspy.protocol.judp import pack, unpack
-from jauspy.protocol.transfers import PIECES_PER_TURN
 from jauspy.services.core import AccessControl, Events, Liveness
 from jauspy.services.host import Host
 from jauspy.testing import until
@@ -83,7 +82,7 @@ async def test_an_answer_that_comes_later_is_sent_when_it_is_there():
         later = None
 
         def report_heartbeat_pulse(self):
-            self.later = self.host.later(ReportTimeout)
+            self.later = self.host.defer(ReportTimeout)
             return self.later
 
     slow, hub = Slow(), LoopbackHub()
@@ -93,10 +92,10 @@ async def test_an_answer_that_comes_later_is_sent_when_it_is_there():
         acknowledged = await peer.next()
         assert acknowledged.ack is Ack.ACK
         assert peer.packets.empty()
-        slow.later.fulfil(ReportHeartbeatPulse())
+        slow.later.set_result(ReportHeartbeatPulse())
         answer = await peer.next()
     assert answer.payload == ReportHeartbeatPulse().encode()
-    slow.later.fulfil(ReportHeartbeatPulse())
+    slow.later.set_result(ReportHeartbeatPulse())
 
 
 async def test_services_are_told_what_was_acknowledged_and_keep_room_for_others(virtual_network):
@@ -104,7 +103,7 @@ async def test_services_are_told_what_was_acknowledged_and_keep_room_for_others(
     async with component(hub, clock=loop_time) as me, Peer(hub) as peer:
         me.host.receive(RequestControl(1).encode(), PEER, loop_time())
         for _ in range(100):
-            me.host.send(PEER, ReportHeartbeatPulse(), told=told.append)
+            me.host.send(PEER, ReportHeartbeatPulse(), on_acknowledged=told.append)
         me.wake()
         assert told == []
         sent = [await peer.next() for _ in range(101)][1:]
@@ -335,7 +334,7 @@ async def test_pieces_wait_while_the_transport_has_much_to_send(virtual_network)
         me._endpoint.send(PEER, b"\x01\x40" + bytes(400_000), now=loop_time())
         me.wake()
         await asyncio.sleep(1.0)
-        assert line.counters["sent"] == PIECES_PER_TURN
+        assert line.counters["sent"] == FRAGMENTS_PER_BURST
         line.waiting = 0
         await until(lambda: other.counters.get("endpoint.received") == 1)
 

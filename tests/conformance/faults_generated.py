@@ -39,7 +39,7 @@ from tests.conformance.mistakes import (
 )
 
 from jauspy.messages import core, mobility
-from jauspy.services import sending
+from jauspy.services import messaging
 from jauspy.services.core import AccessControl, Events, ListManager, Management, event_reports
 
 READY, STANDBY = "Controlled.Available.Ready", "Controlled.Available.Standby"
@@ -120,12 +120,12 @@ GENERATED: Final = (
         instead(core.RejectElementRequest, lambda message: core.ConfirmElementRequest(message.request_id)),
     ),
     core_fault(
-        "time ignores the presence vector", f"{FREE}/QueryTime/rival/no-fields", patched(sending, mask=unmasked)
+        "time ignores the presence vector", f"{FREE}/QueryTime/rival/no-fields", patched(messaging, mask=unmasked)
     ),
     core_fault(
         "poses ignore the presence vector",
         f"{FREE}/QueryLocalPose/rival/no-fields",
-        patched(sending, mask=unmasked),
+        patched(messaging, mask=unmasked),
         profile="mobility-1.1",
     ),
     core_fault(

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from jauspy.conformance.udp import UdpWire
+from jauspy.conformance.wire import UdpWire
 from jauspy.errors import TransportError
 from jauspy.ids import JausID
 from jauspy.node import binding
@@ -122,7 +122,7 @@ def test_what_arrives_while_a_step_is_busy_is_kept(free_port):
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as other:
         other.setblocking(False)
         other.bind(("127.0.0.1", 0))
-        multicast.hold_bursts(other)
+        multicast.set_receive_buffer(other)
         held = arrived = 0
         try:
             for _ in range(1000):

@@ -51,8 +51,8 @@ class Workcell:
             self.host.receive(message.encode(), client, self.now)
         sent = self.host.poll_output(self.now)
         for each in sent:
-            if each.told is not None:
-                each.told(True)  # as a client's endpoint acknowledges it
+            if each.on_acknowledged is not None:
+                each.on_acknowledged(True)  # as a client's endpoint acknowledges it
         return [registry.decode(each.payload, service=_service(each.payload)) for each in sent]
 
     def ask(self, query: Message) -> Any:

@@ -11,9 +11,9 @@ import pytest
 from jauspy.ids import JausID
 from jauspy.node import NodeConfig, NodeManager, sweep
 from jauspy.protocol import judp, junior
-from jauspy.protocol.directory import ComponentPort, Directory
+from jauspy.protocol.addressing import LocalPort
+from jauspy.protocol.directory import ComponentDirectory, ComponentPort
 from jauspy.protocol.header import Packet
-from jauspy.protocol.ports import LocalPort
 from jauspy.testing import until
 
 LIVING, DEAD = JausID.parse("126.1.11"), JausID.parse("126.1.20")
@@ -122,7 +122,7 @@ async def test_a_component_that_came_by_udp_is_noticed_too(node: NodeManager) ->
 
 
 def test_many_components_are_looked_at_a_few_at_a_time() -> None:
-    components, asked = Directory(), []
+    components, asked = ComponentDirectory(), []
     for number in range(3 * sweep.PER_TURN):
         components.register(number + 1, LocalPort(f"/{number}"))
 

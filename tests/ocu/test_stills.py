@@ -16,7 +16,7 @@ from jauspy.geometry.poses import Transform
 from jauspy.ids import JausID
 from jauspy.messages import environment_sensing as m
 from jauspy.ocu import OCU
-from jauspy.ocu.stills import DELIVERY
+from jauspy.ocu.stills import LARGE_IMAGE_DELIVERY
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.stills import Still, StillFormat, StillSettings
 from jauspy.services.core import Discovery
@@ -50,8 +50,8 @@ async def service(node_manager, video):
     services = [Discovery(), VisualSensor(cameras), StillImage(cameras)]
     host = Host(CAMERA, services, utc_now=lambda: datetime.now(UTC), now=node_manager.now())
     async with (
-        Shell(host, node_manager.transport(CAMERA), delivery=DELIVERY),
-        OCU("42.1.1", node_manager.udp, delivery=DELIVERY) as ocu,
+        Shell(host, node_manager.transport(CAMERA), delivery=LARGE_IMAGE_DELIVERY),
+        OCU("42.1.1", node_manager.udp, delivery=LARGE_IMAGE_DELIVERY) as ocu,
     ):
         robot = await ocu.discover(CAMERA.subsystem)
         yield robot.component(str(CAMERA)).service("StillImage")

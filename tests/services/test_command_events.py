@@ -153,9 +153,9 @@ def test_once_its_client_has_the_confirmation_an_equal_request_is_another_one(ro
     for count in (1, 2):
         robot.host.receive(command(SetWrenchEffort(propulsive_linear_effort_x=50.0)).encode(), robot.ID.parse(A), 0.0)
         sent = robot.host.poll_output(0.0)
-        assert [each.told is not None for each in sent] == [True, True], "both are to be acknowledged"
+        assert [each.on_acknowledged is not None for each in sent] == [True, True], "both are to be acknowledged"
         for each in sent:
-            each.told(True)
+            each.on_acknowledged(True)
         assert len(drive.efforts) == before + count
 
 

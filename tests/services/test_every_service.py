@@ -7,7 +7,8 @@ inputs, legal and illegal ones, and must agree on actions and states until every
 
 from __future__ import annotations
 
-from collections import Counter, deque
+import logging
+from collections import deque
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from functools import cache
@@ -16,14 +17,13 @@ from itertools import product
 import pytest
 
 from jauspy.codec.names import snake
+from jauspy.protocol.counters import Counters
 from jauspy.schema import guards, load_builtin, model
 from jauspy.schema.state_tree import merge_machines, short_name
-from jauspy.services.bind import Binder
-from jauspy.services.isolation import Bugs
-from jauspy.services.lineage import definitions_of
-from jauspy.services.machine import Machine
+from jauspy.services.binding import Binder
+from jauspy.services.definitions import definitions_of
 from jauspy.services.service import Service
-from jauspy.services.trigger import Trigger
+from jauspy.services.state_machine import ActionErrors, MachineInstance, Trigger
 
 DEEPEST = 2
 """Pushed states that are followed; more of them are more of the same."""
@@ -190,7 +190,7 @@ class Pair:
         binder.raise_problems()
         start = merged[name].start()
         self.plain = Plain(definitions, name, self.plain_script)
-        self.machine = Machine(bound[name], start, Bugs(Counter()))
+        self.machine = MachineInstance(bound[name], start, ActionErrors(Counters(logging.getLogger("test"))))
         self.plain.active = str(start)
         self.codes = {m.name: m.code for each in reversed(definitions) for m in each.outputs}
         self.codes |= {m.name: m.code for each in reversed(definitions) for m in each.inputs}

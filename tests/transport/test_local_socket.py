@@ -11,8 +11,8 @@ import pytest
 
 from jauspy.errors import TransportError
 from jauspy.node.sweep import nobody_has
-from jauspy.protocol.ports import UdpPort
-from jauspy.transport import local_socket
+from jauspy.protocol.addressing import UdpPort
+from jauspy.transport import local as local_socket
 
 
 @contextmanager
@@ -68,7 +68,7 @@ def test_a_socket_that_this_user_may_not_use_is_neither_and_is_said_so(root: Pat
 def test_a_file_instead_of_a_directory(root: Path) -> None:
     file = root / "file"
     file.touch()
-    with pytest.raises(TransportError, match=rf"^{file} is no directory, so it has no local sockets; choose another"):
+    with pytest.raises(TransportError, match=rf"^{file} is not a directory; choose another"):
         local_socket.bind(file / "JuniorRTE", owner="a node manager")
 
 

@@ -41,7 +41,7 @@ def own_id(given: str | None, connect: str | None) -> str:
     The first and not any: an emergency can only be cleared by the id that set it.
     """
     from jauspy.ids import JausID
-    from jauspy.transport import local_socket
+    from jauspy.transport import local as local_socket
 
     if given is not None:
         return given

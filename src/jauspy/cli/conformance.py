@@ -114,7 +114,7 @@ def _lines(result: Result) -> None:
     """A step in JSON, as soon as it has ended."""
     from json import dumps
 
-    from jauspy.conformance.as_json import result_json
+    from jauspy.conformance.reports import result_json
 
     with _unread_is_fine():
         print(dumps(result_json(result), ensure_ascii=False))
@@ -147,6 +147,6 @@ def _show(report: Report, *, json: bool) -> None:
         return
     from json import dumps
 
-    from jauspy.conformance.as_json import summary_json
+    from jauspy.conformance.reports import summary_json
 
     print(dumps(summary_json(report), ensure_ascii=False))

@@ -36,9 +36,7 @@ class Files:
 
     def write(self, report: Report) -> list[str]:
         """Write those that are wanted; a sentence for each that cannot be written."""
-        from jauspy.conformance.html import page
-        from jauspy.conformance.junit import junit
-        from jauspy.conformance.pcap import capture
+        from jauspy.conformance.reports import capture, junit, page
 
         problems = (
             _write(self.junit, lambda: junit(report)),

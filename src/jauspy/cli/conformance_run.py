@@ -7,12 +7,11 @@ import time
 from contextlib import closing
 from dataclasses import replace
 
-from jauspy.conformance.links import open_wire
 from jauspy.conformance.offers import Offers
 from jauspy.conformance.profile import Profile, Step
 from jauspy.conformance.results import Report
 from jauspy.conformance.runner import Interrupted, Settings, Watch, planned, run
-from jauspy.conformance.wire import Wire
+from jauspy.conformance.wire import Wire, open_wire
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 

@@ -8,9 +8,8 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, Final
 
 from jauspy.cli import console
-from jauspy.conformance.html import summary
-from jauspy.conformance.junit import transcript
 from jauspy.conformance.profile import Step, find, known
+from jauspy.conformance.reports import summary, transcript
 from jauspy.conformance.results import Report, Result, Verdict, transitions_sum
 from jauspy.errors import ConfigError
 

@@ -73,7 +73,7 @@ def codec(
 
 
 def _payloads(path: Path) -> list[bytes]:
-    from jauspy.fuzz.seeds import file_payloads
+    from jauspy.fuzz.mutation import file_payloads
 
     found = file_payloads(path)
     if not found:

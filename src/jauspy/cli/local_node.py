@@ -14,7 +14,7 @@ from jauspy.cli import console
 from jauspy.cli.children import Child, ChildFailed
 from jauspy.errors import ConfigError
 from jauspy.protocol import junior
-from jauspy.transport import local_socket
+from jauspy.transport import local as local_socket
 
 RESTART_DELAY: Final = 1.0  # seconds
 

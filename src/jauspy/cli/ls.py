@@ -9,7 +9,7 @@ import typer
 from jauspy.cli.options import Connect, Json, OwnId
 
 if TYPE_CHECKING:
-    from jauspy.ocu import Subsystem
+    from jauspy.ocu import SubsystemInfo
 
 
 def ls(
@@ -45,7 +45,7 @@ def ls(
         )
 
 
-async def _discover(own_id: str, connect: str | None, patience: float) -> list[Subsystem]:
+async def _discover(own_id: str, connect: str | None, patience: float) -> list[SubsystemInfo]:
     """Everybody but ourselves."""
     from jauspy.ocu import OCU
 

@@ -37,11 +37,11 @@ def still(
     from jauspy.cli.still_shot import format_of, shoot, size_of
     from jauspy.errors import ConfigError
     from jauspy.ocu import OCU
-    from jauspy.ocu.stills import DELIVERY
+    from jauspy.ocu.stills import LARGE_IMAGE_DELIVERY
 
     component = addresses.destination(camera)
     if component.is_wildcard:
         raise ConfigError(f"{component} may be several; name one")
     wanted = size_of(size), format_of(save)
-    ocu = OCU(addresses.own_id(own_id, connect), connect, delivery=DELIVERY)
+    ocu = OCU(addresses.own_id(own_id, connect), connect, delivery=LARGE_IMAGE_DELIVERY)
     run(shoot(ocu, component, sensor, *wanted, file=save, patience=timeout))

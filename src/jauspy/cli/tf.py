@@ -71,7 +71,7 @@ async def _look(
     model = robot_model(config)
     async with addresses.client(own_id, connect, patience) as ocu:
         reader = RobotFrames(await ocu.discover(config.subsystem, timeout=patience), model, config.movers)
-        return await reader.look(), reader.assumed_between
+        return await reader.read(), reader.assumed_between
 
 
 def _row(frame: str, parent: str, pose: Transform) -> dict[str, Any]:

@@ -7,10 +7,10 @@ from typing import Any
 from rich.text import Text
 from rich.tree import Tree
 
-from jauspy.ocu.model import Component, Node, Subsystem, kind_of
+from jauspy.ocu.subsystems import ComponentInfo, NodeInfo, SubsystemInfo, kind_of
 
 
-def tree_of(subsystem: Subsystem) -> Tree:
+def tree_of(subsystem: SubsystemInfo) -> Tree:
     """Subsystem, nodes, components, and services with their versions."""
     tree = Tree(_label("subsystem", subsystem.id, subsystem.name, subsystem.kind, style="bold cyan"), guide_style="dim")
     for node in subsystem.nodes:
@@ -23,7 +23,7 @@ def tree_of(subsystem: Subsystem) -> Tree:
     return tree
 
 
-def as_json(subsystem: Subsystem) -> dict[str, Any]:
+def as_json(subsystem: SubsystemInfo) -> dict[str, Any]:
     """The same, as an object."""
     return {
         "subsystem": subsystem.id,
@@ -38,11 +38,11 @@ def _label(what: str, id: object, name: str, kind: str, style: str = "") -> Text
     return text.append(f"  {kind}", "dim") if kind and kind != "unknown" else text
 
 
-def _node_json(node: Node) -> dict[str, Any]:
+def _node_json(node: NodeInfo) -> dict[str, Any]:
     return {"node": node.id, "name": node.name, "components": [_component_json(each) for each in node.components]}
 
 
-def _component_json(component: Component) -> dict[str, Any]:
+def _component_json(component: ComponentInfo) -> dict[str, Any]:
     return {
         "id": str(component.id),
         "name": component.name,

@@ -1,12 +1,11 @@
-"""The base classes of generated messages, and the two roads through the codec.
+"""The base classes of messages, and the two paths through the codec.
 
-Generated `_unpack` and `_pack` are straight-line code for valid input; whatever they cannot do ends in one of
-`FAST_ERRORS`. Then the careful codec (`jauspy.codec.careful`) goes over the same input field by field: it finds what is
+A message class declares its fields and its layout. Its straight-line `_unpack` and `_pack` are made from the layout
+when they are first called (`jauspy.codec.fast_path`). They take valid input only; all else ends in one of
+`FAST_ERRORS`. Then the slow path (`jauspy.codec.careful`) goes over the same input field by field: it finds what is
 wrong and where, clamps, or keeps what a tolerant reader can keep. It costs about ten times as much and is linear in the
 input, too.
 """
-
-# ruff: noqa: ARG002, ARG003 - generated classes override what does nothing here
 
 from __future__ import annotations
 
@@ -68,11 +67,17 @@ class Struct:
     @classmethod
     def _read(cls, data: bytes, at: int, nesting: Nesting | None) -> tuple[Self, int]:
         """Decode valid bytes from `at` on, and say where they end; anything else ends in one of `FAST_ERRORS`."""
-        raise Reject
+        from jauspy.codec.fast_path import install  # noqa: PLC0415 - once for each class
+
+        install(cls, "_read")
+        return cls._read(data, at, nesting)
 
     def _write(self, out: bytearray) -> None:
         """Append valid values; anything else ends in one of `FAST_ERRORS`."""
-        raise Reject
+        from jauspy.codec.fast_path import install  # noqa: PLC0415 - once for each class
+
+        install(type(self), "_write")
+        self._write(out)
 
     @classmethod
     def _layout(cls) -> Item:
@@ -130,11 +135,17 @@ class Message(Struct):
 
         `nesting` knows the messages inside; None stands for those of the registry the class itself is of.
         """
-        raise Reject
+        from jauspy.codec.fast_path import install  # noqa: PLC0415 - once for each class
+
+        install(cls, "_unpack")
+        return cls._unpack(data, nesting)
 
     def _pack(self) -> bytes:
         """Encode valid values; anything else ends in one of `FAST_ERRORS`."""
-        raise Reject
+        from jauspy.codec.fast_path import install  # noqa: PLC0415 - once for each class
+
+        install(type(self), "_pack")
+        return self._pack()
 
     def encode(self, *, clamp: bool = False, strict: bool = True) -> bytes:
         """The message as bytes, the two id bytes first.

@@ -43,6 +43,11 @@ class Values:
     enum: type[IntEnum] | None = None
     intervals: Intervals = ()
 
+    @property
+    def anything(self) -> bool:
+        """True when every value is allowed."""
+        return self.enum is None and not self.intervals
+
     def named(self, value: float) -> Any:
         """The enum member of a value, or the value."""
         # A call of the class costs three times as much, and 64 kB may be a million small values.

@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import sys
+from collections.abc import Callable, Mapping
 from importlib import import_module
 
 
-def exports(modules: Mapping[str, str]) -> dict[str, str]:
-    """The module of every name, out of the names (with blanks between them) of every module."""
-    return {name: module for module, names in modules.items() for name in names.split()}
+def lazy(
+    package: str, modules: Mapping[str, str]
+) -> tuple[list[str], Callable[[str], object], Callable[[], list[str]]]:
+    """`__all__`, `__getattr__` and `__dir__` of a package, from the names (with blanks between them) of each module."""
+    names = {name: module for module, listed in modules.items() for name in listed.split()}
 
+    def load(name: str) -> object:
+        if name not in names:
+            raise AttributeError(f"module {package!r} has no attribute {name!r}")
+        value: object = getattr(import_module(names[name]), name)
+        setattr(sys.modules[package], name, value)
+        return value
 
-def load(name: str, modules: Mapping[str, str], package: str) -> object:
-    """What a package has under a name; raises `AttributeError`."""
-    if name not in modules:
-        raise AttributeError(f"module {package!r} has no attribute {name!r}")
-    value: object = getattr(import_module(modules[name]), name)
-    return value
+    return sorted(names), load, lambda: sorted({*vars(sys.modules[package]), *names})

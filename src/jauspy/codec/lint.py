@@ -1,4 +1,4 @@
-"""Rules of the linter about what the generator makes of a definition: its names in Python."""
+"""Rules of the linter about what message classes make of a definition: its names in Python."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from typing import Final
 
 from lxml.etree import _Element as Element
 
+from jauspy.codec.build import build
 from jauspy.codec.names import attribute, constant, snake
-from jauspy.codec.planner import plan
 from jauspy.errors import SchemaError
 from jauspy.schema.lint import Problem, Rule, World
 from jauspy.schema.lint.fields import unbounded_list
@@ -53,7 +53,7 @@ def without_code(world: World) -> Iterator[Problem]:
     except SchemaError:
         return  # other rules say so
     try:
-        plan(schema)
+        build(schema, "checked")
     except SchemaError as error:
         yield placed(error)
 

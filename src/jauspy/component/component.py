@@ -21,7 +21,7 @@ from jauspy.protocol.header import Broadcast, Priority
 from jauspy.schema.model import Schema
 from jauspy.services.core.complete import with_core
 from jauspy.services.host import Host
-from jauspy.services.service import Service, checked
+from jauspy.services.service import Service, check_services
 from jauspy.transport import LocalTransport, Transport
 from jauspy.transport.connect import DEFAULT_ROOT, transport_for
 
@@ -62,7 +62,7 @@ class Component:
     ) -> None:
         me = component_id(id)
         check_text(name, "a component's name")
-        given = checked(services)
+        given = check_services(services)
         self.host = Host(
             me,
             with_core(given, name) if core else given,

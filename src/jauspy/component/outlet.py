@@ -10,7 +10,7 @@ from jauspy.component.deliveries import Deliveries
 from jauspy.errors import ProtocolError
 from jauspy.protocol.endpoint import Endpoint
 from jauspy.protocol.header import Ack
-from jauspy.services.outbox import Outgoing
+from jauspy.services.messaging import Outgoing
 from jauspy.transport.base import Transport
 
 _LOG: Final = logging.getLogger("jauspy.component")

@@ -60,7 +60,7 @@ class Shell:
     ) -> None:
         self.host = host
         self.transport = transport
-        host.prompt = self._prompted
+        host.on_timer_change = self._prompted
         self._clock = clock
         self._intercept = intercept
         start = random.randrange(0x10000) if first_sequence is None else first_sequence  # noqa: S311 - not a secret
@@ -224,7 +224,7 @@ class Shell:
             return
         with self._guard:
             self._flush_output()
-            if self.host.wanted_id is not None and (problem := self._move()) is not None:
+            if self.host.requested_id is not None and (problem := self._move()) is not None:
                 _LOG.error("%s keeps its id: %s", self.id, problem)
         self._schedule(self._loop)
 
@@ -234,7 +234,7 @@ class Shell:
 
     def _move(self) -> TransportError | None:
         """Take the id that the host wants, after goodbyes under the old one; returns why that is not possible."""
-        wanted = self.host.wanted_id
+        wanted = self.host.requested_id
         if wanted is None:
             return None
         try:
@@ -243,7 +243,7 @@ class Shell:
             self.host.ask_for_id(self.id)
             self._errors["move_failed"] += 1
             return error
-        self._endpoint.move(wanted)
+        self._endpoint.change_id(wanted)
         self.host.take_id(wanted, self._clock())
         self._flush_output()
         return None

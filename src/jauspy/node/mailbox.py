@@ -9,7 +9,7 @@ from collections.abc import Callable
 from typing import Final
 
 from jauspy.protocol.counters import Counters
-from jauspy.transport.outbox import Outbox
+from jauspy.transport.base import SendQueue
 
 BURST: Final = 64
 """Datagrams sent from the queue before others get their turn."""
@@ -36,7 +36,7 @@ class Mailbox:
         self._socket: socket.socket | None = None
         self._direct: Callable[[bytes], object] | None = None
         """Sends at once; only while there is a socket and nothing waits."""
-        self._waiting = Outbox()
+        self._waiting = SendQueue()
         self._watched = False
         self._untried = 0
 
@@ -75,7 +75,7 @@ class Mailbox:
         self._disconnect()
         for _ in range(len(self._waiting)):
             self._counters.drop("component_gone", self._path)
-        self._waiting = Outbox()
+        self._waiting = SendQueue()
 
     def _drain(self) -> None:
         self._untried = 0

@@ -9,8 +9,8 @@ from collections.abc import Iterator
 from jauspy.node.binding import bind
 from jauspy.node.config import NetworkConfig
 from jauspy.protocol.counters import Counters
-from jauspy.transport import memberships, multicast
-from jauspy.transport.memberships import Memberships
+from jauspy.transport import multicast, multicast as memberships
+from jauspy.transport.multicast import Memberships
 
 _LOGGER = logging.getLogger(__name__)
 _ANY = "::"

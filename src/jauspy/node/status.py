@@ -10,7 +10,7 @@ from typing import Any, Final
 
 from jauspy.errors import TransportError
 from jauspy.node.state import NodeState
-from jauspy.transport import local_socket
+from jauspy.transport import local as local_socket
 
 SOCKET_NAME: Final = "JuniorRTE.status"
 """Beside the node manager's own socket."""
@@ -40,7 +40,7 @@ class StatusServer:
             self._path.chmod(self._mode)
         except OSError as error:
             told = f"cannot open the socket {self._path}: {error.strerror}"
-            raise TransportError(f"{told}; {local_socket.ELSEWHERE}, or set `status` to false") from error
+            raise TransportError(f"{told}; {local_socket.OTHER_DIRECTORY}, or set `status` to false") from error
         local_socket.give_to_group(self._path, self._group)
 
     async def __aexit__(self, *error: object) -> None:

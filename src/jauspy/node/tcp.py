@@ -10,9 +10,9 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import Final
 
 from jauspy.errors import TransportError
+from jauspy.protocol.addressing import TcpPort
 from jauspy.protocol.counters import Counters
-from jauspy.protocol.ports import TcpPort
-from jauspy.transport.stream import Dialer, StreamLink
+from jauspy.transport.tcp import Dialer, StreamLink
 
 _LOGGER = logging.getLogger(__name__)
 
@@ -96,7 +96,7 @@ class TcpPeers:
 
     def _began(self, link: StreamLink) -> None:
         if len(self._links) >= MAX_CONNECTIONS:
-            refused = next((each for each in self._links.values() if not each.has_spoken), link)
+            refused = next((each for each in self._links.values() if not each.has_received), link)
             self._counters["tcp.refused"] += 1
             _LOGGER.info("JTCP connection from %s closed: there are %d already", refused.peer, MAX_CONNECTIONS)
             refused.close()

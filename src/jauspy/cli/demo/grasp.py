@@ -47,7 +47,7 @@ class Grasp:
         await asyncio.sleep(plan.SETTLING)
         photo = await self._camera.still(size=self._size, format="jpeg", timeout=plan.CAMERA_TIME)
         (folder / STILL).write_bytes(photo.content)
-        frames = await self._frames.look()
+        frames = await self._frames.read()
         spot = sight.red_spot(sight.picture(photo.content))
         camera = frames.pose(self._setup.link, LOCAL)
         seen = spot and sight.at_height(camera, sight.ray(spot, self._setup.fov), plan.CAN[2])

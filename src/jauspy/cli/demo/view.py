@@ -14,7 +14,7 @@ from rich.text import Text
 from jauspy.cli import console
 from jauspy.cli.demo.report import MARKS, Finding
 from jauspy.cli.demo.watch import Scene
-from jauspy.ocu import OCU, Subsystem
+from jauspy.ocu import OCU, SubsystemInfo
 
 REFRESH: Final = 8  # Hz
 
@@ -42,7 +42,7 @@ class View:
         """The next thing is being done."""
         self._line(Text(text, style="bold"))
 
-    def discovered(self, robot: Subsystem) -> None:
+    def discovered(self, robot: SubsystemInfo) -> None:
         """Who it is."""
         services = sum(len(each.services) for each in robot.components)
         told = f"subsystem {robot.id} {robot.name}: {len(robot.components)} components with {services} services"

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Final, Protocol
 
 from jauspy.cli.demo.report import Finding
-from jauspy.ocu import Subsystem
+from jauspy.ocu import SubsystemInfo
 
 if TYPE_CHECKING:
     from jauspy.cli.demo.film import Film
@@ -57,7 +57,7 @@ class Watcher(Protocol):
     def step(self, text: str) -> None:
         """The next thing is being done."""
 
-    def discovered(self, robot: Subsystem) -> None:
+    def discovered(self, robot: SubsystemInfo) -> None:
         """It was found, and this is what it is."""
 
     def found(self, finding: Finding) -> None:

@@ -38,7 +38,7 @@ def generate(
       jauspy schema generate vendor/*.xml -o acme_messages
       jauspy schema generate vendor/ -o src --package acme.messages
     """
-    from jauspy.codec.generator import generate as make
+    from jauspy.codec.source import generate as make
     from jauspy.schema.own import load_own
 
     name, folder = _place(output, package)

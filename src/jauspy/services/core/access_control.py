@@ -40,8 +40,12 @@ class AccessControl(Service, urn="urn:jaus:jss:core:AccessControl"):
         self.default_authority = default_authority
         self.timeout = timeout
         self.authority = default_authority
-        self.controller: JausID | None = None
         self._time_is_up = "Timedout"
+
+    @property
+    def controller(self) -> JausID | None:
+        """The client in control."""
+        return self.host.controller
 
     def attached(self) -> None:
         """A time-out is `Timedout`; in 1.0 it was `Timeout`, which in 1.1 is the end of a subscription."""
@@ -84,7 +88,7 @@ class AccessControl(Service, urn="urn:jaus:jss:core:AccessControl"):
             self.host.fire(self._time_is_up)
 
     def _hand_to(self, client: JausID | None) -> None:
-        before, self.controller = self.controller, client
+        before, self.host.controller = self.host.controller, client
         if before not in (None, client):
             self.host.control_lost()
 

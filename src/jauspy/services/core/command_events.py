@@ -68,14 +68,14 @@ class CommandEvents(Service):
     def send_command_event(self, msg: CommandWatch) -> None:
         """Tell the client how its command ended; that is the end of the event."""
         result = CommandEvent.CommandResult.SUCCESSFUL if msg.success else CommandEvent.CommandResult.UNSUCCESSFUL
-        self.host.send(msg.client, CommandEvent(event_id=msg.id, command_result=result), told=lambda _: None)
+        self.host.send(msg.client, CommandEvent(event_id=msg.id, command_result=result), on_acknowledged=lambda _: None)
         self.subscriptions.remove(msg)
         if not msg.known:
             self.ended.add(msg, self.host.now)
 
     def _confirm_command(self, watch: CommandWatch, request_id: int) -> None:
         confirmation = ConfirmEventRequest(request_id=request_id, event_id=watch.id, confirmed_periodic_rate=0.0)
-        self.host.send(watch.client, confirmation, told=lambda delivered: self._confirmed(watch, delivered))
+        self.host.send(watch.client, confirmation, on_acknowledged=lambda delivered: self._confirmed(watch, delivered))
 
     def _confirmed(self, watch: CommandWatch, delivered: bool) -> None:
         if delivered:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from itertools import groupby
 from operator import attrgetter
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID, component_id
@@ -26,10 +26,7 @@ from jauspy.messages.core import (
 from jauspy.services.core.directory import Directory, Filters, Offer, Where, within
 from jauspy.services.core.identity import DEFAULT_IDENTITIES, NODE, SUBSYSTEM, Identity
 from jauspy.services.core.listing import nodes, own_offers, service
-from jauspy.services.service import Service
-
-if TYPE_CHECKING:
-    from jauspy.services.host import Host
+from jauspy.services.service import Service, ServiceHost
 
 LIFETIME: Final = 300.0
 """Seconds that a registration lasts after Discovery last heard from the component. AS5710 has no renewal: components
@@ -99,7 +96,7 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
             return
         self.host.send(self._registrar, RegisterServices([service(each) for each in offers]))
 
-    def about(self, others: Iterable[Host]) -> None:
+    def about(self, others: Iterable[ServiceHost]) -> None:
         """Components of the same program: they need not register, are there as long as it is, and do not move."""
         for other in others:
             self.directory.register(other.id, own_offers(other))

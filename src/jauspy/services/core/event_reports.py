@@ -17,9 +17,9 @@ from jauspy.services.core.subscriptions import (
     Subscription,
     Subscriptions,
 )
-from jauspy.services.later import Coming
-from jauspy.services.machine import Outcome
+from jauspy.services.deferred import PendingReply
 from jauspy.services.service import Service
+from jauspy.services.state_machine import TriggerOutcome
 
 
 class EventReports(Service):
@@ -34,11 +34,11 @@ class EventReports(Service):
             self.host.count("event_skipped", f"{msg.query.NAME}: the answer before this one has not come yet")
             return
         outcome, answer = self.host.ask(msg.query, msg.client)
-        if outcome is Outcome.FAILED:
+        if outcome is TriggerOutcome.FAILED:
             self.host.fire("EventError", msg, msg.client)
-        if isinstance(answer, Coming):
+        if isinstance(answer, PendingReply):
             msg.asked = msg.query
-            answer.then(partial(self._came, msg, msg.query))
+            answer.add_done_callback(partial(self._came, msg, msg.query))
         elif answer is not None and _is_due(msg, answer):
             self._report(msg, answer)
 

@@ -18,9 +18,9 @@ from jauspy.messages.core import (
     ReportElementList,
     SetElement,
 )
-from jauspy.services.completion import Completion
 from jauspy.services.core.element_list import Code, ElementList
 from jauspy.services.service import Service
+from jauspy.services.state_machine import CommandCompletion
 
 if TYPE_CHECKING:
     from jauspy.services.core.list_driver import ListDriver
@@ -58,7 +58,7 @@ class ListManager(Service, urn="urn:jaus:jss:core:ListManager"):
         self._max_bytes = max_bytes
         self._drivers: list[ListDriver] = []
         self._elements: dict[int, Element] = {}
-        self._command = Completion()
+        self._command = CommandCompletion()
         self.list = ElementList()
         self.active = 0
 

@@ -5,17 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from itertools import groupby
 from operator import attrgetter
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from jauspy.ids import JausID
 from jauspy.messages.core import ComponentRec, ServiceRec
 from jauspy.services.core.directory import Offer
-
-if TYPE_CHECKING:
-    from jauspy.services.host import Host
+from jauspy.services.service import ServiceHost
 
 
-def own_offers(host: Host) -> list[Offer]:
+def own_offers(host: ServiceHost) -> list[Offer]:
     """The services of a component and all they inherit from."""
     offers = []
     for urn, definition in host.definitions.items():

@@ -7,7 +7,7 @@ from typing import Final
 from jauspy.ids import JausID
 from jauspy.messages.core import ReportStatus
 from jauspy.services.service import Service
-from jauspy.services.trigger import STAY, Verdict
+from jauspy.services.state_machine import STAY, ActionResult
 
 MAX_EMERGENCY_CLIENTS: Final = 64
 """Clients whose emergency is remembered one by one; more keep the emergency, but need not clear it."""
@@ -37,7 +37,7 @@ class Management(Service, urn="urn:jaus:jss:core:Management"):
         """`source` may clear the emergency, since it has set it."""
         return source in self._emergency_clients
 
-    def delete_id(self, source: JausID) -> Verdict | None:
+    def delete_id(self, source: JausID) -> ActionResult | None:
         """`source` clears its emergency; the component stays in Emergency while another client's is set."""
         self._emergency_clients.discard(source)
         return STAY if self._emergency_clients else None

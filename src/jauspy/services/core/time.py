@@ -2,36 +2,28 @@
 
 from __future__ import annotations
 
-from datetime import datetime, timedelta
+from datetime import datetime
 
 from jauspy.messages.core import ReportTime, SetTime
 from jauspy.services.service import Service
-from jauspy.services.stamps import date_stamp, time_stamp
+from jauspy.services.units import date_stamp, time_stamp
 
 
 class Time(Service, urn="urn:jaus:jss:core:Time"):
     """UTC. Setting it keeps an offset to the wall clock; the machine's own clock is never touched."""
 
-    def __init__(self) -> None:
-        self.offset = timedelta()
-
-    @property
-    def current(self) -> datetime:
-        """The date and time as the component sees it."""
-        return self.host.utc_now() + self.offset
-
     def set_time(self, msg: SetTime) -> None:
         """Take over what the message has; a date that no calendar has is counted and ignored."""
         try:
-            wanted = _combined(self.current, msg)
+            wanted = _combined(self.host.utc_time, msg)
         except ValueError as error:
             self.host.count("impossible_time", str(error))
             return
-        self.offset = wanted - self.host.utc_now()
+        self.host.clock_offset = wanted - self.host.utc_now()
 
     def report_time(self) -> ReportTime:
         """Time of day and date."""
-        now = self.current
+        now = self.host.utc_time
         return ReportTime(time_stamp=time_stamp(now), date_stamp=date_stamp(now))
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from jauspy.services.outbox import Outgoing
+from jauspy.services.messaging import Outgoing
 from jauspy.services.service import Service
 
 

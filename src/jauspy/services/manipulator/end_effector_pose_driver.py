@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from jauspy.messages.manipulator import SetEndEffectorPose
-from jauspy.services.completion import Completion
 from jauspy.services.manipulator.arm import Arm
 from jauspy.services.manipulator.tool_pose_driver import ToolPoseDriver, pose_of
+from jauspy.services.state_machine import CommandCompletion
 
 
 class EndEffectorPoseDriver(ToolPoseDriver, urn="urn:jaus:jss:manipulator:ManipulatorEndEffectorPoseDriver"):
@@ -17,7 +17,7 @@ class EndEffectorPoseDriver(ToolPoseDriver, urn="urn:jaus:jss:manipulator:Manipu
 
     def __init__(self, arm: Arm) -> None:
         super().__init__(arm)
-        self._command = Completion()
+        self._command = CommandCompletion()
 
     def motion_profile_exists(self) -> bool:
         """There always is one: the joints' own limits, until a client sets others."""

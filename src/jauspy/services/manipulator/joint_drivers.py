@@ -15,7 +15,6 @@ from jauspy.messages.manipulator import (
     SetJointVelocity,
 )
 from jauspy.platform.joints import ControlMode, Target
-from jauspy.services.completion import Completion
 from jauspy.services.manipulator.arm import Arm
 from jauspy.services.manipulator.driver import ArmDriver
 from jauspy.services.manipulator.values import (
@@ -28,6 +27,7 @@ from jauspy.services.manipulator.values import (
     values,
     velocities,
 )
+from jauspy.services.state_machine import CommandCompletion
 
 PERIOD: Final = 0.05
 """Seconds between two looks at whether the joints have come where they were sent."""
@@ -64,7 +64,7 @@ class PositionDriver(JointDriver):
 
     def __init__(self, arm: Arm) -> None:
         super().__init__(arm)
-        self._command = Completion()
+        self._command = CommandCompletion()
         self._timer = (_TIMER, self.urn)
 
     def go(self, positions: Sequence[float]) -> None:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from jauspy.ids import JausID
 from jauspy.messages.manipulator import ReportEndEffectorEffort, ReportEndEffectorSpecification, SetEndEffectorEffort
 from jauspy.platform.joints import ControlMode, JointGroup, Target
-from jauspy.services.percent import percent
 from jauspy.services.service import Service
+from jauspy.services.units import percent
 
 
 class PrimitiveEndEffector(Service, urn="urn:jaus:jss:manipulator:PrimitiveEndEffector"):

@@ -9,7 +9,7 @@ from jauspy.platform.joints import ControlMode, Target
 from jauspy.services.manipulator.arm import Arm
 from jauspy.services.manipulator.driver import ArmDriver
 from jauspy.services.manipulator.values import percents
-from jauspy.services.percent import percent
+from jauspy.services.units import percent
 
 
 class EffortDriver(ArmDriver):

@@ -15,7 +15,7 @@ from jauspy.messages.mobility import (
 )
 from jauspy.services.mobility.vehicle import Vehicle
 from jauspy.services.service import Service
-from jauspy.services.stamps import epoch_seconds, time_stamp
+from jauspy.services.units import epoch_seconds, time_stamp
 
 
 class VelocityStateSensor(Service, urn="urn:jaus:jss:mobility:VelocityStateSensor"):

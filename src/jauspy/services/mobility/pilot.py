@@ -10,8 +10,8 @@ from typing import Final, Protocol
 from jauspy.geometry.poses import jaus_pose, jaus_twist
 from jauspy.platform.chassis import Chassis
 from jauspy.platform.contract import DriveBase
-from jauspy.services.host import Host
 from jauspy.services.mobility.courses import Course, Halt
+from jauspy.services.service import ServiceHost
 from jauspy.services.mobility.velocity_control import (
     STANDSTILL,
     AccelerationLimits,
@@ -54,7 +54,7 @@ class Pilot:
             chassis.acceleration, chassis.deceleration, chassis.turn_acceleration, chassis.turn_acceleration
         )
         self._control = VelocityControl()
-        self._host: Host | None = None
+        self._host: ServiceHost | None = None
         self._course: Course | None = None
         self._velocity = STANDSTILL
         self._last = 0.0
@@ -63,7 +63,7 @@ class Pilot:
         self.travel_speed = 0.0
         """m/s, negative backward, of the waypoint drivers; zero while another service, or none, drives."""
 
-    def attach(self, host: Host) -> None:
+    def attach(self, host: ServiceHost) -> None:
         """Use the clock and the timers of this component; each of its drivers calls this."""
         self._host = host
 
@@ -101,12 +101,12 @@ class Pilot:
             before.on_preempted()
 
     @property
-    def _clock(self) -> Host:
+    def _clock(self) -> ServiceHost:
         if self._host is None:
             raise RuntimeError("no driver service has attached the pilot to its component")
         return self._host
 
-    def _start_steering(self, host: Host) -> None:
+    def _start_steering(self, host: ServiceHost) -> None:
         self._last = host.now
         host.set_timer(_TIMER, host.now, self._steer)
 

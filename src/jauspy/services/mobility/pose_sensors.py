@@ -24,7 +24,7 @@ from jauspy.services.mobility.field_ranges import MAX_XY_EXT, MAX_XYZ, MAX_Z_EXT
 from jauspy.services.mobility.reference_frames import GlobalPose
 from jauspy.services.mobility.vehicle import Vehicle
 from jauspy.services.service import Service
-from jauspy.services.stamps import epoch_seconds, time_stamp
+from jauspy.services.units import epoch_seconds, time_stamp
 
 MOVING: Final = 0.05
 """m/s below which the direction of travel says nothing."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from jauspy.messages.ugv import ReportSkidSteerEffort, SetSkidSteerEffort
 from jauspy.services.mobility.driver import Driver
 from jauspy.services.mobility.vehicle import Vehicle
-from jauspy.services.percent import percent
+from jauspy.services.units import percent
 
 
 class SkidSteerDriver(Driver, urn="urn:jaus:jss:ugv:SkidSteerDriver"):
