@@ -7,8 +7,8 @@ from typing import Any, ClassVar
 from jauspy.messages.mobility import ReportWrenchEffort, SetWrenchEffort
 from jauspy.services.mobility.field_ranges import ground_speed
 from jauspy.services.mobility.vehicle import Vehicle
-from jauspy.services.percent import percent
 from jauspy.services.service import Service
+from jauspy.services.units import percent
 
 
 class Driver(Service):

@@ -11,7 +11,6 @@ from jauspy.geometry.poses import jaus_pose, jaus_twist
 from jauspy.platform.chassis import Chassis
 from jauspy.platform.contract import DriveBase
 from jauspy.services.mobility.courses import Course, Halt
-from jauspy.services.service import ServiceHost
 from jauspy.services.mobility.velocity_control import (
     STANDSTILL,
     AccelerationLimits,
@@ -19,6 +18,7 @@ from jauspy.services.mobility.velocity_control import (
     VelocityControl,
     ramped,
 )
+from jauspy.services.service import ServiceHost
 
 PERIOD: Final = 0.02
 """Seconds between two steps of the control loop."""

@@ -17,12 +17,12 @@ from jauspy.messages.mobility import (
     SetLocalWaypoint,
     SetLocalWaypointExt,
 )
-from jauspy.services.completion import Completion
 from jauspy.services.mobility.courses import DEFAULT_TOLERANCE, Goal, WaypointCourse
 from jauspy.services.mobility.driver import Driver
 from jauspy.services.mobility.field_ranges import speed_over_ground, unsigned_speed
 from jauspy.services.mobility.vehicle import Vehicle
 from jauspy.services.mobility.waypoints import GlobalWaypoint, LocalWaypoint, Waypoint, global_waypoint, local_waypoint
+from jauspy.services.state_machine import CommandCompletion
 
 
 class WaypointFollower(Driver):
@@ -78,7 +78,7 @@ class WaypointDriver(WaypointFollower):
 
     def __init__(self, vehicle: Vehicle) -> None:
         super().__init__(vehicle)
-        self._command = Completion()
+        self._command = CommandCompletion()
 
     def waypoint_exists(self, msg: Any) -> bool:
         """To drive: a waypoint that this client has set. To report: any of this kind that was set or driven to."""
