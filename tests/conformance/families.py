@@ -16,8 +16,8 @@ from unittest.mock import patch
 from tests.conformance.injectors import Injector, _spoilt, code, delayed, field, instead, patched, says
 from tests.conformance.mistakes import goes_on, stuck, wrong_report
 
-from jauspy.codec.base import Message, Struct
-from jauspy.codec.items import Composite
+from jauspy.codec.layout import Composite
+from jauspy.codec.message import Message, Struct
 from jauspy.conformance import Bench, Part
 from jauspy.conformance.state_tests import sample_messages
 from jauspy.conformance.state_tests.explorer import AUTHORITY, CLIENTS, OBSERVER

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.codec.wire import SIZES
 from jauspy.errors import ConfigError, DecodeError
 from jauspy.fuzz.campaign import Plan, fuzzer, run

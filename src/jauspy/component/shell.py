@@ -10,7 +10,7 @@ from collections.abc import Callable
 from types import TracebackType
 from typing import Final, Self
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.component.alarm import Alarm
 from jauspy.component.deliveries import Deliveries
 from jauspy.component.guard import Guard

@@ -6,7 +6,7 @@ from collections import deque
 from collections.abc import Callable, Collection, Iterable, Sequence
 from typing import Any, Final, Generic, TypeAlias, TypeVar
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
 from jauspy.conformance.checks import Check
 from jauspy.conformance.results import Failed, Late, Looked, Malformed, Outcome, Silent, Skipped

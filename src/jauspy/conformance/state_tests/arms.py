@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.conformance.results import Outcome, Skipped
 from jauspy.conformance.state_tests import lists
 from jauspy.conformance.state_tests.events import UNKNOWN_ID

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Any, Final
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.conformance.checks import near, value_of
 from jauspy.conformance.results import Skipped
 from jauspy.conformance.state_tests.behaviour import Truth

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.conformance import event_streams
 from jauspy.conformance.checks import has, that
 from jauspy.conformance.event_streams import ONE_HERTZ

@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import Final, TypeAlias
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.conformance.checks import Check
 from jauspy.conformance.results import Failed, Outcome, Silent, Skipped
 from jauspy.conformance.state_tests.behaviour import Judge, Prediction, Situation, Subject, Truth

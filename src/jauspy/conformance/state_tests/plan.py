@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from itertools import groupby
 from typing import Final, TypeAlias
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.conformance.checks import has
 from jauspy.conformance.offers import ALL_SERVICES, Offers, ServiceKey
 from jauspy.conformance.profile import Profile, Step

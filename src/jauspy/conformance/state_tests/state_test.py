@@ -6,7 +6,7 @@ from collections import Counter
 from dataclasses import dataclass
 from functools import cached_property
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.conformance.checks import Check, has
 from jauspy.conformance.results import Late, Malformed, Silent
 from jauspy.conformance.state_tests.behaviour import Output, Prediction, Situation, Subject

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import partial
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.messages.core import Event, RejectEventRequest
 from jauspy.protocol.header import Priority
 from jauspy.services.core.rates import Rates

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, Final, TypeAlias
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.ids import JausID
 from jauspy.messages.core import CancelEvent, CreateCommandEvent, CreateEvent, RejectEventRequest, UpdateEvent
 from jauspy.services.core.command_events import CommandEvents, encoded

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, ClassVar
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.errors import ConfigError, DecodeError
 from jauspy.services.core.list_manager import ListManager
 from jauspy.services.service import Service
