@@ -15,12 +15,12 @@ from jauspy.platform.motion import ACCELERATION_TIME
 if TYPE_CHECKING:
     from jauspy.services.manipulator.driver import ArmDriver
 
-NEAR: Final = 0.01
+POSITION_TOLERANCE: Final = 0.01
 """Radians or metres from a position at which it counts as reached."""
 
 
 @dataclass(frozen=True, slots=True)
-class Profile:
+class MotionProfile:
     """How fast a joint may be moved: rad/s or m/s, and rad/s^2 or m/s^2."""
 
     speed: float
@@ -28,7 +28,7 @@ class Profile:
     deceleration: float
 
     @classmethod
-    def of(cls, joint: Joint) -> Profile:
+    def of(cls, joint: Joint) -> MotionProfile:
         """What the joint itself allows."""
         acceleration = joint.velocity / ACCELERATION_TIME
         return cls(joint.velocity, acceleration, acceleration)
@@ -47,7 +47,7 @@ class Arm:
             for link in self.geometry.links
         )
         """The least and the greatest position of each joint, in the standard's terms."""
-        self.profiles = tuple(Profile.of(joint) for joint in joints.joints)
+        self.profiles = tuple(MotionProfile.of(joint) for joint in joints.joints)
         self.driver: ArmDriver | None = None
         """Whose command the joints follow; None while they just hold."""
 
@@ -76,12 +76,12 @@ class Arm:
     def to_positions(self, driver: ArmDriver, positions: Sequence[float]) -> None:
         """Go to positions within the motion profile."""
         rows = zip(positions, self.profiles, strict=True)
-        self.move(driver, [_within(Target(ControlMode.POSITION, value), profile) for value, profile in rows])
+        self.move(driver, [_limited_target(Target(ControlMode.POSITION, value), profile) for value, profile in rows])
 
     def at_velocities(self, driver: ArmDriver, velocities: Sequence[float]) -> None:
         """Move at velocities within the motion profile."""
         rows = zip(velocities, self.profiles, strict=True)
-        self.move(driver, [_within(Target(ControlMode.VELOCITY, value), profile) for value, profile in rows])
+        self.move(driver, [_limited_target(Target(ControlMode.VELOCITY, value), profile) for value, profile in rows])
 
     def limited(self, positions: Sequence[float]) -> list[float]:
         """The positions nearest to these that the joints can have."""
@@ -90,7 +90,7 @@ class Arm:
     def is_at(self, positions: Sequence[float]) -> bool:
         """True when all joints are there, or as near as their limits let them."""
         rows = zip(self.limited(positions), self.state().positions, strict=True)
-        return all(abs(goal - position) <= NEAR for goal, position in rows)
+        return all(abs(goal - position) <= POSITION_TOLERANCE for goal, position in rows)
 
     def stop(self) -> None:
         """Hold the present positions, whoever moves the joints. Twice is fine."""
@@ -106,7 +106,7 @@ class Arm:
         )
 
 
-def _within(target: Target, profile: Profile) -> Target:
+def _limited_target(target: Target, profile: MotionProfile) -> Target:
     value = target.value
     if target.mode is ControlMode.VELOCITY:
         value = min(profile.speed, max(-profile.speed, value))

@@ -9,11 +9,11 @@ from jauspy.services.manipulator.arm import Arm
 from jauspy.services.manipulator.driver import ArmDriver
 from jauspy.services.manipulator.tool_motion import ToolMotion
 
-PERIOD: Final = 0.02
+CONTROL_PERIOD: Final = 0.02
 """Seconds between two looks at where the tool is, and new velocities of the joints."""
-STEP: Final = 1e-7
+VELOCITY_RESOLUTION: Final = 1e-7
 """rad/s or m/s below which a velocity was meant to be zero, which lies between two steps of its field."""
-STILL: Final = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+ZERO_VELOCITY: Final = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 class EndEffectorVelocityStateDriver(
@@ -27,7 +27,7 @@ class EndEffectorVelocityStateDriver(
 
     def __init__(self, arm: Arm) -> None:
         super().__init__(arm)
-        self._commanded = STILL
+        self._commanded = ZERO_VELOCITY
         self._motion: ToolMotion | None = None
 
     def motion_profile_exists(self) -> bool:
@@ -53,12 +53,12 @@ class EndEffectorVelocityStateDriver(
             return
         self._motion = ToolMotion(self.arm)
         self._motion.follow(turning, moving)
-        self.every(PERIOD, self._look)
+        self.every(CONTROL_PERIOD, self._look)
         self._look()
 
     def taken_over(self) -> None:
         """What was commanded does not hold any more."""
-        self._commanded, self._motion = STILL, None
+        self._commanded, self._motion = ZERO_VELOCITY, None
         self.host.cancel_timer(self._look)
 
     def report_commanded_end_effector_velocity_state(self) -> ReportCommandedEndEffectorVelocityState:
@@ -69,10 +69,10 @@ class EndEffectorVelocityStateDriver(
         motion = self._motion
         if motion is None:
             return
-        self.arm.at_velocities(self, motion.rates(PERIOD))
+        self.arm.at_velocities(self, motion.rates(CONTROL_PERIOD))
         if motion.is_over:
             self.arm.stop()
 
 
 def _velocity(value: float) -> float:
-    return 0.0 if abs(value) < STEP else value
+    return 0.0 if abs(value) < VELOCITY_RESOLUTION else value

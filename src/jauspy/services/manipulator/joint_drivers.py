@@ -29,7 +29,7 @@ from jauspy.services.manipulator.values import (
     velocities,
 )
 
-PERIOD: Final = 0.05
+CHECK_PERIOD: Final = 0.05
 """Seconds between two looks at whether the joints have come where they were sent."""
 _TIMER: Final = "joint positions"
 
@@ -73,7 +73,7 @@ class PositionDriver(JointDriver):
         self.commanded = positions
         self._command(False)
         self._command = self.host.begin_command()
-        self.host.set_timer(self._timer, self.host.now + PERIOD, self._look)
+        self.host.set_timer(self._timer, self.host.now + CHECK_PERIOD, self._look)
 
     def taken_over(self) -> None:
         """The positions were not reached, or are left again."""
@@ -85,7 +85,7 @@ class PositionDriver(JointDriver):
         if self.commanded is not None and self.arm.is_at(self.commanded):
             self._command(True)
         else:
-            self.host.set_timer(self._timer, self.host.now + PERIOD, self._look)
+            self.host.set_timer(self._timer, self.host.now + CHECK_PERIOD, self._look)
 
 
 class JointPositionDriver(PositionDriver, urn="urn:jaus:jss:manipulator:ManipulatorJointPositionDriver"):

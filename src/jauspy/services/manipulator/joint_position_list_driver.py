@@ -10,9 +10,9 @@ from jauspy.services.core.list_driver import ListDriver
 from jauspy.services.manipulator.driver import ArmDriver
 from jauspy.services.manipulator.values import positions, read_positions, values
 
-PERIOD: Final = 0.05
+CHECK_PERIOD: Final = 0.05
 """Seconds between two looks at whether an element was reached."""
-_TIMER: Final = "joint position list"
+_LIST_TIMER: Final = "joint position list"
 
 
 class JointPositionListDriver(ArmDriver, ListDriver, urn="urn:jaus:jss:manipulator:ManipulatorJointPositionListDriver"):
@@ -28,11 +28,11 @@ class JointPositionListDriver(ArmDriver, ListDriver, urn="urn:jaus:jss:manipulat
             self.elements.done()
             return
         self.arm.to_positions(self, found)
-        self.host.set_timer(_TIMER, self.host.now + PERIOD, self._look)
+        self.host.set_timer(_LIST_TIMER, self.host.now + CHECK_PERIOD, self._look)
 
     def end_elements(self) -> None:
         """Hold."""
-        self.host.cancel_timer(_TIMER)
+        self.host.cancel_timer(_LIST_TIMER)
         if self.moves:
             self.arm.stop()
 
@@ -49,7 +49,7 @@ class JointPositionListDriver(ArmDriver, ListDriver, urn="urn:jaus:jss:manipulat
         if self.arm.is_at(found):
             self.elements.done()
         else:
-            self.host.set_timer(_TIMER, self.host.now + PERIOD, self._look)
+            self.host.set_timer(_LIST_TIMER, self.host.now + CHECK_PERIOD, self._look)
 
     def _read(self, message: Message) -> list[float] | None:
         assert isinstance(message, SetJointPositions)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from jauspy.geometry.denavit_hartenberg import DHLink
 from jauspy.messages.manipulator import ReportJointMotionProfile, SetJointMotionProfile
-from jauspy.services.manipulator.arm import Arm, Profile
+from jauspy.services.manipulator.arm import Arm, MotionProfile
 from jauspy.services.service import Service
 
 
@@ -26,9 +26,9 @@ class JointMotionProfile(Service, urn="urn:jaus:jss:manipulator:ManipulatorJoint
             self.host.count("wrong_joints", f"{msg}")
             return
         self._arm.profiles = tuple(
-            within(
-                Profile(r.joint_max_speed, r.joint_max_acceleration_rate, r.joint_max_deceleration_rate),
-                Profile.of(link.joint),
+            limited_profile(
+                MotionProfile(r.joint_max_speed, r.joint_max_acceleration_rate, r.joint_max_deceleration_rate),
+                MotionProfile.of(link.joint),
             )
             for r, link in zip(records, links, strict=True)
         )
@@ -39,9 +39,9 @@ class JointMotionProfile(Service, urn="urn:jaus:jss:manipulator:ManipulatorJoint
         return ReportJointMotionProfile([_record(profile, link) for profile, link in rows])
 
 
-def within(profile: Profile, most: Profile) -> Profile:
+def limited_profile(profile: MotionProfile, most: MotionProfile) -> MotionProfile:
     """A profile that the joint can follow; zero would mean never to move, and counts as no wish."""
-    return Profile(
+    return MotionProfile(
         min(profile.speed or most.speed, most.speed),
         min(profile.acceleration or most.acceleration, most.acceleration),
         min(profile.deceleration or most.deceleration, most.deceleration),
@@ -49,7 +49,7 @@ def within(profile: Profile, most: Profile) -> Profile:
 
 
 def _record(
-    profile: Profile, link: DHLink
+    profile: MotionProfile, link: DHLink
 ) -> ReportJointMotionProfile.RevoluteJointMotionProfileRec | ReportJointMotionProfile.PrismaticJointMotionProfileRec:
     values = (profile.speed, profile.acceleration, profile.deceleration)
     if link.is_revolute:

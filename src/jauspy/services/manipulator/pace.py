@@ -7,17 +7,19 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from jauspy.services.manipulator.arm import Profile
+    from jauspy.services.manipulator.arm import MotionProfile
 
 
-def slowed(rates: Sequence[float], profiles: Sequence[Profile]) -> list[float]:
+def scaled_to_speed(rates: Sequence[float], profiles: Sequence[MotionProfile]) -> list[float]:
     """All as much slower as the one that is too fast needs to be."""
     rows = zip(rates, profiles, strict=True)
     share = min((1.0, *(profile.speed / abs(rate) for rate, profile in rows if abs(rate) > profile.speed)))
     return [rate * share for rate in rates]
 
 
-def ramped(before: Sequence[float], after: Sequence[float], profiles: Sequence[Profile], dt: float) -> list[float]:
+def limited_change(
+    before: Sequence[float], after: Sequence[float], profiles: Sequence[MotionProfile], dt: float
+) -> list[float]:
     """From velocities toward others, as far as each joint may change its own in `dt` seconds."""
     share = 1.0
     for old, new, profile in zip(before, after, profiles, strict=True):
@@ -27,7 +29,7 @@ def ramped(before: Sequence[float], after: Sequence[float], profiles: Sequence[P
     return [old + share * (new - old) for old, new in zip(before, after, strict=True)]
 
 
-def brakeable(left: float, profile: Profile, dt: float) -> float:
+def braking_speed(left: float, profile: MotionProfile, dt: float) -> float:
     """The speed from which a joint can stop within what is left of its way, told every `dt` seconds."""
     change = profile.deceleration * dt
     return math.sqrt(change * change / 4.0 + 2.0 * profile.deceleration * max(0.0, left)) - change / 2.0

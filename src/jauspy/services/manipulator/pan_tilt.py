@@ -8,7 +8,7 @@ from jauspy.geometry.denavit_hartenberg import pan_tilt_frame, reversed_axes
 from jauspy.geometry.poses import JAUS_FROM_REP_103, Transform
 from jauspy.platform.joints import JointGroup
 from jauspy.services.manipulator.arm import Arm
-from jauspy.services.manipulator.turned_joints import TurnedJoints
+from jauspy.services.manipulator.turned_joints import ReversedJoints
 
 
 class PanTilt(Arm):
@@ -20,7 +20,7 @@ class PanTilt(Arm):
     """
 
     def __init__(self, joints: JointGroup, mount: Callable[[], Transform]) -> None:
-        super().__init__(TurnedJoints(joints, reversed_axes(joints.chain)))
+        super().__init__(ReversedJoints(joints, reversed_axes(joints.chain)))
         self._frame = pan_tilt_frame(joints.chain)
         self._mount = mount
 

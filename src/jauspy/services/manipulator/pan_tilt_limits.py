@@ -8,8 +8,8 @@ from jauspy.messages.manipulator import (
     ReportPanTiltSpecifications,
     SetPanTiltMotionProfile,
 )
-from jauspy.services.manipulator.arm import Profile
-from jauspy.services.manipulator.motion_profile import within
+from jauspy.services.manipulator.arm import MotionProfile
+from jauspy.services.manipulator.motion_profile import limited_profile
 from jauspy.services.manipulator.pan_tilt import PanTilt
 from jauspy.services.service import Service
 
@@ -26,10 +26,10 @@ class PanTiltMotionProfile(Service, urn="urn:jaus:jss:manipulator:PanTiltMotionP
 
     def set_pan_tilt_motion_profile(self, msg: SetPanTiltMotionProfile) -> None:
         """From the next command on."""
-        pan = Profile(msg.joint1_max_speed, msg.joint1_max_acceleration_rate, msg.joint1_max_deceleration_rate)
-        tilt = Profile(msg.joint2_max_speed, msg.joint2_max_acceleration_rate, msg.joint2_max_deceleration_rate)
+        pan = MotionProfile(msg.joint1_max_speed, msg.joint1_max_acceleration_rate, msg.joint1_max_deceleration_rate)
+        tilt = MotionProfile(msg.joint2_max_speed, msg.joint2_max_acceleration_rate, msg.joint2_max_deceleration_rate)
         rows = zip((pan, tilt), self._unit.joints.joints, strict=True)
-        self._unit.profiles = tuple(within(profile, Profile.of(joint)) for profile, joint in rows)
+        self._unit.profiles = tuple(limited_profile(profile, MotionProfile.of(joint)) for profile, joint in rows)
 
     def report_pan_tilt_motion_profile(self) -> ReportPanTiltMotionProfile:
         """What counts now."""

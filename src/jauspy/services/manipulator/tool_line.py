@@ -10,9 +10,9 @@ from jauspy.geometry.kinematics import KinematicState
 from jauspy.geometry.poses import Transform, rotation_vector
 from jauspy.geometry.vectors import Rotation, Vector, add, difference, dot, rotation_about, scaled
 
-ARM_LENGTH: Final = 0.3
+METRES_PER_RADIAN: Final = 0.3
 """Metres that a radian per second counts as, when the speed of a motion is measured."""
-LEASH: Final = 0.02
+MAX_LAG: Final = 0.02
 """Metres or radians that the tool may fall behind before the pose waits for it."""
 
 
@@ -26,7 +26,7 @@ class ToolLine:
     @property
     def speed(self) -> float:
         """Of moving and turning together, m/s."""
-        return math.hypot(*self.moving) + ARM_LENGTH * math.hypot(*self.turning)
+        return math.hypot(*self.moving) + METRES_PER_RADIAN * math.hypot(*self.turning)
 
     def further(self, distance: float) -> Transform:
         """The pose when it will have moved on by so many metres."""
@@ -40,20 +40,20 @@ class ToolLine:
     def advance(self, now: KinematicState, rates: Sequence[float], dt: float) -> None:
         """Go ahead as far as the tool does in `dt` seconds with these velocities of the joints, on a leash."""
         turning, moving = now.velocity(rates)
-        time = dt * (_part(moving, self.moving) if any(self.moving) else _part(turning, self.turning))
+        time = dt * (_share(moving, self.moving) if any(self.moving) else _share(turning, self.turning))
         position = add(self._pose.position, scaled(self.moving, time))
-        self._pose = Transform(_turned(self._pose.rotation, scaled(self.turning, time)), position)
+        self._pose = Transform(_rotated_by(self._pose.rotation, scaled(self.turning, time)), position)
         turn, way = self.deviation(now.tool)
         tool = now.tool
-        self._pose = Transform(_turned(tool.rotation, _leashed(turn)), add(tool.position, _leashed(way)))
+        self._pose = Transform(_rotated_by(tool.rotation, _limited(turn)), add(tool.position, _limited(way)))
 
 
-def _part(found: Vector, wanted: Vector) -> float:
+def _share(found: Vector, wanted: Vector) -> float:
     square = dot(wanted, wanted)
     return min(1.0, max(0.0, dot(found, wanted) / square)) if square else 0.0
 
 
-def _turned(rotation: Rotation, turn: Vector) -> Rotation:
+def _rotated_by(rotation: Rotation, turn: Vector) -> Rotation:
     angle = math.hypot(*turn)
     return (
         (Transform(rotation_about(scaled(turn, 1.0 / angle), angle)) @ Transform(rotation)).rotation
@@ -62,6 +62,6 @@ def _turned(rotation: Rotation, turn: Vector) -> Rotation:
     )
 
 
-def _leashed(offset: Vector) -> Vector:
+def _limited(offset: Vector) -> Vector:
     length = math.hypot(*offset)
-    return scaled(offset, LEASH / length) if length > LEASH else offset
+    return scaled(offset, MAX_LAG / length) if length > MAX_LAG else offset

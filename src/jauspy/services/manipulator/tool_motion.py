@@ -14,30 +14,30 @@ from typing import TYPE_CHECKING, Final
 from jauspy.geometry.kinematics import InverseKinematics, KinematicState, forward_kinematics
 from jauspy.geometry.least_squares import bounded_least_squares
 from jauspy.geometry.vectors import Vector, scaled
-from jauspy.services.manipulator.pace import brakeable, ramped, slowed
+from jauspy.services.manipulator.pace import braking_speed, limited_change, scaled_to_speed
 from jauspy.services.manipulator.tool_line import ToolLine
 
 if TYPE_CHECKING:
     from jauspy.services.manipulator.arm import Arm
 
-STILL: Final[Vector] = (0.0, 0.0, 0.0)
-SHARE: Final = 0.1
+ZERO: Final[Vector] = (0.0, 0.0, 0.0)
+SHARE_WEIGHT: Final = 0.1
 """How much the share of the velocity counts, beside the line that the tool point is on."""
-ATTITUDE: Final = 0.01
+ATTITUDE_WEIGHT: Final = 0.01
 """Metres that a radian of the last link's attitude counts as."""
 DAMPING: Final = 0.003
 """Metres that a radian of a joint counts as."""
-NEARLY_SINGULAR: Final = 0.1
+MIN_ISOTROPY: Final = 0.1
 """Likeness (see `_likeness`) below which damping grows, and a way out is looked for."""
 SINGULAR_DAMPING: Final = 0.05
 """What damping grows to, so that joints do not race and jitter."""
-CORRECTION: Final = 3.0
+CORRECTION_RATE: Final = 3.0
 """Part of its deviation from the line that the tool makes good in a second."""
-AHEAD: Final = 0.01
+LOOK_AHEAD: Final = 0.01
 """Metres ahead on the line that a way out leads to."""
-STEPS: Final = 10
+MAX_ESCAPE_STEPS: Final = 10
 """Of a search for a way out, which is over at once where there is one."""
-BEND: Final = 0.05
+ESCAPE_BEND: Final = 0.05
 """Radians or metres by which joints are bent to look for one."""
 
 
@@ -47,7 +47,7 @@ class ToolMotion:
     def __init__(self, arm: Arm) -> None:
         self._arm = arm
         self._rates = list(arm.state().velocities)
-        self._line = ToolLine(arm.kinematic_state().tool, STILL, STILL)
+        self._line = ToolLine(arm.kinematic_state().tool, ZERO, ZERO)
 
     @property
     def is_over(self) -> bool:
@@ -63,33 +63,36 @@ class ToolMotion:
         """What the joints are to do for the next `dt` seconds, within their limits and the motion profile."""
         now, profiles = self._arm.kinematic_state(), self._arm.profiles
         wanted = self._wanted(now, dt) if self._line.speed else [0.0] * len(profiles)
-        self._rates = ramped(self._rates, slowed(wanted, profiles), profiles, dt)
+        self._rates = limited_change(self._rates, scaled_to_speed(wanted, profiles), profiles, dt)
         self._line.advance(now, self._rates, dt)
         return self._rates
 
     def _wanted(self, now: KinematicState, dt: float) -> list[float]:
-        lack = max(0.0, 1.0 - _likeness(now) / NEARLY_SINGULAR)
+        lack = max(0.0, 1.0 - _isotropy(now) / MIN_ISOTROPY)
         way = self._way_out() if lack and any(self._line.moving) else None
         return way or self._solve(now, DAMPING + (SINGULAR_DAMPING - DAMPING) * lack * lack, dt)
 
     def _way_out(self) -> list[float] | None:
         """To a place further on the line, if there is one: slopes do not tell how a stretched arm is drawn in."""
         arm, positions = self._arm, self._arm.state().positions
-        goal = self._line.further(AHEAD)
+        goal = self._line.further(LOOK_AHEAD)
         search = InverseKinematics(
-            arm.geometry.links, arm.tool, goal, self._bent(), arm.limits, starts=1, weights=((ATTITUDE,),)
+            arm.geometry.links, arm.tool, goal, self._bent(), arm.limits, starts=1, weights=((ATTITUDE_WEIGHT,),)
         )
-        found = search.advance(STEPS)
+        found = search.advance(MAX_ESCAPE_STEPS)
         if found is None or not found.reaches_point:
             return None
-        part = math.hypot(*self._line.moving) / AHEAD
+        part = math.hypot(*self._line.moving) / LOOK_AHEAD
         return [part * (there - here) for there, here in zip(found.positions, positions, strict=True)]
 
     def _bent(self) -> list[float]:
         """The joints as they are, a little bent to the side that gives the tool more freedom."""
         arm, positions = self._arm, self._arm.state().positions
-        sides = ([p + (bend if number % 2 else -bend) for number, p in enumerate(positions)] for bend in (BEND, -BEND))
-        return max(sides, key=lambda bent: _likeness(forward_kinematics(arm.geometry.links, bent, arm.tool)))
+        sides = (
+            [p + (bend if number % 2 else -bend) for number, p in enumerate(positions)]
+            for bend in (ESCAPE_BEND, -ESCAPE_BEND)
+        )
+        return max(sides, key=lambda bent: _isotropy(forward_kinematics(arm.geometry.links, bent, arm.tool)))
 
     def _solve(self, now: KinematicState, damping: float, dt: float) -> list[float]:
         """The best velocities of the joints; one more unknown is the share of the wanted velocity."""
@@ -97,22 +100,26 @@ class ToolMotion:
         turn, way = line.deviation(now.tool)
         rows: list[list[float]] = [[*row, -v] for *row, v in zip(*now.linear_jacobian, line.moving, strict=True)]
         rows += [
-            [ATTITUDE * value for value in (*row, -w)]
+            [ATTITUDE_WEIGHT * value for value in (*row, -w)]
             for *row, w in zip(*now.angular_jacobian, line.turning, strict=True)
         ]
-        rows.append([0.0] * joints + [SHARE * line.speed])
-        wanted = [*scaled(way, CORRECTION), *scaled(turn, CORRECTION * ATTITUDE), SHARE * line.speed]
+        rows.append([0.0] * joints + [SHARE_WEIGHT * line.speed])
+        wanted = [
+            *scaled(way, CORRECTION_RATE),
+            *scaled(turn, CORRECTION_RATE * ATTITUDE_WEIGHT),
+            SHARE_WEIGHT * line.speed,
+        ]
         lower, upper = self._bounds(dt)
         return bounded_least_squares(rows, wanted, [*lower, 0.0], [*upper, 1.0], [damping] * joints + [1e-6])[:-1]
 
     def _bounds(self, dt: float) -> tuple[list[float], list[float]]:
         """How fast the joints may go so as to stop at their limits."""
         rows = list(zip(self._arm.state().positions, self._arm.limits, self._arm.profiles, strict=True))
-        lower = [-brakeable(position - low, profile, dt) for position, (low, _), profile in rows]
-        return lower, [brakeable(high - position, profile, dt) for position, (_, high), profile in rows]
+        lower = [-braking_speed(position - low, profile, dt) for position, (low, _), profile in rows]
+        return lower, [braking_speed(high - position, profile, dt) for position, (_, high), profile in rows]
 
 
-def _likeness(now: KinematicState) -> float:
+def _isotropy(now: KinematicState) -> float:
     """How much alike the joints can move the tool point in all directions: 1, or 0 when in one they cannot."""
     axes = list(zip(*now.linear_jacobian, strict=True))
     products = [[sum(map(mul, a, b)) for b in axes] for a in axes]

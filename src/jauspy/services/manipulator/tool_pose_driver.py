@@ -12,17 +12,17 @@ from jauspy.messages.manipulator import ReportCommandedEndEffectorPose, SetEndEf
 from jauspy.services.manipulator.arm import Arm
 from jauspy.services.manipulator.driver import ArmDriver
 
-STEPS_AT_ONCE: Final = 10
+STEPS_PER_TURN: Final = 10
 """Steps of a search after which others have their turn: about two milliseconds for five joints."""
-PAUSE: Final = 0.005
+SEARCH_PAUSE: Final = 0.005
 """Seconds until it goes on."""
-PERIOD: Final = 0.05
+CHECK_PERIOD: Final = 0.05
 """Seconds between two looks at whether a pose was reached."""
-CLOSE: Final = 0.001
+POSITION_TOLERANCE: Final = 0.001
 """Metres from where the arm is to bring the tool at which it counts as there."""
-ALIGNED: Final = math.radians(0.5)
+ATTITUDE_TOLERANCE: Final = math.radians(0.5)
 """Radians for the attitude."""
-SHORTEST: Final = 0.01
+MIN_QUATERNION_NORM: Final = 0.01
 """Length of a quaternion below which it says nothing: what is sent as zero arrives as some parts of a billion."""
 
 
@@ -75,8 +75,8 @@ class ToolPoseDriver(ArmDriver):
         search, goal = self._search, self._goal
         if search is None or goal is None:
             return
-        found = search.advance(STEPS_AT_ONCE)
-        self._next_turn = self.host.now + PAUSE
+        found = search.advance(STEPS_PER_TURN)
+        self._next_turn = self.host.now + SEARCH_PAUSE
         if found is None:
             self.host.set_timer(self, self._next_turn, self._seek)
             return
@@ -92,10 +92,10 @@ class ToolPoseDriver(ArmDriver):
         tool = self.arm.kinematic_state().tool
         distance = math.dist(goal.position, tool.position) - found.distance
         turn = math.hypot(*rotation_vector(tool.rotation, goal.rotation)) - found.angle
-        if distance <= CLOSE and turn <= ALIGNED:
+        if distance <= POSITION_TOLERANCE and turn <= ATTITUDE_TOLERANCE:
             self.reached(exactly=found.reaches_pose)
         else:
-            self.host.set_timer(self, self.host.now + PERIOD, lambda: self._look(found, goal))
+            self.host.set_timer(self, self.host.now + CHECK_PERIOD, lambda: self._look(found, goal))
 
 
 def pose_of(msg: SetEndEffectorPose) -> Transform | None:
@@ -106,7 +106,7 @@ def pose_of(msg: SetEndEffectorPose) -> Transform | None:
         msg.b_component_of_unit_quaternion_q,
         msg.c_component_of_unit_quaternion_q,
     )
-    if math.hypot(*parts) < SHORTEST:
+    if math.hypot(*parts) < MIN_QUATERNION_NORM:
         return None
     point = (msg.tool_point_coordinate_x, msg.tool_point_coordinate_y, msg.tool_point_coordinate_z)
     return Transform(rotation_from_quaternion(*parts), point)

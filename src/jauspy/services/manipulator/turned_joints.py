@@ -9,7 +9,7 @@ from jauspy.geometry.denavit_hartenberg import reversed_joint
 from jauspy.platform.joints import JointGroup, JointState, Target
 
 
-class TurnedJoints:
+class ReversedJoints:
     """A `JointGroup` over another one. `turned`: for each joint that moves, whether its axis points the other way."""
 
     def __init__(self, group: JointGroup, turned: Sequence[bool]) -> None:
