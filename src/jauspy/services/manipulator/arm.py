@@ -4,16 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from jauspy.geometry.denavit_hartenberg import DHLink, manipulator_geometry
 from jauspy.geometry.kinematics import KinematicState, forward_kinematics
 from jauspy.geometry.urdf import Joint
 from jauspy.platform.joints import ControlMode, JointGroup, JointState, Target
 from jauspy.platform.motion import ACCELERATION_TIME
-
-if TYPE_CHECKING:
-    from jauspy.services.manipulator.driver import ArmDriver
+from jauspy.services.service import Service
 
 POSITION_TOLERANCE: Final = 0.01
 """Radians or metres from a position at which it counts as reached."""
@@ -117,3 +115,27 @@ def _limited_target(target: Target, profile: MotionProfile) -> Target:
         acceleration=profile.acceleration,
         deceleration=profile.deceleration,
     )
+
+
+class ArmDriver(Service):
+    """Moves the joints, which it shares with the other driver services of its component; the newest command counts."""
+
+    def __init__(self, arm: Arm) -> None:
+        self.arm = arm
+
+    @property
+    def moves(self) -> bool:
+        """True while the joints follow the command of this very service."""
+        return self.arm.driver is self
+
+    def taken_over(self) -> None:
+        """Called when another driver's command, or a stop, ends what this one was doing."""
+
+    def stop_motion(self) -> None:
+        """Runs when Ready is left, for whatever reason (the JSIDL of most drivers names it)."""
+        self.arm.stop()
+
+    def control_lost(self) -> None:
+        """Another client's motion must not go on under a new one, which may not know of it."""
+        super().control_lost()
+        self.arm.stop()

@@ -5,8 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from jauspy.messages.manipulator import ReportCommandedEndEffectorVelocityState, SetEndEffectorVelocityState
-from jauspy.services.manipulator.arm import Arm
-from jauspy.services.manipulator.driver import ArmDriver
+from jauspy.services.manipulator.arm import Arm, ArmDriver
 from jauspy.services.manipulator.tool_motion import ToolMotion
 
 CONTROL_PERIOD: Final = 0.02

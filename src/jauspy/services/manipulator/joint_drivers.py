@@ -16,8 +16,7 @@ from jauspy.messages.manipulator import (
 )
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.services.completion import Completion
-from jauspy.services.manipulator.arm import Arm
-from jauspy.services.manipulator.driver import ArmDriver
+from jauspy.services.manipulator.arm import Arm, ArmDriver
 from jauspy.services.manipulator.values import (
     Choices,
     efforts,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from jauspy.messages.manipulator import ReportActiveElement
 from jauspy.services.core.list_manager import ListManager
-from jauspy.services.manipulator.driver import ArmDriver
+from jauspy.services.manipulator.arm import ArmDriver
 
 
 class ManipulatorListDriver(ArmDriver, urn="urn:jaus:jss:manipulator:ManipulatorListDriver"):

@@ -6,8 +6,7 @@ from collections.abc import Sequence
 
 from jauspy.messages.manipulator import ReportJointEffort, SetJointEffort
 from jauspy.platform.joints import ControlMode, Target
-from jauspy.services.manipulator.arm import Arm
-from jauspy.services.manipulator.driver import ArmDriver
+from jauspy.services.manipulator.arm import Arm, ArmDriver
 from jauspy.services.manipulator.values import percents
 from jauspy.services.percent import percent
 

@@ -8,17 +8,101 @@ more than the share, and the share more than the attitude, which an arm of few j
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from operator import mul
 from typing import TYPE_CHECKING, Final
 
 from jauspy.geometry.kinematics import InverseKinematics, KinematicState, forward_kinematics
 from jauspy.geometry.least_squares import bounded_least_squares
-from jauspy.geometry.vectors import Vector, scaled
-from jauspy.services.manipulator.pace import braking_speed, limited_change, scaled_to_speed
-from jauspy.services.manipulator.tool_line import ToolLine
+from jauspy.geometry.poses import Transform, rotation_vector
+from jauspy.geometry.vectors import Rotation, Vector, add, difference, dot, rotation_about, scaled
 
 if TYPE_CHECKING:
+    from jauspy.services.manipulator.arm import MotionProfile
+if TYPE_CHECKING:
     from jauspy.services.manipulator.arm import Arm
+
+METRES_PER_RADIAN: Final = 0.3
+"""Metres that a radian per second counts as, when the speed of a motion is measured."""
+MAX_LAG: Final = 0.02
+"""Metres or radians that the tool may fall behind before the pose waits for it."""
+
+
+class ToolLine:
+    """From `start` at `turning` rad/s and `moving` m/s, in the manipulator's coordinate system."""
+
+    def __init__(self, start: Transform, turning: Vector, moving: Vector) -> None:
+        self.turning, self.moving = turning, moving
+        self._pose = start
+
+    @property
+    def speed(self) -> float:
+        """Of moving and turning together, m/s."""
+        return math.hypot(*self.moving) + METRES_PER_RADIAN * math.hypot(*self.turning)
+
+    def further(self, distance: float) -> Transform:
+        """The pose when it will have moved on by so many metres."""
+        way = scaled(self.moving, distance / math.hypot(*self.moving))
+        return Transform(self._pose.rotation, add(self._pose.position, way))
+
+    def deviation(self, tool: Transform) -> tuple[Vector, Vector]:
+        """Radians that the tool has to turn, and metres that it has to move, to have the pose."""
+        return rotation_vector(tool.rotation, self._pose.rotation), difference(self._pose.position, tool.position)
+
+    def advance(self, now: KinematicState, rates: Sequence[float], dt: float) -> None:
+        """Go ahead as far as the tool does in `dt` seconds with these velocities of the joints, on a leash."""
+        turning, moving = now.velocity(rates)
+        time = dt * (_share(moving, self.moving) if any(self.moving) else _share(turning, self.turning))
+        position = add(self._pose.position, scaled(self.moving, time))
+        self._pose = Transform(_rotated_by(self._pose.rotation, scaled(self.turning, time)), position)
+        turn, way = self.deviation(now.tool)
+        tool = now.tool
+        self._pose = Transform(_rotated_by(tool.rotation, _limited(turn)), add(tool.position, _limited(way)))
+
+
+def _share(found: Vector, wanted: Vector) -> float:
+    square = dot(wanted, wanted)
+    return min(1.0, max(0.0, dot(found, wanted) / square)) if square else 0.0
+
+
+def _rotated_by(rotation: Rotation, turn: Vector) -> Rotation:
+    angle = math.hypot(*turn)
+    return (
+        (Transform(rotation_about(scaled(turn, 1.0 / angle), angle)) @ Transform(rotation)).rotation
+        if angle
+        else rotation
+    )
+
+
+def _limited(offset: Vector) -> Vector:
+    length = math.hypot(*offset)
+    return scaled(offset, MAX_LAG / length) if length > MAX_LAG else offset
+
+
+def scaled_to_speed(rates: Sequence[float], profiles: Sequence[MotionProfile]) -> list[float]:
+    """All as much slower as the one that is too fast needs to be."""
+    rows = zip(rates, profiles, strict=True)
+    share = min((1.0, *(profile.speed / abs(rate) for rate, profile in rows if abs(rate) > profile.speed)))
+    return [rate * share for rate in rates]
+
+
+def limited_change(
+    before: Sequence[float], after: Sequence[float], profiles: Sequence[MotionProfile], dt: float
+) -> list[float]:
+    """From velocities toward others, as far as each joint may change its own in `dt` seconds."""
+    share = 1.0
+    for old, new, profile in zip(before, after, profiles, strict=True):
+        most = (profile.deceleration if abs(new) < abs(old) else profile.acceleration) * dt
+        if abs(new - old) > most:
+            share = min(share, most / abs(new - old))
+    return [old + share * (new - old) for old, new in zip(before, after, strict=True)]
+
+
+def braking_speed(left: float, profile: MotionProfile, dt: float) -> float:
+    """The speed from which a joint can stop within what is left of its way, told every `dt` seconds."""
+    change = profile.deceleration * dt
+    return math.sqrt(change * change / 4.0 + 2.0 * profile.deceleration * max(0.0, left)) - change / 2.0
+
 
 ZERO: Final[Vector] = (0.0, 0.0, 0.0)
 SHARE_WEIGHT: Final = 0.1

@@ -9,8 +9,7 @@ from jauspy.geometry.kinematics import InverseKinematics, Solution
 from jauspy.geometry.poses import Transform, rotation_vector
 from jauspy.geometry.vectors import quaternion, rotation_from_quaternion
 from jauspy.messages.manipulator import ReportCommandedEndEffectorPose, SetEndEffectorPose
-from jauspy.services.manipulator.arm import Arm
-from jauspy.services.manipulator.driver import ArmDriver
+from jauspy.services.manipulator.arm import Arm, ArmDriver
 
 STEPS_PER_TURN: Final = 10
 """Steps of a search after which others have their turn: about two milliseconds for five joints."""
