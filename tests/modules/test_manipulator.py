@@ -26,7 +26,7 @@ from jauspy.messages.core import (
     SetEmergency,
     Standby,
 )
-from jauspy.services.manipulator.values import percents
+from jauspy.services.manipulator.joints import percents
 
 GOAL = (0.4, 1.2, -0.9, 0.3, -0.5)
 

@@ -23,7 +23,7 @@ from jauspy.messages.manipulator import (
     SetJointPositions,
 )
 from jauspy.ocu.robot import ComponentClient, Robot
-from jauspy.services.manipulator.values import positions
+from jauspy.services.manipulator.joints import positions
 
 RATE: Final = 20.0
 """Hz of the joints' positions."""

@@ -8,7 +8,7 @@ from jauspy.codec.base import Message
 from jauspy.messages.manipulator import ReportCommandedJointPositions, SetJointPositions
 from jauspy.services.core.list_driver import ListDriver
 from jauspy.services.manipulator.arm import ArmDriver
-from jauspy.services.manipulator.values import positions, read_positions, values
+from jauspy.services.manipulator.joints import positions, read_positions, values
 
 CHECK_PERIOD: Final = 0.05
 """Seconds between two looks at whether an element was reached."""

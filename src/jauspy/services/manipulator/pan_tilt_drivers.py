@@ -8,7 +8,7 @@ from jauspy.messages.manipulator import (
     SetPanTiltJointPositions,
     SetPanTiltJointVelocity,
 )
-from jauspy.services.manipulator.joint_drivers import JointDriver, PositionDriver
+from jauspy.services.manipulator.joints import JointDriver, PositionDriver
 
 
 class PanTiltJointPositionDriver(PositionDriver, urn="urn:jaus:jss:manipulator:PanTiltJointPositionDriver"):

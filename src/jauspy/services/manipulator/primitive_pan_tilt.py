@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from jauspy.messages.manipulator import ReportPanTiltJointEffort, SetPanTiltJointEffort
-from jauspy.services.manipulator.primitive_manipulator import EffortDriver
+from jauspy.services.manipulator.joints import EffortDriver
 
 
 class PrimitivePanTilt(EffortDriver, urn="urn:jaus:jss:manipulator:PrimitivePanTilt"):
