@@ -15,9 +15,8 @@ from jauspy.modules.description import robot_model
 from jauspy.modules.robots import load
 from jauspy.platform.kinematic_joints import KinematicJoints
 from jauspy.services.manipulator.arm import Arm
-from jauspy.services.manipulator.end_effector_velocity_state_driver import CONTROL_PERIOD
+from jauspy.services.manipulator.end_effector import CONTROL_PERIOD, STEPS_PER_TURN
 from jauspy.services.manipulator.tool_motion import ToolMotion
-from jauspy.services.manipulator.tool_pose_driver import STEPS_PER_TURN
 
 
 def timed(search: InverseKinematics) -> tuple[Solution, list[float]]:

@@ -9,8 +9,8 @@ from jauspy.messages.manipulator import (
     SetPanTiltMotionProfile,
 )
 from jauspy.services.manipulator.arm import MotionProfile
-from jauspy.services.manipulator.motion_profile import limited_profile
 from jauspy.services.manipulator.pan_tilt import PanTilt
+from jauspy.services.manipulator.specification import limited_profile
 from jauspy.services.service import Service
 
 

@@ -5,8 +5,15 @@ from __future__ import annotations
 from jauspy.geometry.denavit_hartenberg import DHLink
 from jauspy.geometry.poses import JAUS_FROM_REP_103, Transform
 from jauspy.geometry.vectors import quaternion
-from jauspy.messages.manipulator import ManipulatorCoordinateSystemRec, ReportManipulatorSpecifications
-from jauspy.services.manipulator.arm import Arm
+from jauspy.messages.manipulator import (
+    ManipulatorCoordinateSystemRec,
+    ReportJointMotionProfile,
+    ReportManipulatorSpecifications,
+    ReportToolOffset,
+    SetJointMotionProfile,
+    SetToolOffset,
+)
+from jauspy.services.manipulator.arm import Arm, MotionProfile
 from jauspy.services.service import Service
 
 
@@ -72,3 +79,67 @@ def _prismatic(link: DHLink) -> ReportManipulatorSpecifications.PrismaticJointSp
         joint.velocity,
         joint.effort,
     )
+
+
+class JointMotionProfile(Service, urn="urn:jaus:jss:manipulator:ManipulatorJointMotionProfile"):
+    """rad/s and rad/s^2, or m/s and m/s^2. Never beyond what the joints allow; they count from the next command on."""
+
+    def __init__(self, arm: Arm) -> None:
+        self._arm = arm
+
+    def motion_profile_exists(self) -> bool:
+        """There always is one: the joints' own limits, until a client sets others."""
+        return True
+
+    def set_joint_motion_profile(self, msg: SetJointMotionProfile) -> None:
+        """Ignored, and counted, unless there is a profile of the right kind for each joint."""
+        records, links = msg.joint_motion_profile_list, self._arm.geometry.links
+        revolute = [isinstance(record, SetJointMotionProfile.RevoluteJointMotionProfileRec) for record in records]
+        if revolute != [link.is_revolute for link in links]:
+            self.host.count("wrong_joints", f"{msg}")
+            return
+        self._arm.profiles = tuple(
+            limited_profile(
+                MotionProfile(r.joint_max_speed, r.joint_max_acceleration_rate, r.joint_max_deceleration_rate),
+                MotionProfile.of(link.joint),
+            )
+            for r, link in zip(records, links, strict=True)
+        )
+
+    def report_joint_motion_profile(self) -> ReportJointMotionProfile:
+        """What counts now."""
+        rows = zip(self._arm.profiles, self._arm.geometry.links, strict=True)
+        return ReportJointMotionProfile([_record(profile, link) for profile, link in rows])
+
+
+def limited_profile(profile: MotionProfile, most: MotionProfile) -> MotionProfile:
+    """A profile that the joint can follow; zero would mean never to move, and counts as no wish."""
+    return MotionProfile(
+        min(profile.speed or most.speed, most.speed),
+        min(profile.acceleration or most.acceleration, most.acceleration),
+        min(profile.deceleration or most.deceleration, most.deceleration),
+    )
+
+
+def _record(
+    profile: MotionProfile, link: DHLink
+) -> ReportJointMotionProfile.RevoluteJointMotionProfileRec | ReportJointMotionProfile.PrismaticJointMotionProfileRec:
+    values = (profile.speed, profile.acceleration, profile.deceleration)
+    if link.is_revolute:
+        return ReportJointMotionProfile.RevoluteJointMotionProfileRec(*values)
+    return ReportJointMotionProfile.PrismaticJointMotionProfileRec(*values)
+
+
+class ToolOffset(Service, urn="urn:jaus:jss:manipulator:ManipulatorToolOffsetService"):
+    """Metres in the last joint's frame; at first where the description has the tool."""
+
+    def __init__(self, arm: Arm) -> None:
+        self._arm = arm
+
+    def set_tool_offset(self, msg: SetToolOffset) -> None:
+        """Sensors and drivers of the end effector speak of this point from now on."""
+        self._arm.tool = (msg.tool_point_coordinate_x, msg.tool_point_coordinate_y, msg.tool_point_coordinate_z)
+
+    def report_tool_offset(self) -> ReportToolOffset:
+        """The tool point."""
+        return ReportToolOffset(*self._arm.tool)
