@@ -2,13 +2,60 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 
-from jauspy.geometry.denavit_hartenberg import pan_tilt_frame, reversed_axes
+from jauspy.geometry.denavit_hartenberg import pan_tilt_frame, reversed_axes, reversed_joint
 from jauspy.geometry.poses import JAUS_FROM_REP_103, Transform
-from jauspy.platform.joints import JointGroup
-from jauspy.services.manipulator.arm import Arm
-from jauspy.services.manipulator.turned_joints import ReversedJoints
+from jauspy.geometry.vectors import quaternion
+from jauspy.messages.manipulator import (
+    ReportCommandedPanTiltJointPositions,
+    ReportCommandedPanTiltJointVelocity,
+    ReportPanTiltJointEffort,
+    ReportPanTiltJointPositions,
+    ReportPanTiltJointVelocity,
+    ReportPanTiltMotionProfile,
+    ReportPanTiltSpecifications,
+    SetPanTiltJointEffort,
+    SetPanTiltJointPositions,
+    SetPanTiltJointVelocity,
+    SetPanTiltMotionProfile,
+)
+from jauspy.platform.joints import JointGroup, JointState, Target
+from jauspy.services.manipulator.arm import Arm, MotionProfile
+from jauspy.services.manipulator.joints import EffortDriver, JointDriver, PositionDriver
+from jauspy.services.manipulator.specification import limited_profile
+from jauspy.services.service import Service
+
+
+class ReversedJoints:
+    """A `JointGroup` over another one. `turned`: for each joint that moves, whether its axis points the other way."""
+
+    def __init__(self, group: JointGroup, turned: Sequence[bool]) -> None:
+        self._group = group
+        self._signs = tuple(-1.0 if each else 1.0 for each in turned)
+        names = {joint.name for joint, each in zip(group.joints, turned, strict=True) if each}
+        self.joints = tuple(reversed_joint(joint) if joint.name in names else joint for joint in group.joints)
+        """The joints that move, base to tip."""
+        self.chain = tuple(reversed_joint(joint) if joint.name in names else joint for joint in group.chain)
+        """All joints from base to tip, fixed ones included."""
+
+    def command(self, targets: Sequence[Target | None]) -> None:
+        """What each joint is to do from now on, base to tip; None leaves a joint at what it does."""
+        rows = zip(targets, self._signs, strict=True)
+        self._group.command([target and replace(target, value=sign * target.value) for target, sign in rows])
+
+    def hold(self) -> None:
+        """Stop, and hold the present positions."""
+        self._group.hold()
+
+    def state(self) -> JointState:
+        """Positions, velocities and efforts after the last step."""
+        state = self._group.state()
+        return JointState(*(self._signed(values) for values in (state.positions, state.velocities, state.efforts)))
+
+    def _signed(self, values: tuple[float, ...]) -> tuple[float, ...]:
+        return tuple(sign * value for sign, value in zip(self._signs, values, strict=True))
 
 
 class PanTilt(Arm):
@@ -28,3 +75,122 @@ class PanTilt(Arm):
     def coordinate_system(self) -> Transform:
         """In the vehicle's frame (JAUS's axes): z along pan, y along tilt, x ahead; where the two axes are closest."""
         return JAUS_FROM_REP_103 @ self._mount() @ self._frame
+
+
+class PanTiltJointPositionDriver(PositionDriver, urn="urn:jaus:jss:manipulator:PanTiltJointPositionDriver"):
+    """Radians, positive to the right and upwards; angles beyond a joint's limits are limited."""
+
+    def pan_tilt_motion_profile_exists(self) -> bool:
+        """There always is one: the joints' own limits, until a client sets others."""
+        return self.motion_profile_exists()
+
+    def set_pan_tilt_joint_efforts(self, msg: SetPanTiltJointPositions) -> None:
+        """Look there. The standard's definition gives the action this name."""
+        self.go([msg.joint1_position, msg.joint2_position])
+
+    def report_commanded_pan_tilt_joint_positions(self) -> ReportCommandedPanTiltJointPositions:
+        """What was commanded, while it holds; else where the unit looks."""
+        return ReportCommandedPanTiltJointPositions(*(self.commanded or self.arm.state().positions))
+
+
+class PanTiltJointVelocityDriver(JointDriver, urn="urn:jaus:jss:manipulator:PanTiltJointVelocityDriver"):
+    """rad/s, positive to the right and upwards; a joint stops at its limit."""
+
+    def pan_tilt_motion_profile_exists(self) -> bool:
+        """There always is one: the joints' own limits, until a client sets others."""
+        return self.motion_profile_exists()
+
+    def set_pan_tilt_joint_velocity(self, msg: SetPanTiltJointVelocity) -> None:
+        """Turn like that until the next command."""
+        found = [msg.joint1_velocity, msg.joint2_velocity]
+        self.arm.at_velocities(self, found)
+        self.commanded = found
+
+    def report_commanded_pan_tilt_joint_velocity(self) -> ReportCommandedPanTiltJointVelocity:
+        """What was commanded, while it holds; else zero."""
+        return ReportCommandedPanTiltJointVelocity(*(self.commanded or (0.0, 0.0)))
+
+
+class PanTiltMotionProfile(Service, urn="urn:jaus:jss:manipulator:PanTiltMotionProfileService"):
+    """rad/s and rad/s^2. Never beyond what the joints allow; they count from the next command on."""
+
+    def __init__(self, unit: PanTilt) -> None:
+        self._unit = unit
+
+    def pan_tilt_motion_profile_exists(self) -> bool:
+        """There always is one: the joints' own limits, until a client sets others."""
+        return True
+
+    def set_pan_tilt_motion_profile(self, msg: SetPanTiltMotionProfile) -> None:
+        """From the next command on."""
+        pan = MotionProfile(msg.joint1_max_speed, msg.joint1_max_acceleration_rate, msg.joint1_max_deceleration_rate)
+        tilt = MotionProfile(msg.joint2_max_speed, msg.joint2_max_acceleration_rate, msg.joint2_max_deceleration_rate)
+        rows = zip((pan, tilt), self._unit.joints.joints, strict=True)
+        self._unit.profiles = tuple(limited_profile(profile, MotionProfile.of(joint)) for profile, joint in rows)
+
+    def report_pan_tilt_motion_profile(self) -> ReportPanTiltMotionProfile:
+        """What counts now."""
+        pan, tilt = ((each.speed, each.acceleration, each.deceleration) for each in self._unit.profiles)
+        return ReportPanTiltMotionProfile(*pan, *tilt)
+
+
+class PanTiltSpecification(Service, urn="urn:jaus:jss:manipulator:PanTiltSpecificationService"):
+    """Metres, radians and rad/s; the coordinate system as `PanTilt` has it."""
+
+    def __init__(self, unit: PanTilt) -> None:
+        self._unit = unit
+
+    def report_pan_tilt_specifications(self) -> ReportPanTiltSpecifications:
+        """Where it is on the vehicle now, and its limits."""
+        system, (pan, tilt) = self._unit.coordinate_system, self._unit.joints.joints
+        x, y, z = system.position
+        d, a, b, c = quaternion(system.rotation)
+        return ReportPanTiltSpecifications(
+            pan_tilt_coordinate_sys_x=x,
+            pan_tilt_coordinate_sys_y=y,
+            pan_tilt_coordinate_sys_z=z,
+            d_component_of_unit_quaternion_q=d,
+            a_component_of_unit_quaternion_q=a,
+            b_component_of_unit_quaternion_q=b,
+            c_component_of_unit_quaternion_q=c,
+            joint1_min_value=pan.lower,
+            joint1_max_value=pan.upper,
+            joint1_max_speed=pan.velocity,
+            joint2_min_value=tilt.lower,
+            joint2_max_value=tilt.upper,
+            joint2_max_speed=tilt.velocity,
+        )
+
+
+class PanTiltJointPositionSensor(Service, urn="urn:jaus:jss:manipulator:PanTiltJointPositionSensor"):
+    """Radians, positive to the right and upwards."""
+
+    def __init__(self, unit: PanTilt) -> None:
+        self._unit = unit
+
+    def report_pan_tilt_joint_positions(self) -> ReportPanTiltJointPositions:
+        """Where the unit looks."""
+        return ReportPanTiltJointPositions(*self._unit.state().positions)
+
+
+class PanTiltJointVelocitySensor(Service, urn="urn:jaus:jss:manipulator:PanTiltJointVelocitySensor"):
+    """rad/s, positive to the right and upwards."""
+
+    def __init__(self, unit: PanTilt) -> None:
+        self._unit = unit
+
+    def report_pan_tilt_joint_velocity(self) -> ReportPanTiltJointVelocity:
+        """How fast the unit turns."""
+        return ReportPanTiltJointVelocity(*self._unit.state().velocities)
+
+
+class PrimitivePanTilt(EffortDriver, urn="urn:jaus:jss:manipulator:PrimitivePanTilt"):
+    """Motors push with what they are told; a joint whose effort is zero is held where it is, as by a brake."""
+
+    def set_pan_tilt_joint_effort(self, msg: SetPanTiltJointEffort) -> None:
+        """Positive efforts pan to the right and tilt upwards."""
+        self.push([msg.joint1_effort, msg.joint2_effort])
+
+    def report_pan_tilt_joint_effort(self) -> ReportPanTiltJointEffort:
+        """The last commanded efforts, in percent; zero when they were stopped or another service moves the joints."""
+        return ReportPanTiltJointEffort(*self.efforts)

@@ -1,14 +1,31 @@
-"""ManipulatorJointPositionListDriver: through a list of positions of the joints (AS6057)."""
+"""ManipulatorListDriver: what the list drivers of a manipulator have in common (AS6057)."""
 
 from __future__ import annotations
 
 from typing import Any, Final
 
 from jauspy.codec.base import Message
-from jauspy.messages.manipulator import ReportCommandedJointPositions, SetJointPositions
+from jauspy.messages.manipulator import (
+    ReportActiveElement,
+    ReportCommandedJointPositions,
+    SetEndEffectorPose,
+    SetJointPositions,
+)
 from jauspy.services.core.list_driver import ListDriver
+from jauspy.services.core.list_manager import ListManager
 from jauspy.services.manipulator.arm import ArmDriver
+from jauspy.services.manipulator.end_effector import ToolPoseDriver, pose_of
 from jauspy.services.manipulator.joints import positions, read_positions, values
+
+
+class ManipulatorListDriver(ArmDriver, urn="urn:jaus:jss:manipulator:ManipulatorListDriver"):
+    """Says how far the list has been carried out; the services that inherit from it do that."""
+
+    def report_active_element(self) -> ReportActiveElement:
+        """The element that is being carried out, 0 for none."""
+        elements = self.host.service(ListManager)
+        return ReportActiveElement(element_uid=elements.active if elements else 0)
+
 
 CHECK_PERIOD: Final = 0.05
 """Seconds between two looks at whether an element was reached."""
@@ -73,3 +90,41 @@ class JointPositionListDriver(ArmDriver, ListDriver, urn="urn:jaus:jss:manipulat
     def _target(self) -> list[float] | None:
         message = self.elements.message(self.elements.active or next(iter(self.elements.list.order), 0))
         return self._read(message) if isinstance(message, SetJointPositions) else None
+
+
+class EndEffectorPoseListDriver(
+    ToolPoseDriver, ListDriver, urn="urn:jaus:jss:manipulator:ManipulatorEndEffectorPoseListDriver"
+):
+    """Its elements are SetEndEffectorPose messages; one that is out of reach ends the list."""
+
+    element_types = (SetEndEffectorPose,)
+
+    def read_element(self, content: Message | bytes) -> Message | None:
+        """A pose; None for one whose quaternion says nothing, so that it is refused."""
+        message = super().read_element(content)
+        return message if isinstance(message, SetEndEffectorPose) and pose_of(message) else None
+
+    def begin_element(self, uid: int, message: Message) -> None:  # noqa: ARG002 - the message says it all
+        """Go there."""
+        goal = pose_of(message) if isinstance(message, SetEndEffectorPose) else None
+        assert goal is not None
+        self.go(goal)
+
+    def reached(self, *, exactly: bool) -> None:  # noqa: ARG002 - as near as the arm can
+        """The next one."""
+        self.elements.done()
+
+    def end_elements(self) -> None:
+        """Hold."""
+        if self.moves:
+            self.arm.stop()
+
+    def taken_over(self) -> None:
+        """Another service moves the joints now, or nobody may: the list is not carried out any more."""
+        super().taken_over()
+        if self.elements.active:
+            self.elements.stop()
+
+    def execute_target_list(self, msg: Any) -> None:
+        """Start, or start over, from the element that is named."""
+        self.elements.execute(msg.element_uid)
