@@ -109,7 +109,7 @@ def test_the_motion_profile_holds() -> None:
     assert max(abs(rate) for rates in run.rates for rate in rates) <= 0.1 + 1e-9
     changes = [abs(b - a) for x, y in zip(run.rates, run.rates[1:], strict=False) for a, b in zip(x, y, strict=True)]
     assert max(changes) <= 0.4 * PERIOD + 1e-9
-    assert run.motion.is_over
+    assert run.motion.is_finished
 
 
 @pytest.mark.parametrize("moving", [(0.1, 0.0, 0.0), (0.3, 0.2, 0.1), (0.0, 0.0, 0.1), (1.0, 0.0, 0.0)])

@@ -1,4 +1,8 @@
-"""The base of the services that bring the tool to poses."""
+"""The services of the end effector: pose and velocity drivers, their sensors, and the gripper's efforts (AS6057).
+
+Poses and velocities are those of the tool point, with the attitude of the last joint's frame, in the manipulator's
+coordinate system: metres, radians, unit quaternions.
+"""
 
 from __future__ import annotations
 
@@ -28,93 +32,98 @@ from jauspy.services.percent import percent
 from jauspy.services.service import Service
 
 STEPS_PER_TURN: Final = 10
-"""Steps of a search after which others have their turn: about two milliseconds for five joints."""
+"""Steps of inverse kinematics at once: about two milliseconds for five joints."""
 SEARCH_PAUSE: Final = 0.005
-"""Seconds until it goes on."""
+"""Seconds between two parts of a search, in which the component handles other events."""
 CHECK_PERIOD: Final = 0.05
-"""Seconds between two looks at whether a pose was reached."""
+"""Seconds between two checks whether a pose is reached."""
 POSITION_TOLERANCE: Final = 0.001
-"""Metres from where the arm is to bring the tool at which it counts as there."""
+"""Metres from the pose that was found up to which it is reached."""
 ATTITUDE_TOLERANCE: Final = math.radians(0.5)
-"""Radians for the attitude."""
+"""Radians, for the attitude."""
 MIN_QUATERNION_NORM: Final = 0.01
-"""Length of a quaternion below which it says nothing: what is sent as zero arrives as some parts of a billion."""
+"""Norm below which a quaternion counts as zero; a zero arrives as some parts of a billion."""
+CONTROL_PERIOD: Final = 0.02
+"""Seconds between two velocity commands to the joints."""
+VELOCITY_RESOLUTION: Final = 1e-7
+"""rad/s or m/s below which a velocity counts as zero; zero lies between two steps of its field."""
+ZERO_VELOCITY: Final = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 class ToolPoseDriver(ArmDriver):
-    """Finds positions of the joints for a pose, and goes there within the motion profile.
+    """The base of drivers to poses: solves the inverse kinematics and moves the joints within the motion profile.
 
-    Each joint goes its own way; the arm does not know what stands in it. A pose whose point is out of reach is counted,
-    and the arm holds. Of attitudes that the arm cannot have the nearest is taken.
+    Joints move independently, without collision checks. A pose whose point is out of reach is counted, and the arm
+    holds. If the arm cannot take the attitude, the nearest is taken.
     """
 
     def __init__(self, arm: Arm) -> None:
         super().__init__(arm)
         self._goal: Transform | None = None
         self._search: InverseKinematics | None = None
-        self._next_turn = -math.inf
+        self._resume_at = -math.inf
 
     def go(self, goal: Transform) -> None:
-        """Bring the tool there, in the manipulator's coordinate system; what moved the arm until now ends.
+        """Move the tool to a pose; preempts the command before.
 
-        Commands may follow each other faster than searches end: the arm goes on to what the one before has found.
+        Commands may arrive faster than searches end: the arm moves on to what the search before has found.
         """
         arm, before = self.arm, self._search
-        arm.take(self)
+        arm.preempt_for(self)
         if before is not None and before.best.reaches_point:
             arm.to_positions(self, before.best.positions)
         self._goal = goal
         self._search = InverseKinematics(arm.geometry.links, arm.tool, goal, arm.state().positions, arm.limits)
-        if self.host.now >= self._next_turn:
-            self._seek()
+        if self.host.now >= self._resume_at:
+            self._search_on()
         else:
-            self.host.set_timer(self, self._next_turn, self._seek)
+            self.host.set_timer(self, self._resume_at, self._search_on)
 
     def reached(self, *, exactly: bool) -> None:
-        """Called when the tool is there; not `exactly` when the arm cannot have the attitude."""
+        """Called when the pose is reached; `exactly` is False if only its point is."""
         raise NotImplementedError(f"{type(self).__name__}.reached")
 
-    def taken_over(self) -> None:
-        """What was commanded does not hold any more."""
+    def on_preempted(self) -> None:
+        """Cancel the command."""
         self._goal = self._search = None
         self.host.cancel_timer(self)
 
     def report_commanded_end_effector_pose(self) -> ReportCommandedEndEffectorPose:
-        """What was commanded, by whichever of these services, while it holds; else where the tool is."""
+        """The commanded pose, of whichever pose driver moves the arm; else the present pose."""
         driver = self.arm.driver
         goal = driver._goal if isinstance(driver, ToolPoseDriver) else None  # noqa: SLF001 - of the same class
         tool = goal or self.arm.kinematic_state().tool
         return ReportCommandedEndEffectorPose(*tool.position, *quaternion(tool.rotation))
 
-    def _seek(self) -> None:
+    def _search_on(self) -> None:
         search, goal = self._search, self._goal
         if search is None or goal is None:
             return
         found = search.advance(STEPS_PER_TURN)
-        self._next_turn = self.host.now + SEARCH_PAUSE
+        self._resume_at = self.host.now + SEARCH_PAUSE
         if found is None:
-            self.host.set_timer(self, self._next_turn, self._seek)
+            self.host.set_timer(self, self._resume_at, self._search_on)
             return
         self._search = None
         if found.reaches_point:
             self.arm.to_positions(self, found.positions)
-            self._look(found, goal)
+            self._check(found, goal)
         else:
             self.host.count("out_of_reach", f"{goal.position}: {found.distance:.3f} m are missing")
             self.arm.stop()
 
-    def _look(self, found: Solution, goal: Transform) -> None:
+    def _check(self, found: Solution, goal: Transform) -> None:
         tool = self.arm.kinematic_state().tool
         distance = math.dist(goal.position, tool.position) - found.distance
         turn = math.hypot(*rotation_vector(tool.rotation, goal.rotation)) - found.angle
         if distance <= POSITION_TOLERANCE and turn <= ATTITUDE_TOLERANCE:
             self.reached(exactly=found.reaches_pose)
         else:
-            self.host.set_timer(self, self.host.now + CHECK_PERIOD, lambda: self._look(found, goal))
+            self.host.set_timer(self, self.host.now + CHECK_PERIOD, lambda: self._check(found, goal))
 
 
-def pose_of(msg: SetEndEffectorPose) -> Transform | None:
-    """Where the tool is to be, in the manipulator's coordinate system; None when the quaternion has no direction."""
+def commanded_pose(msg: SetEndEffectorPose) -> Transform | None:
+    """The pose of a command; None if the quaternion is zero."""
     parts = (
         msg.d_component_of_unit_quaternion_q,
         msg.a_component_of_unit_quaternion_q,
@@ -128,23 +137,16 @@ def pose_of(msg: SetEndEffectorPose) -> Transform | None:
 
 
 class EndEffectorPoseDriver(ToolPoseDriver, urn="urn:jaus:jss:manipulator:ManipulatorEndEffectorPoseDriver"):
-    """Metres and a quaternion in the manipulator's coordinate system, as EndEffectorPoseSensor reports them.
-
-    A command has been carried out when the tool has the pose; one for an attitude that the arm cannot have is done as
-    far as it can be, and counts as not carried out.
+    """A command is completed when the tool has the pose, and fails if the arm cannot take the attitude.
     """
 
     def __init__(self, arm: Arm) -> None:
         super().__init__(arm)
         self._command = Completion()
 
-    def motion_profile_exists(self) -> bool:
-        """There always is one: the joints' own limits, until a client sets others."""
-        return True
-
     def set_end_effector_pose(self, msg: SetEndEffectorPose) -> None:
-        """Go there; ignored, and counted, when the quaternion says nothing."""
-        command, goal = self.host.begin_command(), pose_of(msg)
+        """Move to the pose; ignored, and counted, if the quaternion is zero."""
+        command, goal = self.host.begin_command(), commanded_pose(msg)
         if goal is None:
             self.host.count("no_attitude", f"{msg}")
             command(False)
@@ -154,29 +156,21 @@ class EndEffectorPoseDriver(ToolPoseDriver, urn="urn:jaus:jss:manipulator:Manipu
         self.go(goal)
 
     def reached(self, *, exactly: bool) -> None:
-        """Tell who waits for it."""
+        """Complete the command."""
         self._command(exactly)
 
-    def taken_over(self) -> None:
-        """It will not be carried out any more."""
-        super().taken_over()
+    def on_preempted(self) -> None:
+        """The command has failed."""
+        super().on_preempted()
         self._command(False)
-
-
-CONTROL_PERIOD: Final = 0.02
-"""Seconds between two looks at where the tool is, and new velocities of the joints."""
-VELOCITY_RESOLUTION: Final = 1e-7
-"""rad/s or m/s below which a velocity was meant to be zero, which lies between two steps of its field."""
-ZERO_VELOCITY: Final = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 class EndEffectorVelocityStateDriver(
     ArmDriver, urn="urn:jaus:jss:manipulator:ManipulatorEndEffectorVelocityStateDriver"
 ):
-    """rad/s and m/s in the manipulator's coordinate system, as EndEffectorVelocityStateSensor reports them.
+    """rad/s and m/s. The whole motion is slowed down where a joint would exceed its motion profile.
 
-    Within the motion profile: what would be too fast for a joint is slower as a whole. At the end of its reach the tool
-    stops on its line.
+    At the end of its reach the tool stops on its line.
     """
 
     def __init__(self, arm: Arm) -> None:
@@ -184,47 +178,43 @@ class EndEffectorVelocityStateDriver(
         self._commanded = ZERO_VELOCITY
         self._motion: ToolMotion | None = None
 
-    def motion_profile_exists(self) -> bool:
-        """There always is one: the joints' own limits, until a client sets others."""
-        return True
-
     def set_end_effector_velocity_state(self, msg: SetEndEffectorVelocityState) -> None:
-        """Move like that until the next command."""
-        turning = (
+        """Move at this velocity until the next command."""
+        angular = (
             _velocity(msg.angular_velocity_component_x),
             _velocity(msg.angular_velocity_component_y),
             _velocity(msg.angular_velocity_component_z),
         )
-        moving = (
+        linear = (
             _velocity(msg.linear_velocity_component_x),
             _velocity(msg.linear_velocity_component_y),
             _velocity(msg.linear_velocity_component_z),
         )
-        self.arm.take(self)
-        self._commanded = (*turning, *moving)
+        self.arm.preempt_for(self)
+        self._commanded = (*angular, *linear)
         if self._motion is not None:
-            self._motion.follow(turning, moving)  # at the next look, however many commands come until then
+            self._motion.follow(angular, linear)  # from the next control period on
             return
         self._motion = ToolMotion(self.arm)
-        self._motion.follow(turning, moving)
-        self.every(CONTROL_PERIOD, self._look)
-        self._look()
+        self._motion.follow(angular, linear)
+        self.every(CONTROL_PERIOD, self._move)
+        self._move()
 
-    def taken_over(self) -> None:
-        """What was commanded does not hold any more."""
+    def on_preempted(self) -> None:
+        """Cancel the command."""
         self._commanded, self._motion = ZERO_VELOCITY, None
-        self.host.cancel_timer(self._look)
+        self.host.cancel_timer(self._move)
 
     def report_commanded_end_effector_velocity_state(self) -> ReportCommandedEndEffectorVelocityState:
-        """What was commanded, while it holds; else zero."""
+        """The command, while it is carried out; else zero."""
         return ReportCommandedEndEffectorVelocityState(*self._commanded)
 
-    def _look(self) -> None:
+    def _move(self) -> None:
         motion = self._motion
         if motion is None:
             return
         self.arm.at_velocities(self, motion.rates(CONTROL_PERIOD))
-        if motion.is_over:
+        if motion.is_finished:
             self.arm.stop()
 
 
@@ -233,7 +223,7 @@ def _velocity(value: float) -> float:
 
 
 class EndEffectorPoseSensor(Service, urn="urn:jaus:jss:manipulator:ManipulatorEndEffectorPoseSensor"):
-    """Metres and a quaternion in the manipulator's coordinate system."""
+    """The pose of the tool."""
 
     def __init__(self, arm: Arm) -> None:
         self._arm = arm
@@ -245,19 +235,19 @@ class EndEffectorPoseSensor(Service, urn="urn:jaus:jss:manipulator:ManipulatorEn
 
 
 class EndEffectorVelocityStateSensor(Service, urn="urn:jaus:jss:manipulator:ManipulatorEndEffectorVelocityStateSensor"):
-    """rad/s and m/s in the manipulator's coordinate system."""
+    """The velocity of the tool, rad/s and m/s."""
 
     def __init__(self, arm: Arm) -> None:
         self._arm = arm
 
     def report_end_effector_velocity_state(self) -> ReportEndEffectorVelocityState:
-        """How the tool point moves, and how the last link turns: each joint adds its part."""
-        turning, moving = self._arm.kinematic_state().velocity(self._arm.state().velocities)
-        return ReportEndEffectorVelocityState(*turning, *moving)
+        """Jacobian times joint velocities."""
+        angular, linear = self._arm.kinematic_state().velocity(self._arm.state().velocities)
+        return ReportEndEffectorVelocityState(*angular, *linear)
 
 
 class PrimitiveEndEffector(Service, urn="urn:jaus:jss:manipulator:PrimitiveEndEffector"):
-    """Positive efforts close the gripper, negative ones open it; zero holds it as it is."""
+    """Open-loop effort of a gripper in percent: positive closes, negative opens, zero holds."""
 
     def __init__(self, gripper: JointGroup, manipulator: JausID) -> None:
         self._gripper = gripper
@@ -265,7 +255,7 @@ class PrimitiveEndEffector(Service, urn="urn:jaus:jss:manipulator:PrimitiveEndEf
         self._effort = 0.0
 
     def set_end_effector_effort(self, msg: SetEndEffectorEffort) -> None:
-        """Reached only in Ready, from the controlling client; the fingers' joints count from closed to open."""
+        """Apply the effort until the next command; the joints of the fingers count from closed to open."""
         self._effort = percent(msg.end_effector_effort)
         if not self._effort:
             self._gripper.hold()
@@ -274,7 +264,7 @@ class PrimitiveEndEffector(Service, urn="urn:jaus:jss:manipulator:PrimitiveEndEf
         self._gripper.command([Target(ControlMode.EFFORT, share * joint.effort) for joint in self._gripper.joints])
 
     def report_end_effector_effort(self) -> ReportEndEffectorEffort:
-        """The last commanded effort, in percent."""
+        """The commanded effort, in percent."""
         return ReportEndEffectorEffort(self._effort)
 
     def report_end_effector_specification(self) -> ReportEndEffectorSpecification:
@@ -282,12 +272,12 @@ class PrimitiveEndEffector(Service, urn="urn:jaus:jss:manipulator:PrimitiveEndEf
         return ReportEndEffectorSpecification(int(self._manipulator))
 
     def control_lost(self) -> None:
-        """What moves, stops."""
+        """Stop opening."""
         super().control_lost()
         self.stop()
 
     def stop(self) -> None:
-        """Stop opening; what is grasped stays grasped. Twice is fine."""
+        """Stop opening; a gripper that closes keeps its grasp. May be called twice."""
         if self._effort < 0.0:
             self._effort = 0.0
             self._gripper.hold()
