@@ -137,8 +137,7 @@ def commanded_pose(msg: SetEndEffectorPose) -> Transform | None:
 
 
 class EndEffectorPoseDriver(ToolPoseDriver, urn="urn:jaus:jss:manipulator:ManipulatorEndEffectorPoseDriver"):
-    """A command is completed when the tool has the pose, and fails if the arm cannot take the attitude.
-    """
+    """A command is completed when the tool has the pose, and fails if the arm cannot take the attitude."""
 
     def __init__(self, arm: Arm) -> None:
         super().__init__(arm)

@@ -14,51 +14,51 @@ from jauspy.messages.manipulator import (
 from jauspy.services.core.list_driver import ListDriver
 from jauspy.services.core.list_manager import ListManager
 from jauspy.services.manipulator.arm import ArmDriver
-from jauspy.services.manipulator.end_effector import ToolPoseDriver, pose_of
-from jauspy.services.manipulator.joints import positions, read_positions, values
+from jauspy.services.manipulator.end_effector import ToolPoseDriver, commanded_pose
+from jauspy.services.manipulator.joints import joint_values, position_records, read_positions
 
 
 class ManipulatorListDriver(ArmDriver, urn="urn:jaus:jss:manipulator:ManipulatorListDriver"):
-    """Says how far the list has been carried out; the services that inherit from it do that."""
+    """Reports the active element; services that inherit from it execute the list."""
 
     def report_active_element(self) -> ReportActiveElement:
-        """The element that is being carried out, 0 for none."""
+        """The active element, 0 for none."""
         elements = self.host.service(ListManager)
         return ReportActiveElement(element_uid=elements.active if elements else 0)
 
 
 CHECK_PERIOD: Final = 0.05
-"""Seconds between two looks at whether an element was reached."""
+"""Seconds between two checks whether an element is reached."""
 _LIST_TIMER: Final = "joint position list"
 
 
 class JointPositionListDriver(ArmDriver, ListDriver, urn="urn:jaus:jss:manipulator:ManipulatorJointPositionListDriver"):
-    """Its elements are SetJointPositions messages; each is gone to within the motion profile."""
+    """Its elements are SetJointPositions messages."""
 
     element_types = (SetJointPositions,)
 
     def begin_element(self, uid: int, message: Message) -> None:  # noqa: ARG002 - the message says it all
-        """Go there; an element that does not fit the joints is counted and passed over."""
+        """Move to the positions; an element that does not match the joints is counted and skipped."""
         found = self._read(message)
         if found is None:
             self.host.count("wrong_joints", f"{message}")
             self.elements.done()
             return
         self.arm.to_positions(self, found)
-        self.host.set_timer(_LIST_TIMER, self.host.now + CHECK_PERIOD, self._look)
+        self.host.set_timer(_LIST_TIMER, self.host.now + CHECK_PERIOD, self._check)
 
     def end_elements(self) -> None:
-        """Hold."""
+        """Hold, if this service moves the joints."""
         self.host.cancel_timer(_LIST_TIMER)
-        if self.moves:
+        if self.is_moving:
             self.arm.stop()
 
-    def taken_over(self) -> None:
-        """Another service moves the joints now, or nobody may: the list is not carried out any more."""
+    def on_preempted(self) -> None:
+        """Stop the list."""
         if self.elements.active:
             self.elements.stop()
 
-    def _look(self) -> None:
+    def _check(self) -> None:
         message = self.elements.message(self.elements.active)
         found = self._read(message) if message is not None else None
         if found is None:
@@ -66,26 +66,28 @@ class JointPositionListDriver(ArmDriver, ListDriver, urn="urn:jaus:jss:manipulat
         if self.arm.is_at(found):
             self.elements.done()
         else:
-            self.host.set_timer(_LIST_TIMER, self.host.now + CHECK_PERIOD, self._look)
+            self.host.set_timer(_LIST_TIMER, self.host.now + CHECK_PERIOD, self._check)
 
     def _read(self, message: Message) -> list[float] | None:
         assert isinstance(message, SetJointPositions)
-        return values(read_positions(message.joint_position_list), self.arm.geometry.links)
+        return joint_values(read_positions(message.joint_position_list), self.arm.geometry.links)
 
     # --- actions, predicates, reports
 
     def execute_target_list(self, msg: Any) -> None:
-        """Start, or start over, from the element that is named."""
+        """Start, or restart, at the given element."""
         self.elements.execute(msg.element_uid)
 
     def target_exists(self) -> bool:
-        """There is an element to report."""
+        """True if there is an element to report."""
         return self._target() is not None
 
     def report_commanded_joint_positions(self) -> ReportCommandedJointPositions | None:
-        """The active element, else the list's first one."""
+        """The active element, else the first of the list."""
         found = self._target()
-        return None if found is None else ReportCommandedJointPositions(positions(found, self.arm.geometry.links))
+        return (
+            None if found is None else ReportCommandedJointPositions(position_records(found, self.arm.geometry.links))
+        )
 
     def _target(self) -> list[float] | None:
         message = self.elements.message(self.elements.active or next(iter(self.elements.list.order), 0))
@@ -95,36 +97,36 @@ class JointPositionListDriver(ArmDriver, ListDriver, urn="urn:jaus:jss:manipulat
 class EndEffectorPoseListDriver(
     ToolPoseDriver, ListDriver, urn="urn:jaus:jss:manipulator:ManipulatorEndEffectorPoseListDriver"
 ):
-    """Its elements are SetEndEffectorPose messages; one that is out of reach ends the list."""
+    """Its elements are SetEndEffectorPose messages; a pose out of reach ends the list."""
 
     element_types = (SetEndEffectorPose,)
 
     def read_element(self, content: Message | bytes) -> Message | None:
-        """A pose; None for one whose quaternion says nothing, so that it is refused."""
+        """The message; None, so that it is rejected, if its quaternion is zero."""
         message = super().read_element(content)
-        return message if isinstance(message, SetEndEffectorPose) and pose_of(message) else None
+        return message if isinstance(message, SetEndEffectorPose) and commanded_pose(message) else None
 
     def begin_element(self, uid: int, message: Message) -> None:  # noqa: ARG002 - the message says it all
-        """Go there."""
-        goal = pose_of(message) if isinstance(message, SetEndEffectorPose) else None
+        """Move to the pose."""
+        goal = commanded_pose(message) if isinstance(message, SetEndEffectorPose) else None
         assert goal is not None
         self.go(goal)
 
     def reached(self, *, exactly: bool) -> None:  # noqa: ARG002 - as near as the arm can
-        """The next one."""
+        """Go on with the next element."""
         self.elements.done()
 
     def end_elements(self) -> None:
-        """Hold."""
-        if self.moves:
+        """Hold, if this service moves the joints."""
+        if self.is_moving:
             self.arm.stop()
 
-    def taken_over(self) -> None:
-        """Another service moves the joints now, or nobody may: the list is not carried out any more."""
-        super().taken_over()
+    def on_preempted(self) -> None:
+        """Stop the list."""
+        super().on_preempted()
         if self.elements.active:
             self.elements.stop()
 
     def execute_target_list(self, msg: Any) -> None:
-        """Start, or start over, from the element that is named."""
+        """Start, or restart, at the given element."""
         self.elements.execute(msg.element_uid)

@@ -1,4 +1,4 @@
-"""ManipulatorSpecificationService: the manipulator's geometry and limits, out of its description (AS6057)."""
+"""What a manipulator is: specification of geometry and limits, motion profile, and tool offset (AS6057)."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from jauspy.services.service import Service
 
 
 class ManipulatorSpecification(Service, urn="urn:jaus:jss:manipulator:ManipulatorSpecificationService"):
-    """Lengths in metres, angles in radians; positions count from the axes of `denavit_hartenberg`."""
+    """Denavit-Hartenberg parameters and limits of the joints, metres and radians."""
 
     def __init__(self, arm: Arm) -> None:
         self._arm = arm
 
     def report_manipulator_specifications(self) -> ReportManipulatorSpecifications:
-        """The coordinate system is in the vehicle's frame: x forward, y right, z down."""
+        """With the manipulator's coordinate system in the vehicle's frame: x forward, y right, z down."""
         first, *others = self._arm.geometry.links
         names = [ReportManipulatorSpecifications.JointNameRec(link.joint.name[:255]) for link in (first, *others)]
         return ReportManipulatorSpecifications(
@@ -82,17 +82,17 @@ def _prismatic(link: DHLink) -> ReportManipulatorSpecifications.PrismaticJointSp
 
 
 class JointMotionProfile(Service, urn="urn:jaus:jss:manipulator:ManipulatorJointMotionProfile"):
-    """rad/s and rad/s^2, or m/s and m/s^2. Never beyond what the joints allow; they count from the next command on."""
+    """Limits of speed and acceleration, at most those of the joints; in force from the next command on."""
 
     def __init__(self, arm: Arm) -> None:
         self._arm = arm
 
     def motion_profile_exists(self) -> bool:
-        """There always is one: the joints' own limits, until a client sets others."""
+        """Always True: without a command the limits of the joints apply."""
         return True
 
     def set_joint_motion_profile(self, msg: SetJointMotionProfile) -> None:
-        """Ignored, and counted, unless there is a profile of the right kind for each joint."""
+        """Set the profiles; ignored, and counted, unless there is one of the right kind for each joint."""
         records, links = msg.joint_motion_profile_list, self._arm.geometry.links
         revolute = [isinstance(record, SetJointMotionProfile.RevoluteJointMotionProfileRec) for record in records]
         if revolute != [link.is_revolute for link in links]:
@@ -107,17 +107,17 @@ class JointMotionProfile(Service, urn="urn:jaus:jss:manipulator:ManipulatorJoint
         )
 
     def report_joint_motion_profile(self) -> ReportJointMotionProfile:
-        """What counts now."""
+        """The profiles in force."""
         rows = zip(self._arm.profiles, self._arm.geometry.links, strict=True)
         return ReportJointMotionProfile([_record(profile, link) for profile, link in rows])
 
 
-def limited_profile(profile: MotionProfile, most: MotionProfile) -> MotionProfile:
-    """A profile that the joint can follow; zero would mean never to move, and counts as no wish."""
+def limited_profile(profile: MotionProfile, limits: MotionProfile) -> MotionProfile:
+    """The profile limited to that of the joint; a zero, with which the joint would not move, means no limit."""
     return MotionProfile(
-        min(profile.speed or most.speed, most.speed),
-        min(profile.acceleration or most.acceleration, most.acceleration),
-        min(profile.deceleration or most.deceleration, most.deceleration),
+        min(profile.speed or limits.speed, limits.speed),
+        min(profile.acceleration or limits.acceleration, limits.acceleration),
+        min(profile.deceleration or limits.deceleration, limits.deceleration),
     )
 
 
@@ -131,13 +131,13 @@ def _record(
 
 
 class ToolOffset(Service, urn="urn:jaus:jss:manipulator:ManipulatorToolOffsetService"):
-    """Metres in the last joint's frame; at first where the description has the tool."""
+    """The tool point in the last joint's frame, metres; at first that of the URDF."""
 
     def __init__(self, arm: Arm) -> None:
         self._arm = arm
 
     def set_tool_offset(self, msg: SetToolOffset) -> None:
-        """Sensors and drivers of the end effector speak of this point from now on."""
+        """Use this point in the services of the end effector."""
         self._arm.tool = (msg.tool_point_coordinate_x, msg.tool_point_coordinate_y, msg.tool_point_coordinate_z)
 
     def report_tool_offset(self) -> ReportToolOffset:
