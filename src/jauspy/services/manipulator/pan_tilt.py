@@ -62,7 +62,7 @@ class ReversedJoints:
 
 
 class PanTilt(Arm):
-    """Two revolute joints at right angles: the first pans about z, which is down, the second tilts about y, to the right.
+    """Two revolute joints at right angles: the first pans about z (down), the second tilts about y (right).
 
     `mount` returns the present pose of the group's base link on the vehicle, both as in REP-103.
     """

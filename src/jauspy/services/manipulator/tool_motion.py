@@ -75,7 +75,7 @@ class ToolMotion:
         return escape or self._solve(now, DAMPING + (SINGULAR_DAMPING - DAMPING) * lack * lack, dt)
 
     def _escape(self) -> list[float] | None:
-        """Velocities to a pose further on the line, if one is found: at a singularity the Jacobian shows no way back."""
+        """Velocities to a pose further on the line, if there is one: a singular Jacobian shows no way back."""
         arm, positions = self._arm, self._arm.state().positions
         goal = self._line.ahead(LOOK_AHEAD)
         search = InverseKinematics(
@@ -131,7 +131,7 @@ def _isotropy(state: KinematicState) -> float:
 
 
 class ToolLine:
-    """A pose that moves on a straight line from `start`; `angular` rad/s and `linear` m/s in the manipulator's frame."""
+    """A pose that moves on a straight line from `start`; at `angular` rad/s and `linear` m/s."""
 
     def __init__(self, start: Transform, angular: Vector, linear: Vector) -> None:
         self.angular, self.linear = angular, linear
