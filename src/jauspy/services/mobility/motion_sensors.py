@@ -1,4 +1,4 @@
-"""VelocityStateSensor: how fast the platform moves and turns, in its own frame (AS6009)."""
+"""VelocityStateSensor and AccelerationStateSensor: the platform's motion in its own frame (AS6009)."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class VelocityStateSensor(Service, urn="urn:jaus:jss:mobility:VelocityStateSenso
         self._drive = vehicle.drive
 
     def report_velocity_state(self) -> ReportVelocityState:
-        """Everything that is measured; there is no estimate of the errors."""
+        """All fields but the errors (RMS), which are not estimated."""
         twist = jaus_twist(self._drive.twist())
         return ReportVelocityState(
             velocity_x=twist.vx,
@@ -38,7 +38,7 @@ class VelocityStateSensor(Service, urn="urn:jaus:jss:mobility:VelocityStateSenso
         )
 
     def report_velocity_state_ext(self) -> ReportVelocityStateExt:
-        """As `report_velocity_state`, always in the vehicle's frame, with the speed and the time since 1970."""
+        """As `report_velocity_state`, with speed over ground and epoch time; always in the vehicle's frame."""
         twist = jaus_twist(self._drive.twist())
         seconds, nanoseconds = epoch_seconds(self.host.utc_time)
         return ReportVelocityStateExt(
@@ -55,13 +55,13 @@ class VelocityStateSensor(Service, urn="urn:jaus:jss:mobility:VelocityStateSenso
 
 
 class AccelerationStateSensor(Service, urn="urn:jaus:jss:mobility:AccelerationStateSensor"):
-    """Accelerations (m/s^2, rad/s^2) in JAUS body axes, x forward, y right, z down; gravity is left out."""
+    """Accelerations (m/s^2, rad/s^2) without gravity in JAUS body axes: x forward, y right, z down."""
 
     def __init__(self, vehicle: Vehicle) -> None:
         self._drive = vehicle.drive
 
     def report_acceleration_state(self) -> ReportAccelerationState:
-        """Everything that is measured; there is no estimate of the errors."""
+        """All fields but the errors (RMS), which are not estimated."""
         acceleration = jaus_acceleration(self._drive.acceleration())
         return ReportAccelerationState(
             acceleration_x=acceleration.ax,
@@ -74,7 +74,7 @@ class AccelerationStateSensor(Service, urn="urn:jaus:jss:mobility:AccelerationSt
         )
 
     def report_acceleration_state_ext(self) -> ReportAccelerationStateExt:
-        """As `report_acceleration_state`, with the time since 1970."""
+        """As `report_acceleration_state`, with epoch time."""
         acceleration = jaus_acceleration(self._drive.acceleration())
         seconds, nanoseconds = epoch_seconds(self.host.utc_time)
         return ReportAccelerationStateExt(

@@ -1,4 +1,4 @@
-"""GlobalPoseSensor: where the platform is on the globe (AS6009)."""
+"""LocalPoseSensor and GlobalPoseSensor: the pose of the platform in the local frame and on the globe (AS6009)."""
 
 from __future__ import annotations
 
@@ -26,15 +26,15 @@ from jauspy.services.mobility.vehicle import Vehicle
 from jauspy.services.service import Service
 from jauspy.services.units import epoch_seconds, time_stamp
 
-MOVING: Final = 0.05
-"""m/s below which the direction of travel says nothing."""
+MIN_COURSE_SPEED: Final = 0.05
+"""m/s below which no course is reported."""
 
 
 class GlobalPoseSensor(Service, urn="urn:jaus:jss:mobility:GlobalPoseSensor"):
     """Latitude and longitude (degrees, WGS 84), altitude (m above its ellipsoid), heading (rad from true north), time.
 
     The vehicle needs an origin. The controlling client may set latitude, longitude, altitude and yaw; roll and pitch
-    are measured against gravity. The wider form has no altitude: none of its datums is known here.
+    are measured against gravity. The wide form has no altitude, since its datums are not supported.
     """
 
     def __init__(self, vehicle: Vehicle) -> None:
@@ -42,18 +42,18 @@ class GlobalPoseSensor(Service, urn="urn:jaus:jss:mobility:GlobalPoseSensor"):
         self._magnetic_variation = 0.0
 
     def attached(self) -> None:
-        """Check that there is an origin: `ConfigError` if not."""
+        """Raises `ConfigError` without an origin."""
         self._vehicle.global_frame()
 
     def _pose(self) -> GlobalPose:
         return self._vehicle.global_frame().from_world(self._vehicle.pose)
 
     def update_global_pose(self, msg: SetGlobalPose) -> None:
-        """The platform is, from now on, where the client says that it is; the local frame stays."""
+        """Move the global frame so that the platform has this pose; the local frame stays."""
         self._set(msg.latitude, msg.longitude, msg.altitude, msg.yaw)
 
     def update_global_pose_ext(self, msg: SetGlobalPoseExt) -> None:
-        """As `update_global_pose`; the datums of its height are not known here."""
+        """As `update_global_pose`, without the height, whose datums are not supported."""
         self._set(msg.latitude, msg.longitude, None, msg.heading)
 
     def _set(
@@ -64,15 +64,15 @@ class GlobalPoseSensor(Service, urn="urn:jaus:jss:mobility:GlobalPoseSensor"):
         self._vehicle.global_frame().set(self._vehicle.pose, shown)
 
     def update_geomagnetic_property(self, msg: SetGeomagneticProperty) -> None:
-        """Kept and reported; headings are true ones here, whatever a compass would say."""
+        """Keep the magnetic variation for reports; headings are true ones and do not change."""
         self._magnetic_variation = msg.magnetic_variation
 
     def report_geomagnetic_property(self) -> ReportGeomagneticProperty:
-        """As it was set, else zero."""
+        """The variation that was set; at first zero."""
         return ReportGeomagneticProperty(magnetic_variation=self._magnetic_variation)
 
     def report_global_pose(self) -> ReportGlobalPose:
-        """Everything that is measured; there is no estimate of the errors."""
+        """All fields but the errors (RMS), which are not estimated."""
         shown, attitude = self._pose(), self._vehicle.pose
         return ReportGlobalPose(
             latitude=shown.latitude,
@@ -85,7 +85,7 @@ class GlobalPoseSensor(Service, urn="urn:jaus:jss:mobility:GlobalPoseSensor"):
         )
 
     def report_global_pose_ext(self) -> ReportGlobalPoseExt:
-        """As `report_global_pose`, with the direction of travel while there is one, and the time since 1970."""
+        """As `report_global_pose`, with the course while the platform moves, and epoch time."""
         shown, attitude = self._pose(), self._vehicle.pose
         seconds, nanoseconds = epoch_seconds(self.host.utc_time)
         return ReportGlobalPoseExt(
@@ -101,7 +101,7 @@ class GlobalPoseSensor(Service, urn="urn:jaus:jss:mobility:GlobalPoseSensor"):
 
     def _course(self, heading: float) -> float | None:
         twist = jaus_twist(self._vehicle.drive.twist())
-        if math.hypot(twist.vx, twist.vy) < MOVING:
+        if math.hypot(twist.vx, twist.vy) < MIN_COURSE_SPEED:
             return None
         return wrap_angle(heading + math.atan2(twist.vy, twist.vx))
 
@@ -109,8 +109,8 @@ class GlobalPoseSensor(Service, urn="urn:jaus:jss:mobility:GlobalPoseSensor"):
 class LocalPoseSensor(Service, urn="urn:jaus:jss:mobility:LocalPoseSensor"):
     """Position (m), attitude (rad) and time.
 
-    The controlling client may set x, y, z and yaw; roll and pitch are measured against gravity and stay as they are.
-    The frame that is set is that of the drivers to local waypoints and along local vectors, too.
+    The controlling client may set x, y, z and yaw; roll and pitch are measured against gravity. Local waypoints and
+    vectors are in the same frame.
     """
 
     def __init__(self, vehicle: Vehicle) -> None:
@@ -118,15 +118,15 @@ class LocalPoseSensor(Service, urn="urn:jaus:jss:mobility:LocalPoseSensor"):
 
     @property
     def pose(self) -> Pose:
-        """The pose in JAUS axes, in the local frame as it was last set."""
+        """The pose in the local frame."""
         return self._vehicle.local_frame.from_world(self._vehicle.pose)
 
     def update_local_pose(self, msg: SetLocalPose) -> None:
-        """The platform is, from now on, where the client says that it is."""
+        """Move the local frame so that the platform has this pose."""
         self._set(msg.x, msg.y, msg.z, msg.yaw)
 
     def update_local_pose_ext(self, msg: SetLocalPoseExt) -> None:
-        """As `update_local_pose`; a height above some datum says nothing about z of the local frame."""
+        """As `update_local_pose`; a height above a datum is ignored."""
         z = msg.z_position
         local = z is not None and z.choice == ZPosition.Choice.Z_LOCAL
         self._set(msg.x, msg.y, z.value if z is not None and local else None, msg.heading)
@@ -137,7 +137,7 @@ class LocalPoseSensor(Service, urn="urn:jaus:jss:mobility:LocalPoseSensor"):
         self._vehicle.local_frame.set(self._vehicle.pose, shown)
 
     def report_local_pose(self) -> ReportLocalPose:
-        """Everything that is measured and can be said; there is no estimate of the errors."""
+        """All fields that fit, but the errors (RMS), which are not estimated."""
         pose = self.pose
         return ReportLocalPose(
             x=encodable(pose.x, MAX_XYZ),
@@ -150,7 +150,7 @@ class LocalPoseSensor(Service, urn="urn:jaus:jss:mobility:LocalPoseSensor"):
         )
 
     def report_local_pose_ext(self) -> ReportLocalPoseExt:
-        """As `report_local_pose`, with the time since 1970."""
+        """As `report_local_pose`, with epoch time."""
         pose = self.pose
         seconds, nanoseconds = epoch_seconds(self.host.utc_time)
         return ReportLocalPoseExt(

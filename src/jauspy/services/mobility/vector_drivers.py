@@ -1,4 +1,4 @@
-"""What LocalVectorDriver and GlobalVectorDriver have in common: a heading and a speed, kept until told otherwise."""
+"""LocalVectorDriver and GlobalVectorDriver: a heading and a speed, kept until the next command (AS6009)."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from jauspy.services.mobility.vehicle import Vehicle
 
 @dataclass(frozen=True, slots=True)
 class CommandedVector:
-    """m/s (negative backward) and radians, in the driver's frame; None for what a client leaves out."""
+    """Speed in m/s (negative backward), angles in radians in the driver's frame; None for what was not commanded."""
 
     speed: float = 0.0
     heading: float | None = None
@@ -34,9 +34,9 @@ class CommandedVector:
 
 
 class VectorDriver(Driver):
-    """Turns on the spot when it looks elsewhere, and then drives. Without a heading it keeps the one it has.
+    """Turns on the spot if the heading error is large, then drives. Without a heading, the present one is kept.
 
-    Height, roll and pitch are the ground's: they are reported as commanded, and otherwise ignored.
+    Height, roll and pitch are those of the ground: commanded values are reported, and ignored otherwise.
     """
 
     def __init__(self, vehicle: Vehicle) -> None:
@@ -44,32 +44,32 @@ class VectorDriver(Driver):
         self._vector = CommandedVector()
 
     def present_heading(self) -> float:
-        """Where the platform looks, in the driver's frame."""
+        """The heading of the platform in the driver's frame, rad."""
         raise NotImplementedError(f"{type(self).__name__}.present_heading")
 
     def heading_in_world(self, heading: float) -> Callable[[], float]:
-        """A heading of the driver's frame as the world's, whenever asked: the frame may be set meanwhile."""
+        """Converts a heading to the world, at each call, since the driver's frame may be set meanwhile."""
         raise NotImplementedError(f"{type(self).__name__}.heading_in_world")
 
     def drive_along(self, vector: CommandedVector) -> None:
-        """From now on."""
+        """Follow a vector until the next command."""
         heading = self.present_heading() if vector.heading is None else vector.heading
         course = VectorCourse(self.heading_in_world(heading), vector.speed, self.vehicle.chassis.max_turn_rate)
         self.vehicle.pilot.follow(self, course)
         self._vector = vector
 
     def on_preempted(self) -> None:
-        """The speed ends; the rest is remembered for reports."""
+        """The reported speed becomes zero."""
         self._vector = replace(self._vector, speed=0.0)
 
     @property
     def vector(self) -> CommandedVector:
-        """What was last commanded; its speed is zero when it was stopped or another service drives."""
+        """The last command; its speed is zero after a stop, and while another service drives."""
         return self._vector
 
 
 class GlobalVectorDriver(VectorDriver, urn="urn:jaus:jss:mobility:GlobalVectorDriver"):
-    """As LocalVectorDriver, clockwise from true north. The vehicle needs an origin."""
+    """Headings are clockwise from true north. The vehicle needs an origin."""
 
     def __init__(self, vehicle: Vehicle) -> None:
         super().__init__(vehicle)
@@ -78,25 +78,25 @@ class GlobalVectorDriver(VectorDriver, urn="urn:jaus:jss:mobility:GlobalVectorDr
         self._course: float | None = None
 
     def attached(self) -> None:
-        """Check that there is one: `ConfigError` if not."""
+        """Raises `ConfigError` without an origin."""
         super().attached()
         self.vehicle.global_frame()
 
     def present_heading(self) -> float:
-        """Where the platform looks, from true north."""
+        """The true heading, rad."""
         return self.vehicle.global_frame().from_world(self.vehicle.pose).heading
 
     def heading_in_world(self, heading: float) -> Callable[[], float]:
-        """A true heading, in the world."""
+        """From the global frame."""
         return lambda: self.vehicle.global_frame().heading_to_world(heading)
 
     def set_global_vector(self, msg: SetGlobalVector) -> None:
-        """Reached only in Ready, from the controlling client. A speed that is left out is zero."""
+        """A speed that is left out is zero."""
         self.drive_along(CommandedVector(msg.speed or 0.0, msg.heading, msg.roll, msg.pitch))
         self._altitude, self._z, self._course = msg.altitude, None, None
 
     def set_global_vector_ext(self, msg: SetGlobalVectorExt) -> None:
-        """As `set_global_vector`, with several kinds of speed and vertical datums."""
+        """As `set_global_vector`; ignored, and counted, for a speed that is not one over ground."""
         speed = self.usable_speed(msg)
         if speed is not None:
             heading = msg.course if msg.heading is None else msg.heading
@@ -104,7 +104,7 @@ class GlobalVectorDriver(VectorDriver, urn="urn:jaus:jss:mobility:GlobalVectorDr
             self._altitude, self._z, self._course = None, msg.z_position, msg.course
 
     def report_global_vector(self) -> ReportGlobalVector:
-        """What was commanded; the speed without its direction, which only the wider form has."""
+        """The command; its speed without direction, which only the wide form has."""
         vector = self.vector
         return ReportGlobalVector(
             speed=unsigned_speed(vector.speed),
@@ -115,7 +115,7 @@ class GlobalVectorDriver(VectorDriver, urn="urn:jaus:jss:mobility:GlobalVectorDr
         )
 
     def report_global_vector_ext(self) -> ReportGlobalVectorExt:
-        """What was commanded."""
+        """The command."""
         vector = self.vector
         return ReportGlobalVectorExt(
             speed=speed_over_ground(vector.speed),
@@ -128,7 +128,7 @@ class GlobalVectorDriver(VectorDriver, urn="urn:jaus:jss:mobility:GlobalVectorDr
 
 
 class LocalVectorDriver(VectorDriver, urn="urn:jaus:jss:mobility:LocalVectorDriver"):
-    """When the local frame is set on the way, the platform turns with it. A course is the heading: it cannot crab."""
+    """Headings are in the local frame; if it is set, the platform turns with it. A course is taken as a heading."""
 
     def __init__(self, vehicle: Vehicle) -> None:
         super().__init__(vehicle)
@@ -136,21 +136,21 @@ class LocalVectorDriver(VectorDriver, urn="urn:jaus:jss:mobility:LocalVectorDriv
         self._course: float | None = None
 
     def present_heading(self) -> float:
-        """Where the platform looks, in the local frame."""
+        """The heading in the local frame, rad."""
         return self.vehicle.local_frame.from_world(self.vehicle.pose).yaw
 
     def heading_in_world(self, heading: float) -> Callable[[], float]:
-        """A heading of the local frame, in the world."""
+        """From the local frame."""
         return lambda: self.vehicle.local_frame.heading_to_world(heading)
 
     def set_local_vector(self, msg: SetLocalVector) -> None:
-        """Reached only in Ready, from the controlling client."""
+        """Follow this vector until the next command."""
         self.drive_along(CommandedVector(msg.speed, msg.heading, msg.roll, msg.pitch))
         self._z = None if msg.z is None else ZPosition(ZPosition.Choice.Z_LOCAL, msg.z)
         self._course = None
 
     def set_local_vector_ext(self, msg: SetLocalVectorExt) -> None:
-        """As `set_local_vector`, with several kinds of speed and vertical datums."""
+        """As `set_local_vector`; ignored, and counted, for a speed that is not one over ground."""
         speed = self.usable_speed(msg)
         if speed is not None:
             heading = msg.course if msg.heading is None else msg.heading
@@ -158,7 +158,7 @@ class LocalVectorDriver(VectorDriver, urn="urn:jaus:jss:mobility:LocalVectorDriv
             self._z, self._course = msg.z_position, msg.course
 
     def report_local_vector(self) -> ReportLocalVector:
-        """What was commanded; the speed without its direction, which only the wider form has."""
+        """The command; its speed without direction, which only the wide form has."""
         vector = self.vector
         return ReportLocalVector(
             speed=unsigned_speed(vector.speed),
@@ -169,7 +169,7 @@ class LocalVectorDriver(VectorDriver, urn="urn:jaus:jss:mobility:LocalVectorDriv
         )
 
     def report_local_vector_ext(self) -> ReportLocalVectorExt:
-        """What was commanded."""
+        """The command."""
         vector = self.vector
         return ReportLocalVectorExt(
             speed=speed_over_ground(vector.speed),

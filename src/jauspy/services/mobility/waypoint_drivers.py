@@ -1,4 +1,4 @@
-"""What LocalWaypointDriver and GlobalWaypointDriver have in common: one waypoint, driven to once a speed is set."""
+"""LocalWaypointDriver and GlobalWaypointDriver: drive to one waypoint once a travel speed is set (AS6009)."""
 
 from __future__ import annotations
 
@@ -26,12 +26,12 @@ from jauspy.services.state_machine import CommandCompletion
 
 
 class WaypointFollower(Driver):
-    """Drives to waypoints at the pilot's travel speed."""
+    """The base of all waypoint drivers: drives to a waypoint at the pilot's travel speed."""
 
     uses_travel_speed = True
 
     def drive_to(self, waypoint: Waypoint, speed: float, *, is_last: bool) -> None:
-        """Set out for a waypoint; the robot stops there if it is the last one."""
+        """Start for a waypoint, at m/s, negative backward; the robot stops there if it is the last one."""
         vehicle = self.vehicle
         course = WaypointCourse(
             lambda: goal_of(vehicle, waypoint, is_last=is_last),
@@ -44,7 +44,7 @@ class WaypointFollower(Driver):
         vehicle.waypoint = waypoint
 
     def report_travel_speed(self) -> ReportTravelSpeed:
-        """Zero unless the platform is under way to a waypoint; without the direction, which only the wider form has."""
+        """Zero unless the platform drives to a waypoint; without direction, which only the wide form has."""
         return ReportTravelSpeed(speed=unsigned_speed(self.vehicle.pilot.travel_speed))
 
     def report_travel_speed_ext(self) -> ReportTravelSpeedExt:
@@ -53,14 +53,14 @@ class WaypointFollower(Driver):
 
 
 def goal_of(vehicle: Vehicle, waypoint: Waypoint, *, is_last: bool) -> Goal:
-    """Where a waypoint lies in the world as its frame is now."""
+    """A waypoint in the world, as its frame is set now."""
     attitude = waypoint.attitude
-    point, heading = _placed(vehicle, waypoint)
+    point, heading = _point_and_heading(vehicle, waypoint)
     tolerance = DEFAULT_TOLERANCE if attitude.tolerance is None else attitude.tolerance
     return Goal(point, heading, tolerance, attitude.path_tolerance, is_last)
 
 
-def _placed(vehicle: Vehicle, waypoint: Waypoint) -> tuple[PlanarPoint, float | None]:
+def _point_and_heading(vehicle: Vehicle, waypoint: Waypoint) -> tuple[PlanarPoint, float | None]:
     yaw = waypoint.attitude.yaw
     if isinstance(waypoint, LocalWaypoint):
         frame = vehicle.local_frame
@@ -70,10 +70,10 @@ def _placed(vehicle: Vehicle, waypoint: Waypoint) -> tuple[PlanarPoint, float | 
 
 
 class WaypointDriver(WaypointFollower):
-    """The waypoint may be set before Ready. A new one on the way keeps the speed; reaching it ends the drive.
+    """The waypoint may be set before Ready. A new waypoint on the way keeps the speed; at the waypoint the drive ends.
 
-    Of two such drivers in a component the one that was given its waypoint last is meant by SetTravelSpeed.
-    The command that set out, or last changed the drive, has been carried out when the waypoint is reached.
+    SetTravelSpeed starts that driver of a component whose waypoint was set last. The command that started the drive,
+    or last changed it, is completed when the waypoint is reached.
     """
 
     def __init__(self, vehicle: Vehicle) -> None:
@@ -81,7 +81,7 @@ class WaypointDriver(WaypointFollower):
         self._command = CommandCompletion()
 
     def waypoint_exists(self, msg: Any) -> bool:
-        """To drive: a waypoint that this client has set. To report: any of this kind that was set or driven to."""
+        """For a command: this client has set a waypoint. For a query: any of this kind was set or driven to."""
         if msg.IS_COMMAND:
             return self.vehicle.goal is not None and self.accepts(self.vehicle.goal)
         return self.accepts(self.vehicle.waypoint)
@@ -91,13 +91,13 @@ class WaypointDriver(WaypointFollower):
         raise NotImplementedError(f"{type(self).__name__}.is_mine")
 
     def set_target(self, waypoint: Waypoint) -> None:
-        """Drive here next, or now when this driver is under way."""
+        """Keep the waypoint; if this driver is driving, drive to it at once."""
         self.vehicle.goal = self.vehicle.waypoint = waypoint
         if self.is_driving:
             self._start(waypoint, self.vehicle.pilot.travel_speed)
 
     def set_travel_speed(self, msg: Any) -> None:
-        """Set out for the waypoint, or go on faster or slower; zero waits."""
+        """Start for the waypoint, or change the speed; zero waits."""
         speed, goal = self.usable_speed(msg), self.vehicle.goal
         if speed is None or goal is None:
             return
@@ -106,88 +106,88 @@ class WaypointDriver(WaypointFollower):
             return
         self.vehicle.pilot.travel_speed = speed
         if speed:
-            self._begin()
+            self._begin_command()
 
     def set_travel_speed_ext(self, msg: Any) -> None:
-        """As `set_travel_speed`, of several kinds."""
+        """As `set_travel_speed`; ignored, and counted, for a speed that is not one over ground."""
         self.set_travel_speed(msg)
 
     def on_arrival(self) -> None:
-        """That was all."""
+        """The command is completed."""
         self._command(True)
         super().on_arrival()
 
     def on_preempted(self) -> None:
-        """The waypoint was not reached."""
+        """The command has failed."""
         self._command(False)
 
     def _start(self, waypoint: Waypoint, speed: float) -> None:
         self.drive_to(waypoint, speed, is_last=True)
-        self._begin()
+        self._begin_command()
 
-    def _begin(self) -> None:
-        """What is being handled ends with this drive; the command before it does not hold any more."""
+    def _begin_command(self) -> None:
+        """The command that is being handled replaces the one before, which has failed."""
         self._command(False)
         self._command = self.host.begin_command()
 
     def control_lost(self) -> None:
-        """The next client does not drive to a waypoint that it has not set."""
+        """Forget the waypoint: the next client has to set its own."""
         super().control_lost()
         self.vehicle.goal = None
 
 
 class LocalWaypointDriver(WaypointDriver, urn="urn:jaus:jss:mobility:LocalWaypointDriver"):
-    """Follows the straight line from where it is; when the local frame is set meanwhile, the waypoint goes with it."""
+    """Along the straight line from the present position; if the local frame is set, the waypoint moves with it."""
 
     def accepts(self, waypoint: Waypoint | None) -> bool:
-        """True for local waypoints."""
+        """Local waypoints."""
         return isinstance(waypoint, LocalWaypoint)
 
     def set_waypoint(self, msg: SetLocalWaypoint) -> None:
-        """From the controlling client, also in Standby."""
+        """Accepted from the controlling client, also in Standby."""
         self.set_target(local_waypoint(msg))
 
     def set_waypoint_ext(self, msg: SetLocalWaypointExt) -> None:
-        """As `set_waypoint`, with a choice of vertical datums, which a platform on the ground does not mind."""
+        """As `set_waypoint`; the height is only reported."""
         self.set_target(local_waypoint(msg))
 
     def report_local_waypoint(self) -> ReportLocalWaypoint | None:
-        """The waypoint as it was set."""
+        """The waypoint; None if there is none of this kind."""
         waypoint = self.vehicle.waypoint
         return waypoint.report() if isinstance(waypoint, LocalWaypoint) else None
 
     def report_local_waypoint_ext(self) -> ReportLocalWaypointExt | None:
-        """The waypoint as it was set."""
+        """The waypoint; None if there is none of this kind."""
         waypoint = self.vehicle.waypoint
         return waypoint.report_ext() if isinstance(waypoint, LocalWaypoint) else None
 
 
 class GlobalWaypointDriver(WaypointDriver, urn="urn:jaus:jss:mobility:GlobalWaypointDriver"):
-    """As LocalWaypointDriver, by latitude, longitude and true heading. The vehicle needs an origin."""
+    """Waypoints are latitude, longitude and true heading. The vehicle needs an origin."""
 
     def attached(self) -> None:
-        """Check that there is one: `ConfigError` if not."""
+        """Raises `ConfigError` without an origin."""
         super().attached()
         self.vehicle.global_frame()
 
     def accepts(self, waypoint: Waypoint | None) -> bool:
-        """True for global waypoints."""
+        """Global waypoints."""
         return isinstance(waypoint, GlobalWaypoint)
 
     def set_waypoint(self, msg: SetGlobalWaypoint) -> None:
-        """From the controlling client, also in Standby."""
+        """Accepted from the controlling client, also in Standby."""
         self.set_target(global_waypoint(msg))
 
     def set_waypoint_ext(self, msg: SetGlobalWaypointExt) -> None:
-        """As `set_waypoint`, with a choice of vertical datums, which a platform on the ground does not mind."""
+        """As `set_waypoint`; the height is only reported."""
         self.set_target(global_waypoint(msg))
 
     def report_global_waypoint(self) -> ReportGlobalWaypoint | None:
-        """The waypoint as it was set."""
+        """The waypoint; None if there is none of this kind."""
         waypoint = self.vehicle.waypoint
         return waypoint.report() if isinstance(waypoint, GlobalWaypoint) else None
 
     def report_global_waypoint_ext(self) -> ReportGlobalWaypointExt | None:
-        """The waypoint as it was set."""
+        """The waypoint; None if there is none of this kind."""
         waypoint = self.vehicle.waypoint
         return waypoint.report_ext() if isinstance(waypoint, GlobalWaypoint) else None

@@ -1,4 +1,4 @@
-"""What LocalWaypointListDriver and GlobalWaypointListDriver have in common: the elements of a list, one by one."""
+"""LocalWaypointListDriver and GlobalWaypointListDriver: drive through a list of waypoints (AS6009)."""
 
 from __future__ import annotations
 
@@ -22,17 +22,17 @@ from jauspy.services.mobility.waypoints import GlobalWaypoint, LocalWaypoint, Wa
 
 
 class WaypointListDriver(WaypointFollower, ListDriver):
-    """Carries out the list at the speed of ExecuteList; the robot stops at the last waypoint.
+    """Executes the list at the speed of ExecuteList; the robot stops at the last waypoint.
 
-    A component has one list. With both drivers in it, it may hold waypoints of both kinds, and each goes for its own.
+    A component has one list. With both drivers it may hold waypoints of both kinds; each driver executes its own.
     """
 
     def waypoint_of(self, message: Message) -> Waypoint:
-        """What an element says."""
+        """The waypoint of an element's message."""
         raise NotImplementedError(f"{type(self).__name__}.waypoint_of")
 
     def waypoint(self) -> Waypoint | None:
-        """What is reported: the active element, else what was last set or driven to, else the list's first one."""
+        """To report: the active element, else the waypoint last set or driven to, else the first of the list."""
         if not self.elements.active and self.vehicle.waypoint is not None:
             return self.vehicle.waypoint
         message = self.elements.message(self.elements.active or next(iter(self.elements.list.order), 0))
@@ -41,7 +41,7 @@ class WaypointListDriver(WaypointFollower, ListDriver):
     # --- actions
 
     def execute_waypoint_list(self, msg: Any) -> None:
-        """Start, or start over, from the element that is named."""
+        """Start, or restart, at the given element."""
         speed = self.usable_speed(msg)
         if speed is not None:
             self._start(msg.element_uid, speed)
@@ -51,34 +51,34 @@ class WaypointListDriver(WaypointFollower, ListDriver):
         self.vehicle.pilot.travel_speed = speed
 
     def modify_travel_speed(self, msg: Any) -> None:
-        """Go on faster or slower; zero waits. Ignored while no list is carried out."""
+        """Change the speed; zero waits. Ignored while no list is executed."""
         speed = self.usable_speed(msg)
         if speed is not None and self.elements.active:
             self.vehicle.pilot.travel_speed = speed
 
     def begin_element(self, uid: int, message: Message) -> None:
-        """The next waypoint."""
+        """Drive to the waypoint."""
         is_last = self.elements.list.next(uid) == 0
         self.drive_to(self.waypoint_of(message), self.vehicle.pilot.travel_speed, is_last=is_last)
 
     def end_elements(self) -> None:
-        """Stop, unless the next element is another driver's: then the list is still active, and it takes over."""
+        """Stop, unless the list goes on with an element of another driver."""
         if not self.elements.active:
             self.vehicle.pilot.release(self)
 
     def on_arrival(self) -> None:
-        """On to the next one."""
+        """Go on with the next element."""
         self.elements.done()
 
     def on_preempted(self) -> None:
-        """Another service drives now, or nobody may: the list is not carried out any more."""
+        """Stop the list, unless its next element belongs to another list driver."""
         if self.elements.active and not isinstance(self.vehicle.pilot.driver, WaypointListDriver):
             self.elements.stop()
 
     # --- reports
 
     def report_active_element(self) -> ReportActiveElement:
-        """The element that is being carried out, 0 for none."""
+        """The active element, 0 for none."""
         return ReportActiveElement(element_uid=self.elements.active)
 
 
@@ -88,21 +88,21 @@ class LocalWaypointListDriver(WaypointListDriver, urn="urn:jaus:jss:mobility:Loc
     element_types = (SetLocalWaypoint, SetLocalWaypointExt)
 
     def waypoint_of(self, message: Message) -> LocalWaypoint:
-        """What an element says."""
+        """The waypoint of an element's message."""
         assert isinstance(message, SetLocalWaypoint | SetLocalWaypointExt)
         return local_waypoint(message)
 
     def waypoint_exists(self) -> bool:
-        """There is a local waypoint to report."""
+        """True if there is a local waypoint to report."""
         return isinstance(self.waypoint(), LocalWaypoint)
 
     def report_local_waypoint(self) -> ReportLocalWaypoint | None:
-        """The waypoint as it was set."""
+        """The waypoint; None if there is none of this kind."""
         waypoint = self.waypoint()
         return waypoint.report() if isinstance(waypoint, LocalWaypoint) else None
 
     def report_local_waypoint_ext(self) -> ReportLocalWaypointExt | None:
-        """The waypoint as it was set."""
+        """The waypoint; None if there is none of this kind."""
         waypoint = self.waypoint()
         return waypoint.report_ext() if isinstance(waypoint, LocalWaypoint) else None
 
@@ -113,25 +113,25 @@ class GlobalWaypointListDriver(WaypointListDriver, urn="urn:jaus:jss:mobility:Gl
     element_types = (SetGlobalWaypoint, SetGlobalWaypointExt)
 
     def attached(self) -> None:
-        """Check that the vehicle has an origin: `ConfigError` if not."""
+        """Raises `ConfigError` without an origin."""
         super().attached()
         self.vehicle.global_frame()
 
     def waypoint_of(self, message: Message) -> GlobalWaypoint:
-        """What an element says."""
+        """The waypoint of an element's message."""
         assert isinstance(message, SetGlobalWaypoint | SetGlobalWaypointExt)
         return global_waypoint(message)
 
     def waypoint_exists(self) -> bool:
-        """There is a global waypoint to report."""
+        """True if there is a global waypoint to report."""
         return isinstance(self.waypoint(), GlobalWaypoint)
 
     def report_global_waypoint(self) -> ReportGlobalWaypoint | None:
-        """The waypoint as it was set."""
+        """The waypoint; None if there is none of this kind."""
         waypoint = self.waypoint()
         return waypoint.report() if isinstance(waypoint, GlobalWaypoint) else None
 
     def report_global_waypoint_ext(self) -> ReportGlobalWaypointExt | None:
-        """The waypoint as it was set."""
+        """The waypoint; None if there is none of this kind."""
         waypoint = self.waypoint()
         return waypoint.report_ext() if isinstance(waypoint, GlobalWaypoint) else None

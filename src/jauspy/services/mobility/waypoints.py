@@ -1,4 +1,4 @@
-"""Waypoints as they are commanded: where, which way round, and how exactly."""
+"""Waypoints as they are commanded: local and global, with attitude and tolerances."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ from jauspy.messages.mobility import (
 from jauspy.services.mobility.field_ranges import MAX_XYZ, encodable_z, local_z
 
 MAX_TOLERANCE: Final = 100.0
-"""Metres; a larger tolerance fits only the wider form of a waypoint."""
+"""Metres; a larger tolerance fits only the wide form of a waypoint."""
 
 
 @dataclass(frozen=True, slots=True)
 class WaypointAttitude:
-    """Radians and metres; what a client leaves out is None. A platform on the ground minds only the yaw."""
+    """Radians and metres; None for what was not commanded. Only the yaw and the tolerances have an effect."""
 
     roll: float | None = None
     pitch: float | None = None
@@ -35,13 +35,13 @@ class WaypointAttitude:
 
     @property
     def narrow_tolerance(self) -> float | None:
-        """The tolerance where only 100 m fit; left out when it does not."""
+        """The tolerance for the narrow form; None if it does not fit."""
         return None if self.tolerance is None or self.tolerance > MAX_TOLERANCE else self.tolerance
 
 
 @dataclass(frozen=True, slots=True)
 class LocalWaypoint:
-    """A place in the local frame, metres."""
+    """A point in the local frame, metres."""
 
     x: float
     y: float
@@ -49,7 +49,7 @@ class LocalWaypoint:
     z: ZPosition | None = None
 
     def report(self) -> ReportLocalWaypoint | None:
-        """As it was set; None when it is too far away for that."""
+        """The narrow form; None if the point does not fit."""
         attitude = self.attitude
         if max(abs(self.x), abs(self.y)) > MAX_XYZ:
             return None
@@ -65,7 +65,7 @@ class LocalWaypoint:
         )
 
     def report_ext(self) -> ReportLocalWaypointExt:
-        """As it was set."""
+        """The wide form."""
         attitude = self.attitude
         return ReportLocalWaypointExt(
             x=self.x,
@@ -81,7 +81,7 @@ class LocalWaypoint:
 
 @dataclass(frozen=True, slots=True)
 class GlobalWaypoint:
-    """A place on the globe, degrees; altitude (metres) above the WGS-84 ellipsoid, or `z` above another datum."""
+    """A point on the globe, degrees; altitude (m) above the WGS-84 ellipsoid, or `z` above another datum."""
 
     latitude: float
     longitude: float
@@ -90,7 +90,7 @@ class GlobalWaypoint:
     z: GlobalZPosition | None = None
 
     def report(self) -> ReportGlobalWaypoint:
-        """As it was set; a height above another datum is left out."""
+        """The narrow form, without a height above another datum."""
         attitude = self.attitude
         return ReportGlobalWaypoint(
             latitude=self.latitude,
@@ -104,7 +104,7 @@ class GlobalWaypoint:
         )
 
     def report_ext(self) -> ReportGlobalWaypointExt:
-        """As it was set; a height above the ellipsoid is left out."""
+        """The wide form, without a height above the ellipsoid."""
         attitude = self.attitude
         return ReportGlobalWaypointExt(
             latitude=self.latitude,
@@ -122,7 +122,7 @@ Waypoint: TypeAlias = LocalWaypoint | GlobalWaypoint
 
 
 def local_waypoint(msg: SetLocalWaypoint | SetLocalWaypointExt) -> LocalWaypoint:
-    """What a message says."""
+    """The waypoint of a message."""
     if isinstance(msg, SetLocalWaypointExt):
         return LocalWaypoint(msg.x, msg.y, _attitude(msg, msg.heading), msg.z_position)
     z = None if msg.z is None else ZPosition(ZPosition.Choice.Z_LOCAL, msg.z)
@@ -130,7 +130,7 @@ def local_waypoint(msg: SetLocalWaypoint | SetLocalWaypointExt) -> LocalWaypoint
 
 
 def global_waypoint(msg: SetGlobalWaypoint | SetGlobalWaypointExt) -> GlobalWaypoint:
-    """What a message says."""
+    """The waypoint of a message."""
     if isinstance(msg, SetGlobalWaypointExt):
         return GlobalWaypoint(msg.latitude, msg.longitude, _attitude(msg, msg.heading), z=msg.z_position)
     return GlobalWaypoint(msg.latitude, msg.longitude, _attitude(msg, msg.yaw), altitude=msg.altitude)
