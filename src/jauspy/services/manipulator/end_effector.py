@@ -25,11 +25,11 @@ from jauspy.messages.manipulator import (
     SetEndEffectorVelocityState,
 )
 from jauspy.platform.joints import ControlMode, JointGroup, Target
-from jauspy.services.completion import Completion
 from jauspy.services.manipulator.arm import Arm, ArmDriver
 from jauspy.services.manipulator.tool_motion import ToolMotion
-from jauspy.services.percent import percent
 from jauspy.services.service import Service
+from jauspy.services.state_machine import CommandCompletion
+from jauspy.services.units import percent
 
 STEPS_PER_TURN: Final = 10
 """Steps of inverse kinematics at once: about two milliseconds for five joints."""
@@ -141,7 +141,7 @@ class EndEffectorPoseDriver(ToolPoseDriver, urn="urn:jaus:jss:manipulator:Manipu
 
     def __init__(self, arm: Arm) -> None:
         super().__init__(arm)
-        self._command = Completion()
+        self._command = CommandCompletion()
 
     def set_end_effector_pose(self, msg: SetEndEffectorPose) -> None:
         """Move to the pose; ignored, and counted, if the quaternion is zero."""

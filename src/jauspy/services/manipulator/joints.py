@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Final, TypeAlias
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.geometry.denavit_hartenberg import DHLink
 from jauspy.messages.manipulator import (
     ActuatorForceTorqueRec,
@@ -28,10 +28,10 @@ from jauspy.messages.manipulator import (
     SetJointVelocity,
 )
 from jauspy.platform.joints import ControlMode, Target
-from jauspy.services.completion import Completion
 from jauspy.services.manipulator.arm import Arm, ArmDriver
-from jauspy.services.percent import percent
 from jauspy.services.service import Service
+from jauspy.services.state_machine import CommandCompletion
+from jauspy.services.units import percent
 
 CHECK_PERIOD: Final = 0.05
 """Seconds between two checks whether commanded positions are reached."""
@@ -69,7 +69,7 @@ class PositionDriver(JointDriver):
 
     def __init__(self, arm: Arm) -> None:
         super().__init__(arm)
-        self._command = Completion()
+        self._command = CommandCompletion()
         self._timer = (_TIMER, self.urn)
 
     def go(self, positions: Sequence[float]) -> None:
