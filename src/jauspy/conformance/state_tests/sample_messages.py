@@ -12,7 +12,8 @@ from jauspy.codec.layout import Composite, Grid, Repeat, Slot, Union
 from jauspy.codec.message import Message, Struct
 from jauspy.codec.wire import FLOATS, limits
 from jauspy.conformance.checks import Check
-from jauspy.conformance.state_tests.explorer import OBSERVER, Aftermath, Stimulus
+from jauspy.conformance.state_tests.explorer import Aftermath, Stimulus
+from jauspy.conformance.tester import OBSERVER
 
 PRESENCE: Final = "presence_vector"
 
