@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 import jauspy
-from jauspy.codec.registry import Entry, Registry
+from jauspy.codec.registry import MessageEntry, Registry
 from jauspy.errors import ConfigError, DecodeError, EncodeError
 from jauspy.messages import core, exp, iop, mobility, registry
 from jauspy.messages.core import ConfirmControl, CreateEvent, QueryTime
@@ -71,7 +71,7 @@ def test_every_message_loads() -> None:
 
 def test_newest_version_wins() -> None:
     entry = registry.entries[0]
-    old = Entry(entry.code, entry.name, entry.service, "0.9", "no.such.module", entry.cls)
+    old = MessageEntry(entry.code, entry.name, entry.service, "0.9", "no.such.module", entry.cls)
     assert Registry([old, entry]).entries == (entry, old)
     assert Registry([old, entry]).by_name(entry.name) is entry.load()
 

@@ -18,7 +18,7 @@ from jauspy.codec.slow_path import Reader, Writer, codec_of
 from jauspy.codec.wire import FLOATS, SIZES, Rounding, Scaling, exact_raw, limits
 from jauspy.errors import EncodeError
 
-MOST_SHOWN: Final = 100
+MAX_SHOWN: Final = 100
 """Characters of a wrong value that a message shows."""
 
 
@@ -65,7 +65,7 @@ def shown(value: object) -> str:
 
 def cut(text: str) -> str:
     """The beginning and the end of a long text."""
-    return text if len(text) <= MOST_SHOWN else f"{text[: MOST_SHOWN - 13]}...{text[-10:]}"
+    return text if len(text) <= MAX_SHOWN else f"{text[: MOST_SHOWN - 13]}...{text[-10:]}"
 
 
 def number_of(value: Any, path: str) -> float:
@@ -114,7 +114,7 @@ def check_keys(data: Any, required: list[str], optional: list[str], path: str) -
 Intervals = tuple[tuple[float, float], ...]
 
 
-MOST_NAMES = 12
+MAX_NAMES = 12
 """Names that an error lists. A message may have an error in every byte, so they must cost little."""
 
 
@@ -122,8 +122,8 @@ MOST_NAMES = 12
 def describe(intervals: Intervals, enum: type[IntEnum] | None) -> str:
     """The allowed values, for messages."""
     named = list(enum or ())
-    parts = [f"{m.value} {m.name}" for m in named[:MOST_NAMES]]
-    parts += [f"{len(named) - MOST_NAMES} more names"] if len(named) > MOST_NAMES else []
+    parts = [f"{m.value} {m.name}" for m in named[:MAX_NAMES]]
+    parts += [f"{len(named) - MOST_NAMES} more names"] if len(named) > MAX_NAMES else []
     parts += [f"{lower}..{upper}" if lower != upper else f"{lower}" for lower, upper in intervals]
     return ", ".join(parts)
 

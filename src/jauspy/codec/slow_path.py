@@ -13,7 +13,7 @@ from jauspy.errors import DecodeError, EncodeError
 if TYPE_CHECKING:
     from jauspy.codec.message import Nesting
 
-MOST_DEVIATIONS: Final = 1000
+MAX_DEVIATIONS: Final = 1000
 """Deviations of one message that are listed; a hostile one may have one in every byte."""
 
 
@@ -63,7 +63,7 @@ class Reader:
         where = self.at if offset is None else offset
         if self.strict:
             raise DecodeError(reason, offset=where, path=path)
-        if len(self._reported) < MOST_DEVIATIONS:
+        if len(self._reported) < MAX_DEVIATIONS:
             self._reported.append(Deviation(where, path, reason, lost))
             return
         self._first_omitted = self._first_omitted or where
@@ -71,7 +71,7 @@ class Reader:
         self._lost_omitted |= lost
 
     def deviations(self) -> list[Deviation]:
-        """What was put up with; beyond `MOST_DEVIATIONS` only how much."""
+        """What was put up with; beyond `MAX_DEVIATIONS` only how much."""
         if not self._omitted:
             return self._reported
         reason = f"{counted(self._omitted, 'more deviation')} from here on"
