@@ -1,4 +1,4 @@
-"""Finding message classes by name and by code; modules are imported when a message of theirs is first used."""
+"""Registries find message classes by name and by code; a module is imported when a message of it is first used."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ class MessageEntry:
 
     @property
     def edition(self) -> str:
-        """What gets its versions as a whole: a set of the standard, of anybody else each service."""
+        """What has versions as a whole: a service set of the standard; elsewhere each service."""
         return self.service.rpartition(":")[0] if self.service.startswith(STANDARD) else self.service
 
     @property
@@ -61,7 +61,7 @@ def entries(module: str, service: str, version: str, *messages: tuple[Any, ...])
 
 @dataclass(frozen=True, slots=True)
 class Hints:
-    """What narrows a search: the end of a service's URN, a version, a message's name; case does not matter."""
+    """Narrows a search: the end of a service's URN, a version, a message's name; case does not matter."""
 
     service: str | None = None
     version: str | None = None
@@ -102,7 +102,7 @@ class Collision:
 
     @property
     def remedy(self) -> str:
-        """What `decode` has to be told: the service, or the message where one service gives one id to several."""
+        """The argument that `decode` needs: `service`, or `message` where one service gives one id to several."""
         services = {(entry.service, entry.version) for entry in self.entries}
         return "service" if len(services) == len(self.entries) else "message"
 
@@ -124,7 +124,7 @@ class Registry:
     """The known messages.
 
     One layered over another (`base`) finds its own first; a service that it has in the same version replaces that of
-    the base. Different services, and careless single ones, may use one message id for several messages: see
+    the base. Different services, and sometimes a single one, may use one message id for several messages: see
     `collisions`.
     """
 
@@ -179,9 +179,9 @@ class Registry:
     def collisions(self) -> tuple[Collision, ...]:
         """The message ids that mean different things, lowest first.
 
-        `decode` refuses them unless it is told the service, or the message where one service has one id twice. A newer
-        version of a message, in its own service or in another one of the same set of the standard, replaces the older
-        one and collides with nothing.
+        `decode` raises `DecodeError` for them unless `service` is given, or `message` where one service uses an id
+        twice. A newer version of a message, in its own service or in another one of the same set of the standard,
+        replaces the older one and collides with nothing.
         """
         found = map(self.collision, sorted(self._codes))
         return tuple(collision for collision in found if collision)
@@ -211,7 +211,7 @@ class Registry:
         return found
 
     def narrowed(self, code: int, wanted: Hints) -> Hints:
-        """As much of what is wanted as some message of this id has, the message's name first, then its service."""
+        """Those of the wanted hints that some message of this id fits: the message's name first, then its service."""
         entries = self.entries_of(code)
         kept = NO_HINTS
         for key in ("message", "service", "version"):

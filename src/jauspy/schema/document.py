@@ -294,7 +294,7 @@ def problems(root: Element) -> Iterator[tuple[Element, SchemaError]]:
     waiting = [root]
     while waiting:
         element = waiting.pop()
-        rule = RULES[element.tag]  # the parent's rule has vouched for it
+        rule = RULES[element.tag]  # the parent's rule allows it
         yield from _check_attributes(element, rule)
         yield from _check_children(element, rule)
         waiting += [child for child in reversed(element) if child.tag in rule.group_of]
