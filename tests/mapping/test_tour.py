@@ -16,7 +16,7 @@ pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 
 import mujoco
 
-from jauspy.mapping.files import save
+from jauspy.mapping.files import save_map
 from jauspy.mapping.grid import OccupancyGrid
 from jauspy.mapping.mapper import Mapper
 from jauspy.mapping.pose import PlanarPose
@@ -133,7 +133,7 @@ def test_its_files_are_the_floor_plan(
     """As map_server reads them: the first row is the top, the origin is the lower left corner."""
     robot, mappers, _, _ = tour
     grid = mappers[True].grid
-    save(grid, tmp_path / "yard")
+    save_map(grid, tmp_path / "yard")
     notes = yaml.safe_load((tmp_path / "yard.yaml").read_text())
     picture = cv2.imread(str(tmp_path / notes["image"]), cv2.IMREAD_GRAYSCALE)[::-1]
     occupied = (255 - picture) / 255 > notes["occupied_thresh"]

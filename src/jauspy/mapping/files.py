@@ -10,13 +10,13 @@ import yaml
 from numpy.typing import NDArray
 
 from jauspy.errors import ConfigError
-from jauspy.mapping.grid import FREE, OCCUPIED, OccupancyGrid
+from jauspy.mapping.grid import FREE_THRESHOLD, OCCUPIED_THRESHOLD, OccupancyGrid
 
-SHADES: Final = {100: 0, 0: 254, -1: 205}
+GREY_LEVELS: Final = {100: 0, 0: 254, -1: 205}
 """Grey of cells that are occupied, free and unknown."""
 
 
-def save(grid: OccupancyGrid, path: Path) -> tuple[Path, Path]:
+def save_map(grid: OccupancyGrid, path: Path) -> tuple[Path, Path]:
     """Write PATH.pgm and PATH.yaml, without what lies around the known part; returns both paths."""
     cells = grid.occupancy()
     rows, columns = (np.flatnonzero((cells != -1).any(axis=axis)) for axis in (1, 0))
@@ -38,14 +38,14 @@ def _notes(image: str, resolution: float, low: list[float]) -> dict[str, Any]:
         "resolution": resolution,
         "origin": [*low, 0.0],
         "negate": 0,
-        "occupied_thresh": OCCUPIED,
-        "free_thresh": FREE,
+        "occupied_thresh": OCCUPIED_THRESHOLD,
+        "free_thresh": FREE_THRESHOLD,
     }
 
 
 def _pgm(cells: NDArray[np.int8]) -> bytes:
-    shades = np.full(cells.shape, SHADES[-1], np.uint8)
-    for value, shade in SHADES.items():
+    shades = np.full(cells.shape, GREY_LEVELS[-1], np.uint8)
+    for value, shade in GREY_LEVELS.items():
         shades[cells == value] = shade
     height, width = cells.shape
     return b"P5\n%d %d\n255\n" % (width, height) + shades[::-1].tobytes()  # the first row of a picture is its top

@@ -10,17 +10,17 @@ from numpy.typing import NDArray
 from jauspy.errors import ConfigError
 from jauspy.mapping.pose import Points
 
-HIT: Final = 0.9
-MISS: Final = -0.4
+HIT_LOG_ODDS: Final = 0.9
+MISS_LOG_ODDS: Final = -0.4
 """Log odds that a ray which ends in a cell, or crosses it, adds: ends are rarer and surer."""
-MARGIN: Final = 1.5
+HIT_MARGIN: Final = 1.5
 """Cells before the end of a ray that do not count as crossed: distances have errors, and walls lie between cells."""
-SURE: Final = 5.0
+MAX_LOG_ODDS: Final = 5.0
 """Most log odds either way, so that a map can still change."""
-OCCUPIED: Final = 0.65
-FREE: Final = 0.196
+OCCUPIED_THRESHOLD: Final = 0.65
+FREE_THRESHOLD: Final = 0.196
 """Probabilities above and below which a cell is said to be so: map_server's own thresholds."""
-MOST_CELLS: Final = 4000
+MAX_CELLS: Final = 4000
 """Along a side."""
 
 
@@ -32,7 +32,7 @@ class OccupancyGrid:
 
     def __init__(self, size: float = 40.0, resolution: float = 0.05) -> None:
         cells = round(size / resolution)
-        if not 2 <= cells <= MOST_CELLS:
+        if not 2 <= cells <= MAX_CELLS:
             many = f"{size:g} m in cells of {resolution:g} m are {cells} cells along a side"
             raise ConfigError(f"{many}; a map has 2..{MOST_CELLS}, so choose other sizes")
         self.resolution = resolution
@@ -47,12 +47,12 @@ class OccupancyGrid:
         """Rays from one point; those with an echo end at something."""
         hits = self._flat(ends[echoes])
         self.outside += int(np.count_nonzero(echoes)) - len(hits)
-        way = _shortened(start, ends, echoes * np.float64(MARGIN * self.resolution))
+        way = _shortened(start, ends, echoes * np.float64(HIT_MARGIN * self.resolution))
         crossed = np.setdiff1d(self._flat(_along(start, way, self.resolution / 2.0)), hits)
         odds = self.log_odds.reshape(-1)
-        odds[crossed] = np.maximum(-SURE, odds[crossed] + MISS)
+        odds[crossed] = np.maximum(-MAX_LOG_ODDS, odds[crossed] + MISS_LOG_ODDS)
         once = np.unique(hits)
-        odds[once] = np.minimum(SURE, odds[once] + HIT)
+        odds[once] = np.minimum(MAX_LOG_ODDS, odds[once] + HIT_LOG_ODDS)
 
     def probabilities(self) -> NDArray[np.float64]:
         """Of each cell that something is there; 0.5 where nothing is known."""
@@ -63,8 +63,8 @@ class OccupancyGrid:
         """ROS's terms: 100 for occupied, 0 for free, -1 for unknown."""
         found = np.full(self.log_odds.shape, -1, np.int8)
         probable = self.probabilities()
-        found[probable > OCCUPIED] = 100
-        found[probable < FREE] = 0
+        found[probable > OCCUPIED_THRESHOLD] = 100
+        found[probable < FREE_THRESHOLD] = 0
         return found
 
     def at(self, points: Points) -> NDArray[np.float64]:

@@ -23,23 +23,23 @@ from jauspy.messages.mobility import QueryLocalPose, ReportLocalPose
 from jauspy.ocu.robot import Robot
 from jauspy.ocu.service import ServiceClient
 
-VALIDITY: Final = 1 << 1
+VALIDITY_FIELD: Final = 1 << 1
 """Of a point's optional fields: tells rays without echo, which show what is free."""
-RATE: Final = 25.0
+POSE_RATE: Final = 25.0
 """Hz of the poses between which scans are placed."""
-MEMORY: Final = 128
+MAX_POSES: Final = 128
 """Poses that are remembered."""
-PATIENCE: Final = 1.0
+POSE_TIMEOUT: Final = 1.0
 """Seconds in which a pose must come that is later than a scan."""
-SILENCE: Final = 5.0
+SILENCE_TIMEOUT: Final = 5.0
 """Seconds without a scan, or a pose, after which the sensor counts as gone."""
-LEVEL: Final = math.radians(2.0)
+MAX_TILT: Final = math.radians(2.0)
 """Roll and pitch beyond which a scan is left out: on a ramp it shows the ground as a wall."""
 DAY: Final = 86400.0
 
 
 @dataclass(frozen=True, slots=True)
-class _Seen:
+class _StampedPose:
     time: float
     pose: PlanarPose
     is_level: bool
@@ -58,7 +58,7 @@ class LiveMapping:
         self.mapper = mapper
         self.counters: Counter[str] = Counter()
         """`scans` used; and of others why not: `tilted`, `no pose in time`, `sensor not active`."""
-        self._poses: deque[_Seen] = deque(maxlen=MEMORY)
+        self._poses: deque[_StampedPose] = deque(maxlen=MAX_POSES)
         self._news = asyncio.Condition()
 
     async def run(self) -> None:
@@ -73,9 +73,9 @@ class LiveMapping:
             raise group.exceptions[0] from group
 
     async def _scan(self, ranging: ServiceClient, lidar: PlanarPose) -> None:
-        record = QueryRangeSensorData.QueryRangeSensorDataRec(self._sensor, 0, VALIDITY)
+        record = QueryRangeSensorData.QueryRangeSensorDataRec(self._sensor, 0, VALIDITY_FIELD)
         query = QueryRangeSensorData([record])
-        async for report in ranging.subscribe(query, expects=ReportRangeSensorData, silence=SILENCE):
+        async for report in ranging.subscribe(query, expects=ReportRangeSensorData, silence=SILENCE_TIMEOUT):
             await self._take(report, lidar)
 
     async def _mounting(self, ranging: ServiceClient) -> PlanarPose:
@@ -94,12 +94,12 @@ class LiveMapping:
     async def _follow(self) -> None:
         sensor = self._robot.service("mobility:LocalPoseSensor")
         async for report in sensor.subscribe(
-            QueryLocalPose(0x1FF), rate=RATE, silence=SILENCE, expects=ReportLocalPose
+            QueryLocalPose(0x1FF), rate=POSE_RATE, silence=SILENCE_TIMEOUT, expects=ReportLocalPose
         ):
             tilt = max(abs(report.roll or 0.0), abs(report.pitch or 0.0))
             pose = PlanarPose(report.x or 0.0, -(report.y or 0.0), -(report.yaw or 0.0))
             async with self._news:
-                self._poses.append(_Seen(_seconds(report.time_stamp), pose, tilt < LEVEL))
+                self._poses.append(_StampedPose(_seconds(report.time_stamp), pose, tilt < MAX_TILT))
                 self._news.notify_all()
 
     async def _take(self, report: ReportRangeSensorData, lidar: PlanarPose) -> None:
@@ -128,25 +128,25 @@ class LiveMapping:
             await adding
             raise
 
-    async def _at(self, time: float) -> _Seen | None:
+    async def _at(self, time: float) -> _StampedPose | None:
         """Where the robot was at that time of the day; None when no poses around it come."""
         try:
-            async with asyncio.timeout(PATIENCE), self._news:
+            async with asyncio.timeout(POSE_TIMEOUT), self._news:
                 await self._news.wait_for(lambda: self._poses and _after(self._poses[-1].time, time) >= 0.0)
         except TimeoutError:
             return None
         earlier = [each for each in self._poses if _after(each.time, time) <= 0.0]
         later = next(each for each in self._poses if _after(each.time, time) >= 0.0)
-        return between(earlier[-1], later, time) if earlier else None
+        return interpolated(earlier[-1], later, time) if earlier else None
 
 
-def between(before: _Seen, later: _Seen, time: float) -> _Seen:
+def interpolated(before: _StampedPose, later: _StampedPose, time: float) -> _StampedPose:
     """The pose at a time between those of two others."""
     whole = _after(later.time, before.time)
     part = _after(time, before.time) / whole if whole else 0.0
     step = later.pose.since(before.pose)
     moved = before.pose.then(PlanarPose(step.x * part, step.y * part, step.yaw * part))
-    return _Seen(time, moved, before.is_level and later.is_level)
+    return _StampedPose(time, moved, before.is_level and later.is_level)
 
 
 def _seconds(stamp: Any) -> float:

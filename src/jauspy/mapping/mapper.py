@@ -13,19 +13,19 @@ from jauspy.mapping.grid import OccupancyGrid
 from jauspy.mapping.matching import match
 from jauspy.mapping.pose import PlanarPose, Points
 
-REACH: Final = 15.0
+MAX_RANGE: Final = 15.0
 """Metres that are mapped of a ray; farther away a small tilt of the robot counts for too much."""
-STRIDE: Final = 0.1
-TURN: Final = math.radians(5.0)
+MIN_DISTANCE: Final = 0.1
+MIN_TURN: Final = math.radians(5.0)
 """Metres and radians of driving after which a scan goes into the map."""
-TRUST: Final = (0.05, math.radians(2.0))
+ODOMETRY_DEVIATION: Final = (0.05, math.radians(2.0))
 """How far odometry may be off from one of those scans to the next, in metres and radians (standard deviations)."""
 
 
 class Mapper:
     """Feed it scans; `grid` is the map, in the frame of the first odometry's origin."""
 
-    def __init__(self, grid: OccupancyGrid | None = None, *, matching: bool = True, reach: float = REACH) -> None:
+    def __init__(self, grid: OccupancyGrid | None = None, *, matching: bool = True, reach: float = MAX_RANGE) -> None:
         self.grid = grid or OccupancyGrid()
         self.path: list[PlanarPose] = []
         """Where the robot was when scans went into the map."""
@@ -44,7 +44,7 @@ class Mapper:
         if self.path and not _moved(guess.since(self.path[-1])):
             return guess
         ends, echoes = self._ends(lidar, angles, ranges)
-        pose = match(self.grid, ends[echoes], guess, TRUST) if self.path and self._matching else guess
+        pose = match(self.grid, ends[echoes], guess, ODOMETRY_DEVIATION) if self.path and self._matching else guess
         self.grid.add(np.array(pose.then(lidar)[:2]), pose.apply(ends), echoes)
         self.path.append(pose)
         self._correction = pose.then(odometry.inverse())
@@ -63,4 +63,4 @@ class Mapper:
 
 
 def _moved(step: PlanarPose) -> bool:
-    return math.hypot(step.x, step.y) >= STRIDE or abs(step.yaw) >= TURN
+    return math.hypot(step.x, step.y) >= MIN_DISTANCE or abs(step.yaw) >= MIN_TURN

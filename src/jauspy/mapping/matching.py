@@ -14,20 +14,20 @@ from numpy.typing import NDArray
 from jauspy.mapping.grid import OccupancyGrid
 from jauspy.mapping.pose import PlanarPose, Points
 
-Numbers: TypeAlias = NDArray[np.float64]
+Array: TypeAlias = NDArray[np.float64]
 
-WIDTHS: Final = (6, 2)
+ATTRACTION_WIDTHS: Final = (6, 2)
 """Cells within which a mark on the map attracts the ends of rays, coarse first."""
-ROUNDS: Final = 12
-ENOUGH: Final = 30
+MAX_ITERATIONS: Final = 12
+MIN_POINTS: Final = 30
 """Ends of rays without which a scan is not matched."""
-WEIGHT: Final = 4.0
+POINT_WEIGHT: Final = 4.0
 """Of the end of a ray: one that meets nothing counts as much as a guess that is two deviations off."""
-LONGEST: Final = 0.05
+MAX_STEP: Final = 0.05
 """Metres and radians of one step."""
-STRAIGHT: Final = 0.9
+MIN_STRAIGHTNESS: Final = 0.9
 """Cosine of the angle between ways from end to end above which they are on one wall."""
-CLOSE: Final = 1e-5
+MIN_STEP: Final = 1e-5
 """Metres and radians of a step after which nothing changes any more."""
 
 
@@ -36,29 +36,29 @@ def match(grid: OccupancyGrid, points: Points, guess: PlanarPose, trust: tuple[f
 
     `trust`: how far the guess may be off, in metres and radians (standard deviations).
     """
-    if len(points) < ENOUGH:
+    if len(points) < MIN_POINTS:
         return guess
-    across = _across(points)
+    across = _normal_projections(points)
     occupied = grid.log_odds > 0.0
     prior = 1.0 / np.array([trust[0], trust[0], trust[1]]) ** 2
     pose = expected = np.array(guess)
-    for cells in WIDTHS:
-        near = _nearness(occupied, cells)
-        for _ in range(ROUNDS):
+    for cells in ATTRACTION_WIDTHS:
+        near = _attraction(occupied, cells)
+        for _ in range(MAX_ITERATIONS):
             step = _step(*_slopes(grid, near, (points, across), pose), prior, expected - pose)
-            pose = pose + np.clip(step, -LONGEST, LONGEST)
-            if np.abs(step).max() < CLOSE:
+            pose = pose + np.clip(step, -MAX_STEP, MAX_STEP)
+            if np.abs(step).max() < MIN_STEP:
                 break
     return PlanarPose(*pose.tolist())
 
 
-def _step(missing: Numbers, slopes: Numbers, prior: Numbers, home: Numbers) -> Numbers:
+def _step(missing: Array, slopes: Array, prior: Array, home: Array) -> Array:
     """What lessens the squares of what is missing at each end, and of the way home to the guess, most."""
-    hessian = WEIGHT * slopes.T @ slopes + np.diag(prior)
-    return np.asarray(np.linalg.solve(hessian, WEIGHT * slopes.T @ missing + prior * home), np.float64)
+    hessian = POINT_WEIGHT * slopes.T @ slopes + np.diag(prior)
+    return np.asarray(np.linalg.solve(hessian, POINT_WEIGHT * slopes.T @ missing + prior * home), np.float64)
 
 
-def _slopes(grid: OccupancyGrid, near: Numbers, scan: tuple[Points, Numbers], pose: Numbers) -> tuple[Numbers, Numbers]:
+def _slopes(grid: OccupancyGrid, near: Array, scan: tuple[Points, Array], pose: Array) -> tuple[Array, Array]:
     """How much nearness each end lacks, and what it gains per metre of x and y and per radian of yaw."""
     points, across = scan
     there = PlanarPose(*pose.tolist()).apply(points)
@@ -70,7 +70,7 @@ def _slopes(grid: OccupancyGrid, near: Numbers, scan: tuple[Points, Numbers], po
     return 1.0 - value, np.column_stack([slope, slope[:, 1] * around[:, 0] - slope[:, 0] * around[:, 1]])
 
 
-def _across(points: Points) -> Numbers:
+def _normal_projections(points: Points) -> Array:
     """For each end the projection (2 x 2) on the direction in which it pulls: at right angles to the wall it is on.
 
     Along a wall it would pull to where the map knows the wall so far. Ends that are not in line with those beside them,
@@ -79,14 +79,14 @@ def _across(points: Points) -> Numbers:
     before, after = (np.roll(points, shift, axis=0) for shift in (1, -1))
     to, on = points - before, after - points
     lengths = np.maximum(np.hypot(*to.T) * np.hypot(*on.T), 1e-9)
-    straight = (to * on).sum(axis=1) / lengths > STRAIGHT
+    straight = (to * on).sum(axis=1) / lengths > MIN_STRAIGHTNESS
     along = after - before
     normal = np.column_stack([-along[:, 1], along[:, 0]]) / np.maximum(np.hypot(*along.T), 1e-9)[:, None]
-    projections: Numbers = normal[:, :, None] * normal[:, None, :] * straight[:, None, None]
+    projections: Array = normal[:, :, None] * normal[:, None, :] * straight[:, None, None]
     return projections
 
 
-def _sample(grid: OccupancyGrid, near: Numbers, points: Points) -> tuple[Numbers, Numbers]:
+def _sample(grid: OccupancyGrid, near: Array, points: Points) -> tuple[Array, Array]:
     """Value and slope (per metre) between the middles of cells; outside of the map, what its rim has."""
     place = np.clip(grid.at(points), 0.0, grid.cells - 1.000001)
     column, row = np.floor(place).astype(np.intp).T
@@ -106,7 +106,7 @@ _NEIGHBOURS: Final = (
 )
 
 
-def _nearness(occupied: NDArray[np.bool_], cells: int) -> Numbers:
+def _attraction(occupied: NDArray[np.bool_], cells: int) -> Array:
     """1 where something is, less with the distance from it, 0 from `cells` cells on.
 
     The same all along a wall, however often it was hit: otherwise a scan would slide to where it was hit most.

@@ -13,10 +13,10 @@ import numpy as np
 
 from jauspy.cli.demo.report import Finding
 from jauspy.cli.demo.watch import Scene
-from jauspy.mapping.files import save
+from jauspy.mapping.files import save_map
 from jauspy.mapping.grid import OccupancyGrid
 from jauspy.mapping.live import LiveMapping
-from jauspy.mapping.mapper import REACH, Mapper
+from jauspy.mapping.mapper import MAX_RANGE, Mapper
 from jauspy.mapping.pose import PlanarPose, Points
 from jauspy.ocu.robot import Robot
 
@@ -44,7 +44,7 @@ class ScanKeeper(Mapper):
         self.scans += 1
         if len(self.path) == used:
             at, far = np.asarray(angles), np.asarray(ranges)
-            echoes = (far > 0.0) & (far < REACH)
+            echoes = (far > 0.0) & (far < MAX_RANGE)
             at, far = at[echoes], far[echoes]
             self.others.append(pose.then(lidar).apply(np.column_stack([far * np.cos(at), far * np.sin(at)])))
         return pose
@@ -86,7 +86,7 @@ class DriveMap:
         if self._task is not None and self._task.done():
             self._task.result()
         agreement = self._mapper.agreement()
-        files = save(self._mapper.grid, folder / "map")
+        files = save_map(self._mapper.grid, folder / "map")
         known = int((self._mapper.grid.occupancy() != -1).sum()) * self._mapper.grid.resolution**2
         used = len(self._mapper.path)
         finding = Finding(
