@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 
 from jauspy.mapping.grid import OccupancyGrid
-from jauspy.mapping.mapper import Mapper
-from jauspy.mapping.matching import match
+from jauspy.mapping.mapper import Mapper, match
 from jauspy.mapping.pose import PlanarPose, Points
 
 ANGLES = np.linspace(-math.pi, math.pi, 360, endpoint=False)
