@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 from jauspy.errors import ConfigError, JausError
+from jauspy.geometry.poses import PlanarPose
 from jauspy.mapping.grid import OccupancyGrid
 from jauspy.mapping.live import LiveMapping, _StampedPose, interpolated
 from jauspy.mapping.mapper import Mapper
-from jauspy.mapping.pose import PlanarPose
 from jauspy.messages.mobility import SetWrenchEffort
 from jauspy.modules.robot import RobotRunner
 from jauspy.ocu import OCU
