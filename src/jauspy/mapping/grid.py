@@ -48,7 +48,7 @@ class OccupancyGrid:
         """Number of echoes outside of the map, which were ignored."""
 
     def add(self, start: Points, ends: Points, echoes: NDArray[np.bool_]) -> None:
-        """Add rays from a point, shape (2,), to ends, shape (n, 2); those with `echoes`, shape (n,), end at an obstacle."""
+        """Add rays from a point, shape (2,), to `ends`, shape (n, 2); `echoes`, shape (n,), end at an obstacle."""
         hits = self._flat(ends[echoes])
         self.outside += int(np.count_nonzero(echoes)) - len(hits)
         shortened = _shortened(start, ends, echoes * np.float64(HIT_MARGIN * self.resolution))
