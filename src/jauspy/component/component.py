@@ -19,7 +19,7 @@ from jauspy.ids import JausID, component_id
 from jauspy.protocol.delivery import Delivery
 from jauspy.protocol.header import Broadcast, Priority
 from jauspy.schema.model import Schema
-from jauspy.services.core.complete import with_core
+from jauspy.services.core.complete import with_core_services
 from jauspy.services.host import Host
 from jauspy.services.service import Service, check_services
 from jauspy.transport import LocalTransport, Transport
@@ -65,7 +65,7 @@ class Component:
         given = check_services(services)
         self.host = Host(
             me,
-            with_core(given, name) if core else given,
+            with_core_services(given, name) if core else given,
             utc_now=utc_now,
             now=(clock or _loop_time)(),
             on_action_error=on_action_error,

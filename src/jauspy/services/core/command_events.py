@@ -18,8 +18,8 @@ from jauspy.messages.core import (
     CreateEvent,
     UpdateEvent,
 )
-from jauspy.services.core.ended_commands import EndedCommands
-from jauspy.services.core.subscriptions import CommandWatch, Entry, Subscriptions
+from jauspy.services.core.ended_commands import CompletedCommands
+from jauspy.services.core.subscriptions import ClientEvent, PendingCommand, Subscriptions
 from jauspy.services.service import Service
 
 _OF_EVENTS: Final = frozenset(kind.CODE for kind in (CreateEvent, UpdateEvent, CancelEvent, CreateCommandEvent))
@@ -30,8 +30,8 @@ class CommandEvents(Service):
     """The part of Events that is about commands. The command acts as if its client had sent it by itself."""
 
     subscriptions: Subscriptions
-    ended: EndedCommands
-    _current: Entry | None
+    ended: CompletedCommands
+    _current: ClientEvent | None
 
     def is_command_supported(self, msg: CreateCommandEvent, source: JausID) -> bool:
         """It is a command that the component takes, and the client may have one more event."""
@@ -57,15 +57,15 @@ class CommandEvents(Service):
     def start_command_timer(self, msg: CreateCommandEvent) -> None:
         """The command may take this long; 0 s only does for one that takes no time."""
         watch = self._current
-        if isinstance(watch, CommandWatch) and watch.success is None:
+        if isinstance(watch, PendingCommand) and watch.success is None:
             at = self.host.now + msg.maximum_allowed_duration
             self.host.set_timer(("command", watch.id), at, lambda: self._expired(watch))
 
-    def stop_command_timer(self, msg: CommandWatch) -> None:
+    def stop_command_timer(self, msg: PendingCommand) -> None:
         """It has ended in time."""
         self.host.cancel_timer(("command", msg.id))
 
-    def send_command_event(self, msg: CommandWatch) -> None:
+    def send_command_event(self, msg: PendingCommand) -> None:
         """Tell the client how its command ended; that is the end of the event."""
         result = CommandEvent.CommandResult.SUCCESSFUL if msg.success else CommandEvent.CommandResult.UNSUCCESSFUL
         self.host.send(msg.client, CommandEvent(event_id=msg.id, command_result=result), on_acknowledged=lambda _: None)
@@ -73,16 +73,16 @@ class CommandEvents(Service):
         if not msg.known:
             self.ended.add(msg, self.host.now)
 
-    def _confirm_command(self, watch: CommandWatch, request_id: int) -> None:
+    def _confirm_command(self, watch: PendingCommand, request_id: int) -> None:
         confirmation = ConfirmEventRequest(request_id=request_id, event_id=watch.id, confirmed_periodic_rate=0.0)
         self.host.send(watch.client, confirmation, on_acknowledged=lambda delivered: self._confirmed(watch, delivered))
 
-    def _confirmed(self, watch: CommandWatch, delivered: bool) -> None:
+    def _confirmed(self, watch: PendingCommand, delivered: bool) -> None:
         if delivered:
             watch.known = True
             self.ended.forget(watch)
 
-    def _find_command(self, msg: CreateCommandEvent, source: JausID) -> CommandWatch | None:
+    def _find_command(self, msg: CreateCommandEvent, source: JausID) -> PendingCommand | None:
         """Under way, or of this very request."""
         under_way = self.subscriptions.same_command(source, encoded(msg.command_message))
         return under_way or self.ended.find(source, encoded(msg), self.host.now)
@@ -98,17 +98,17 @@ class CommandEvents(Service):
     def _watch(self, id: int, msg: CreateCommandEvent, source: JausID) -> None:
         command = self._command(msg)
         assert command is not None
-        watch = CommandWatch(id, source, msg.request_id, command, encoded(msg))
+        watch = PendingCommand(id, source, msg.request_id, command, encoded(msg))
         self.subscriptions.add(watch)
         self._current = watch
         self.host.perform(command, source, lambda success: self._ended(watch, success))
 
-    def _ended(self, watch: CommandWatch, success: bool) -> None:
+    def _ended(self, watch: PendingCommand, success: bool) -> None:
         if self.subscriptions.holds(watch) and watch.success is None:
             watch.success = success
             self.host.fire("CommandCompleted", watch, watch.client)
 
-    def _expired(self, watch: CommandWatch) -> None:
+    def _expired(self, watch: PendingCommand) -> None:
         if self.subscriptions.holds(watch) and watch.success is None:
             watch.success = False
             self.host.fire("CommandExpired", watch, watch.client)

@@ -12,7 +12,7 @@ from jauspy.services.core.time import Time
 from jauspy.services.service import Service
 
 
-def with_core(services: Iterable[Service], name: str) -> list[Service]:
+def with_core_services(services: Iterable[Service], name: str) -> list[Service]:
     """These services, and the core ones that are not among them; `name` is what Discovery calls the component."""
     given = list(services)
     urns = {service.urn for service in given}

@@ -12,7 +12,7 @@ from jauspy.services.core.management import Management
 from jauspy.services.core.transport import Transport
 from jauspy.services.service import Service
 
-DEFAULTS: Final[Mapping[str, Callable[[], Service]]] = {
+INHERITED_DEFAULTS: Final[Mapping[str, Callable[[], Service]]] = {
     kind.urn: kind
     for kind in (
         Transport,

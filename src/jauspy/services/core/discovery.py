@@ -23,9 +23,9 @@ from jauspy.messages.core import (
     ReportSubsystemList,
     SubsystemRec,
 )
-from jauspy.services.core.directory import Directory, Filters, Offer, Where, within
+from jauspy.services.core.directory import AddressPattern, Directory, OfferedService, SearchFilters, within
 from jauspy.services.core.identity import DEFAULT_IDENTITIES, NODE, SUBSYSTEM, Identity
-from jauspy.services.core.listing import nodes, own_offers, service
+from jauspy.services.core.listing import node_records, offered_services, service_record
 from jauspy.services.service import Service, ServiceHost
 
 LIFETIME: Final = 300.0
@@ -79,27 +79,27 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
         self._arrive()
 
     def _arrive(self) -> None:
-        self.directory.register(self.host.id, own_offers(self.host))
+        self.directory.register(self.host.id, offered_services(self.host))
         if self._registrar is not None:
             self.host.set_timer(self._stay_registered, self.host.now, self._stay_registered)
 
     def _stay_registered(self) -> None:
         self.host.set_timer(self._stay_registered, self.host.now + REGISTER_AGAIN, self._stay_registered)
-        self._register(own_offers(self.host))
+        self._register(offered_services(self.host))
 
-    def _register(self, offers: Iterable[Offer]) -> None:
+    def _register(self, offers: Iterable[OfferedService]) -> None:
         subsystem = self.host.id.subsystem
         if self._registrar is None or not subsystem:
             return
         if subsystem != self._registrar.subsystem:
             self.host.count("not_registered", f"with {self._registrar}, which is in another subsystem")
             return
-        self.host.send(self._registrar, RegisterServices([service(each) for each in offers]))
+        self.host.send(self._registrar, RegisterServices([service_record(each) for each in offers]))
 
     def about(self, others: Iterable[ServiceHost]) -> None:
         """Components of the same program: they need not register, are there as long as it is, and do not move."""
         for other in others:
-            self.directory.register(other.id, own_offers(other))
+            self.directory.register(other.id, offered_services(other))
 
     def publish_services(self, msg: RegisterServices, source: JausID) -> None:
         """Take up another component of this subsystem; one that registers no services goes off the list."""
@@ -110,7 +110,9 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
         if not msg.service_list:
             self.directory.forget(source)
             return
-        offers = [Offer(each.uri, each.major_version_number, each.minor_version_number) for each in msg.service_list]
+        offers = [
+            OfferedService(each.uri, each.major_version_number, each.minor_version_number) for each in msg.service_list
+        ]
         kept = within(offers, MAX_REGISTRATION)
         if len(kept) < len(offers):
             self.host.count("registration_cut", f"{source} with {len(offers)} services")
@@ -171,7 +173,7 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
             for node in query.node_list
             for component in node.component_list
         }
-        return ReportServices(node_list=nodes(ReportServices, self._fitting(self.directory.matching(wanted))))
+        return ReportServices(node_list=node_records(ReportServices, self._fitting(self.directory.matching(wanted))))
 
     def report_service_list(self, query: QueryServiceList, source: JausID) -> ReportServiceList:
         """As `report_services`, over subsystems; a search filter keeps the services whose URI contains it."""
@@ -183,14 +185,14 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
             subsystem_list=[
                 ReportServiceList.SubsystemSeq(
                     subsystem_rec=ReportServiceList.SubsystemRec(subsystem_id=number),
-                    node_list=nodes(ReportServiceList, {each: found[each] for each in ids}),
+                    node_list=node_records(ReportServiceList, {each: found[each] for each in ids}),
                 )
                 for number, ids in subsystems
             ]
         )
 
-    def _wanted(self, query: QueryServiceList) -> dict[Where, Filters]:
-        wanted: dict[Where, set[str]] = {}
+    def _wanted(self, query: QueryServiceList) -> dict[AddressPattern, SearchFilters]:
+        wanted: dict[AddressPattern, set[str]] = {}
         filters = 0
         for subsystem in query.subsystem_list:
             for node in subsystem.node_list:
@@ -206,7 +208,7 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
             self.host.count("query_cut", f"{filters} search filters")
         return {where: known for where, known in wanted.items() if known}
 
-    def _fitting(self, found: Mapping[JausID, tuple[Offer, ...]]) -> dict[JausID, tuple[Offer, ...]]:
+    def _fitting(self, found: Mapping[JausID, tuple[OfferedService, ...]]) -> dict[JausID, tuple[OfferedService, ...]]:
         """What fits `MAX_REPORT`: this component as far as possible, others with all of their services or not."""
         left, kept = MAX_REPORT, {}
         for each in sorted(found, key=lambda each: each != self.host.id):

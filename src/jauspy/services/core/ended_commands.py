@@ -5,41 +5,41 @@ from __future__ import annotations
 from typing import Final
 
 from jauspy.ids import JausID
-from jauspy.services.core.subscriptions import CommandWatch
+from jauspy.services.core.subscriptions import PendingCommand
 
-KEPT: Final = 3.0
+COMPLETED_COMMAND_LIFETIME: Final = 3.0
 """Seconds; as long as our own OCU asks again, and longer than any known link takes."""
-MOST: Final = 64
+MAX_COMPLETED_COMMANDS: Final = 64
 
 
-class EndedCommands:
+class CompletedCommands:
     """By their requests, each for a while; the oldest goes first."""
 
     def __init__(self) -> None:
-        self._until: dict[CommandWatch, float] = {}
+        self._until: dict[PendingCommand, float] = {}
 
     def __len__(self) -> int:
         return len(self._until)
 
-    def add(self, watch: CommandWatch, now: float) -> None:
-        """It has ended just now; with one more than `MOST`, the oldest is forgotten."""
+    def add(self, watch: PendingCommand, now: float) -> None:
+        """It has ended just now; with one more than `MAX_COMPLETED_COMMANDS`, the oldest is forgotten."""
         self.forget(watch)
-        self._until[watch] = now + KEPT
-        if len(self._until) > MOST:
+        self._until[watch] = now + COMPLETED_COMMAND_LIFETIME
+        if len(self._until) > MAX_COMPLETED_COMMANDS:
             self.forget(next(iter(self._until)))
 
-    def find(self, client: JausID, request: bytes, now: float) -> CommandWatch | None:
+    def find(self, client: JausID, request: bytes, now: float) -> PendingCommand | None:
         """That of this very request."""
         for watch, until in self._until.items():
             if now < until and watch.client == client and watch.request == request:
                 return watch
         return None
 
-    def holds(self, watch: CommandWatch) -> bool:
+    def holds(self, watch: PendingCommand) -> bool:
         """True while it is remembered."""
         return watch in self._until
 
-    def forget(self, watch: CommandWatch) -> None:
+    def forget(self, watch: PendingCommand) -> None:
         """Its client knows; fine when it is gone."""
         self._until.pop(watch, None)
 

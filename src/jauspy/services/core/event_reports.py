@@ -7,13 +7,13 @@ from functools import partial
 from jauspy.codec.base import Message
 from jauspy.messages.core import Event, RejectEventRequest
 from jauspy.protocol.header import Priority
-from jauspy.services.core.rates import Rates
+from jauspy.services.core.rates import EventRates
 from jauspy.services.core.subscriptions import (
+    EXTRA_KINDS,
     FIRST_CHANGE,
-    MORE_KINDS,
     ONE_TIME,
     PERIODIC,
-    Entry,
+    ClientEvent,
     Subscription,
     Subscriptions,
 )
@@ -25,7 +25,7 @@ from jauspy.services.state_machine import TriggerOutcome
 class EventReports(Service):
     """The part of Events that reports."""
 
-    rates: Rates
+    rates: EventRates
     subscriptions: Subscriptions
 
     def send_event(self, msg: Subscription) -> None:
@@ -55,7 +55,7 @@ class EventReports(Service):
         # It comes again: where a client does not keep up, answers and changes, which are told once, are kept.
         self.host.send(msg.client, event, priority=Priority.LOW if msg.kind == PERIODIC else Priority.STANDARD)
         msg.sequence = msg.sequence + 1 & 0xFF
-        if msg.kind in MORE_KINDS:
+        if msg.kind in EXTRA_KINDS:
             self._end(msg)
 
     def send_reject_event_request(self, msg: Subscription) -> None:
@@ -81,7 +81,7 @@ class EventReports(Service):
         self._schedule(subscription)
         self.host.fire("EventOccurred", subscription, subscription.client)
 
-    def _end(self, entry: Entry) -> None:
+    def _end(self, entry: ClientEvent) -> None:
         self.subscriptions.remove(entry)
         for timer in ("event", "event timeout", "command"):
             self.host.cancel_timer((timer, entry.id))

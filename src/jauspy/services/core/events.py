@@ -15,17 +15,17 @@ from jauspy.messages.core import (
     ReportEvents,
     ReportEventTimeout,
 )
-from jauspy.services.core.ended_commands import EndedCommands
+from jauspy.services.core.ended_commands import CompletedCommands
 from jauspy.services.core.event_reports import EventReports
-from jauspy.services.core.event_requests import EventRequests, Request, Setup
-from jauspy.services.core.rates import Rates
+from jauspy.services.core.event_requests import EventRequest, EventRequests, EventSetup
+from jauspy.services.core.rates import EventRates
 from jauspy.services.core.subscriptions import (
     EVERY_CHANGE,
+    EXTRA_KINDS,
     KINDS,
-    MORE_KINDS,
     PERIODIC,
-    CommandWatch,
-    Entry,
+    ClientEvent,
+    PendingCommand,
     Subscription,
     Subscriptions,
 )
@@ -60,12 +60,12 @@ class Events(EventReports, EventRequests, urn="urn:jaus:jss:core:Events", privat
             check_number(value, f"events: {name}", whole=True)
             if not 0 <= value <= most:
                 raise ConfigError(f"events: {name} is {value}; it must be 0..{most}")
-        self.rates = Rates(min_rate, max_rate, max_change_rate)
+        self.rates = EventRates(min_rate, max_rate, max_change_rate)
         self.timeout = timeout
         self.subscriptions = Subscriptions(limit, limit_per_client)
-        self.ended = EndedCommands()
-        self._kinds = KINDS | MORE_KINDS if more_kinds else KINDS
-        self._current: Entry | None = None
+        self.ended = CompletedCommands()
+        self._kinds = KINDS | EXTRA_KINDS if more_kinds else KINDS
+        self._current: ClientEvent | None = None
 
     def leaving(self) -> None:
         """Clients know events by the id of the component: all end with it, and their clients are told."""
@@ -86,7 +86,7 @@ class Events(EventReports, EventRequests, urn="urn:jaus:jss:core:Events", privat
         self._current = subscription
         self._schedule(subscription)
 
-    def update_event(self, msg: Setup, source: JausID) -> None:
+    def update_event(self, msg: EventSetup, source: JausID) -> None:
         """Another rate, kind or query for an event that is there; an every-change event reports anew."""
         subscription = self._find(msg, source)
         if not isinstance(subscription, Subscription):
@@ -98,7 +98,7 @@ class Events(EventReports, EventRequests, urn="urn:jaus:jss:core:Events", privat
         self._current = subscription
         self._schedule(subscription)
 
-    def cancel_event(self, msg: CancelEvent | Entry, source: JausID) -> None:
+    def cancel_event(self, msg: CancelEvent | ClientEvent, source: JausID) -> None:
         """The event ends; a command goes on, without anybody being told how it ends."""
         self._current = self._find(msg, source)
         if self._current is not None:
@@ -125,9 +125,9 @@ class Events(EventReports, EventRequests, urn="urn:jaus:jss:core:Events", privat
 
     # --- reports
 
-    def confirm_event_request(self, msg: Request | CreateCommandEvent | Entry) -> ConfirmEventRequest | None:
+    def confirm_event_request(self, msg: EventRequest | CreateCommandEvent | ClientEvent) -> ConfirmEventRequest | None:
         """The event as it is now, with the rate that is really kept; 0 for a command, which has none."""
-        if isinstance(self._current, CommandWatch):
+        if isinstance(self._current, PendingCommand):
             self._confirm_command(self._current, msg.request_id)
             return None
         return None if self._current is None else _confirmation(self._current, msg.request_id)
@@ -152,7 +152,7 @@ class Events(EventReports, EventRequests, urn="urn:jaus:jss:core:Events", privat
         return ReportEventTimeout(timeout=self.timeout)
 
 
-def _confirmation(entry: Entry, request_id: int) -> ConfirmEventRequest:
+def _confirmation(entry: ClientEvent, request_id: int) -> ConfirmEventRequest:
     rate = entry.confirmed if isinstance(entry, Subscription) else 0.0
     return ConfirmEventRequest(request_id=request_id, event_id=entry.id, confirmed_periodic_rate=rate)
 

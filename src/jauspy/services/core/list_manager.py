@@ -18,7 +18,7 @@ from jauspy.messages.core import (
     ReportElementList,
     SetElement,
 )
-from jauspy.services.core.element_list import Code, ElementList
+from jauspy.services.core.element_list import ElementList, ElementRejectCode
 from jauspy.services.service import Service
 from jauspy.services.state_machine import CommandCompletion
 
@@ -180,11 +180,11 @@ class ListManager(Service, urn="urn:jaus:jss:core:ListManager"):
         known = None if self._drivers else self.host.read(data.data)
         return Element(data, size, known) if known is not None else None
 
-    def _misfit(self, msg: SetElement) -> Code | None:
+    def _misfit(self, msg: SetElement) -> ElementRejectCode | None:
         changed = self.list.linked(msg.element_list)
         if not isinstance(changed, ElementList):
             return changed
-        return Code.OUT_OF_MEMORY if not self._has_room(changed, msg.element_list) else None
+        return ElementRejectCode.OUT_OF_MEMORY if not self._has_room(changed, msg.element_list) else None
 
     def _has_room(self, changed: ElementList, records: Sequence[ElementRec]) -> bool:
         sizes = {uid: element.size for uid, element in self._elements.items()}
@@ -199,9 +199,9 @@ class ListManager(Service, urn="urn:jaus:jss:core:ListManager"):
 
     def reject_element_request(self, msg: SetElement | DeleteElement) -> RejectElementRequest:
         """Nothing was changed, and why."""
-        code = Code.ELEMENT_NOT_FOUND
+        code = ElementRejectCode.ELEMENT_NOT_FOUND
         if isinstance(msg, SetElement):
-            code = self._misfit(msg) or Code.UNSUPPORTED_ELEMENT_TYPE
+            code = self._misfit(msg) or ElementRejectCode.UNSUPPORTED_ELEMENT_TYPE
         self.host.count("list_request_rejected", f"{code.name}: {msg}")
         return RejectElementRequest(request_id=msg.request_id_rec.request_id, response_code=code)
 

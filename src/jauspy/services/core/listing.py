@@ -9,25 +9,25 @@ from typing import Any
 
 from jauspy.ids import JausID
 from jauspy.messages.core import ComponentRec, ServiceRec
-from jauspy.services.core.directory import Offer
+from jauspy.services.core.directory import OfferedService
 from jauspy.services.service import ServiceHost
 
 
-def own_offers(host: ServiceHost) -> list[Offer]:
+def offered_services(host: ServiceHost) -> list[OfferedService]:
     """The services of a component and all they inherit from."""
     offers = []
     for urn, definition in host.definitions.items():
         major, _, minor = definition.version.partition(".")
-        offers.append(Offer(urn, int(major), int(minor or 0)))
+        offers.append(OfferedService(urn, int(major), int(minor or 0)))
     return sorted(offers)
 
 
-def service(offer: Offer) -> ServiceRec:
+def service_record(offer: OfferedService) -> ServiceRec:
     """One service's record."""
     return ServiceRec(uri=offer.uri, major_version_number=offer.major, minor_version_number=offer.minor)
 
 
-def nodes(report: Any, found: Mapping[JausID, Iterable[Offer]]) -> list[Any]:
+def node_records(report: Any, found: Mapping[JausID, Iterable[OfferedService]]) -> list[Any]:
     """The nodes of a `ReportServices` or `ReportServiceList`, which look alike and are classes of their own."""
     return [
         report.NodeSeq(
@@ -38,8 +38,8 @@ def nodes(report: Any, found: Mapping[JausID, Iterable[Offer]]) -> list[Any]:
     ]
 
 
-def _component(report: Any, id: JausID, offers: Iterable[Offer]) -> Any:
+def _component(report: Any, id: JausID, offers: Iterable[OfferedService]) -> Any:
     return report.ComponentSeq(
         component_rec=ComponentRec(component_id=id.component, instance_id=0),
-        service_list=[service(offer) for offer in offers],
+        service_list=[service_record(offer) for offer in offers],
     )

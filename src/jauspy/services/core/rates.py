@@ -8,12 +8,12 @@ from typing import Final
 from jauspy.arguments import check_number
 from jauspy.errors import ConfigError
 
-STEP: Final = 1092 / 65535
+RATE_STEP: Final = 1092 / 65535
 """Rates travel as 16-bit numbers of 0..1092 Hz."""
 
 
 @dataclass(frozen=True, slots=True)
-class Rates:
+class EventRates:
     """Limits (Hz) of periodic events, and of how often every-change events look for a change; 0 is never."""
 
     lowest: float
@@ -40,5 +40,5 @@ class Rates:
 
 def _on_wire(rate: float, most: float) -> float:
     """The nearest rate that the wire can say, and not more than allowed unless that is less than one step."""
-    steps = min(round(rate / STEP), int(most / STEP + 1e-6))
-    return max(1, steps) * STEP
+    steps = min(round(rate / RATE_STEP), int(most / RATE_STEP + 1e-6))
+    return max(1, steps) * RATE_STEP

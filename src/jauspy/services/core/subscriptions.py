@@ -14,12 +14,12 @@ EVERY_CHANGE: Final = 1
 FIRST_CHANGE: Final = 2
 ONE_TIME: Final = 3
 KINDS: Final = frozenset({PERIODIC, EVERY_CHANGE})
-MORE_KINDS: Final = frozenset({FIRST_CHANGE, ONE_TIME})
+EXTRA_KINDS: Final = frozenset({FIRST_CHANGE, ONE_TIME})
 """Kinds of event that AS5710 has no numbers for."""
 
 
 @dataclass(slots=True, eq=False)
-class Entry:
+class ClientEvent:
     """What a client asked for; `request_id` is that of its last request about it."""
 
     id: int
@@ -28,7 +28,7 @@ class Entry:
 
 
 @dataclass(slots=True, eq=False)
-class Subscription(Entry):
+class Subscription(ClientEvent):
     """Reports of one query; keeps to `due` (time) and `period` (s). The client was told the rate `confirmed` (Hz)."""
 
     kind: int
@@ -43,7 +43,7 @@ class Subscription(Entry):
 
 
 @dataclass(slots=True, eq=False)
-class CommandWatch(Entry):
+class PendingCommand(ClientEvent):
     """A command under way, and whether it was carried out; None while that is open."""
 
     command: Message
@@ -60,7 +60,7 @@ class Subscriptions:
     def __init__(self, limit: int, limit_per_client: int) -> None:
         self._limit = min(limit, 256)
         self._limit_per_client = limit_per_client
-        self._by_id: dict[int, Entry] = {}
+        self._by_id: dict[int, ClientEvent] = {}
         self._next_id = 1
 
     def __len__(self) -> int:
@@ -78,20 +78,20 @@ class Subscriptions:
         self._next_id = taken + 1 & 0xFF
         return taken
 
-    def add(self, entry: Entry) -> None:
+    def add(self, entry: ClientEvent) -> None:
         """Keep it under its id, in place of what is there."""
         self._by_id[entry.id] = entry
 
-    def remove(self, entry: Entry) -> None:
+    def remove(self, entry: ClientEvent) -> None:
         """Forget it; fine when it is gone."""
         if self.holds(entry):
             del self._by_id[entry.id]
 
-    def holds(self, entry: Entry) -> bool:
+    def holds(self, entry: ClientEvent) -> bool:
         """True while this very entry is in the table."""
         return self._by_id.get(entry.id) is entry
 
-    def find(self, id: int, client: JausID) -> Entry | None:
+    def find(self, id: int, client: JausID) -> ClientEvent | None:
         """The client's event with this id; another client's is unknown to it."""
         found = self._by_id.get(id)
         return found if found and found.client == client else None
@@ -100,16 +100,16 @@ class Subscriptions:
         """The client's event of this kind with this very query."""
         return next((each for each in self.queries(client) if each.kind == kind and each.query.encode() == query), None)
 
-    def same_command(self, client: JausID, command: bytes) -> CommandWatch | None:
+    def same_command(self, client: JausID, command: bytes) -> PendingCommand | None:
         """The client's command event for this very command."""
-        watches = (each for each in self.of(client) if isinstance(each, CommandWatch))
+        watches = (each for each in self.of(client) if isinstance(each, PendingCommand))
         return next((each for each in watches if each.command.encode() == command), None)
 
-    def all(self) -> list[Entry]:
+    def all(self) -> list[ClientEvent]:
         """Everyone's events in the order of their ids."""
         return [each for _, each in sorted(self._by_id.items())]
 
-    def of(self, client: JausID) -> list[Entry]:
+    def of(self, client: JausID) -> list[ClientEvent]:
         """The client's events in the order of their ids."""
         return [each for each in self.all() if each.client == client]
 
