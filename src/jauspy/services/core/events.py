@@ -15,7 +15,7 @@ from jauspy.messages.core import (
     ReportEvents,
     ReportEventTimeout,
 )
-from jauspy.services.core.ended_commands import CompletedCommands
+from jauspy.services.core.command_events import CompletedCommands
 from jauspy.services.core.event_reports import EventReports
 from jauspy.services.core.event_requests import EventRequest, EventRequests, EventSetup
 from jauspy.services.core.rates import EventRates
