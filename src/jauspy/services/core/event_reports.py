@@ -7,13 +7,13 @@ from functools import partial
 from jauspy.codec.base import Message
 from jauspy.messages.core import Event, RejectEventRequest
 from jauspy.protocol.header import Priority
-from jauspy.services.core.rates import EventRates
 from jauspy.services.core.subscriptions import (
     EXTRA_KINDS,
     FIRST_CHANGE,
     ONE_TIME,
     PERIODIC,
     ClientEvent,
+    EventRates,
     Subscription,
     Subscriptions,
 )

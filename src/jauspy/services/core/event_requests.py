@@ -8,12 +8,12 @@ from jauspy.codec.base import Message
 from jauspy.ids import JausID
 from jauspy.messages.core import CancelEvent, CreateCommandEvent, CreateEvent, RejectEventRequest, UpdateEvent
 from jauspy.services.core.command_events import CommandEvents, encoded
-from jauspy.services.core.rates import EventRates
 from jauspy.services.core.subscriptions import (
     EVERY_CHANGE,
     FIRST_CHANGE,
     PERIODIC,
     ClientEvent,
+    EventRates,
     PendingCommand,
     Subscription,
 )

@@ -18,13 +18,13 @@ from jauspy.messages.core import (
 from jauspy.services.core.command_events import CompletedCommands
 from jauspy.services.core.event_reports import EventReports
 from jauspy.services.core.event_requests import EventRequest, EventRequests, EventSetup
-from jauspy.services.core.rates import EventRates
 from jauspy.services.core.subscriptions import (
     EVERY_CHANGE,
     EXTRA_KINDS,
     KINDS,
     PERIODIC,
     ClientEvent,
+    EventRates,
     PendingCommand,
     Subscription,
     Subscriptions,
