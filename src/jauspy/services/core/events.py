@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from functools import partial
+from typing import Any, Final, TypeAlias
+
 from jauspy.arguments import check_number
+from jauspy.codec.base import Message
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages.core import (
@@ -10,18 +14,22 @@ from jauspy.messages.core import (
     ConfirmEventRequest,
     CreateCommandEvent,
     CreateEvent,
+    Event,
     EventTypeRec,
     QueryEvents,
+    RejectEventRequest,
     ReportEvents,
     ReportEventTimeout,
+    UpdateEvent,
 )
-from jauspy.services.core.command_events import CompletedCommands
-from jauspy.services.core.event_reports import EventReports
-from jauspy.services.core.event_requests import EventRequest, EventRequests, EventSetup
+from jauspy.protocol.header import Priority
+from jauspy.services.core.command_events import CommandEvents, CompletedCommands, encoded
 from jauspy.services.core.subscriptions import (
     EVERY_CHANGE,
     EXTRA_KINDS,
+    FIRST_CHANGE,
     KINDS,
+    ONE_TIME,
     PERIODIC,
     ClientEvent,
     EventRates,
@@ -29,6 +37,160 @@ from jauspy.services.core.subscriptions import (
     Subscription,
     Subscriptions,
 )
+from jauspy.services.deferred import PendingReply
+from jauspy.services.service import Service
+from jauspy.services.state_machine import TriggerOutcome
+
+
+class EventReports(Service):
+    """The part of Events that reports."""
+
+    rates: EventRates
+    subscriptions: Subscriptions
+
+    def send_event(self, msg: Subscription) -> None:
+        """Report to the subscriber what the component would answer it now; on change, only what is new to it."""
+        if msg.asked is msg.query:
+            self.host.count("event_skipped", f"{msg.query.NAME}: the answer before this one has not come yet")
+            return
+        outcome, answer = self.host.ask(msg.query, msg.client)
+        if outcome is TriggerOutcome.FAILED:
+            self.host.fire("EventError", msg, msg.client)
+        if isinstance(answer, PendingReply):
+            msg.asked = msg.query
+            answer.add_done_callback(partial(self._came, msg, msg.query))
+        elif answer is not None and _is_due(msg, answer):
+            self._report(msg, answer)
+
+    def _came(self, msg: Subscription, query: Message, answer: bytes | None) -> None:
+        """An answer that took its time; meanwhile the event may have ended, or ask for something else."""
+        if msg.asked is query:
+            msg.asked = None
+        is_wanted = msg.query is query and self.subscriptions.holds(msg)
+        if is_wanted and answer is not None and _is_due(msg, answer):
+            self._report(msg, answer)
+
+    def _report(self, msg: Subscription, answer: bytes) -> None:
+        event = Event(event_id=msg.id, sequence_number=msg.sequence, report_message=answer)
+        # It comes again: where a client does not keep up, answers and changes, which are told once, are kept.
+        self.host.send(msg.client, event, priority=Priority.LOW if msg.kind == PERIODIC else Priority.STANDARD)
+        msg.sequence = msg.sequence + 1 & 0xFF
+        if msg.kind in EXTRA_KINDS:
+            self._end(msg)
+
+    def send_reject_event_request(self, msg: Subscription) -> None:
+        """The report has a bug, so the event ends, and its client is told that."""
+        code = RejectEventRequest.ResponseCode.MESSAGE_NOT_SUPPORTED
+        self.host.send(msg.client, RejectEventRequest(request_id=msg.request_id, response_code=code))
+        self._end(msg)
+
+    def _set_rate(self, subscription: Subscription, asked: float) -> None:
+        if subscription.kind == PERIODIC:
+            subscription.confirmed = self.rates.periodic(asked)
+        else:
+            subscription.confirmed = self.rates.on_change(asked)
+        subscription.period = 1.0 / (subscription.confirmed or self.rates.change or self.rates.highest or 1.0)
+
+    def _schedule(self, subscription: Subscription) -> None:
+        self.host.set_timer(("event", subscription.id), subscription.due, partial(self._tick, subscription))
+
+    def _tick(self, subscription: Subscription) -> None:
+        # From due time to due time, so that the rate does not drift; after a stall what was missed is left out.
+        missed = max(0, int((self.host.now - subscription.due) / subscription.period))
+        subscription.due += (missed + 1) * subscription.period
+        self._schedule(subscription)
+        self.host.fire("EventOccurred", subscription, subscription.client)
+
+    def _end(self, entry: ClientEvent) -> None:
+        self.subscriptions.remove(entry)
+        for timer in ("event", "event timeout", "command"):
+            self.host.cancel_timer((timer, entry.id))
+
+
+def _is_due(subscription: Subscription, report: bytes) -> bool:
+    """True when the subscriber wants this report; remembers what it has then."""
+    if subscription.kind in (PERIODIC, ONE_TIME):
+        return True
+    before, subscription.last = subscription.last, report
+    return report != before and not (subscription.kind == FIRST_CHANGE and before is None)
+
+
+MAX_QUERY: Final = 4096
+"""Bytes of a query that a subscription may hold."""
+
+EventRequest: TypeAlias = CreateEvent | UpdateEvent | CancelEvent
+EventSetup: TypeAlias = CreateEvent | UpdateEvent
+EventRejectCode: TypeAlias = RejectEventRequest.ResponseCode
+
+
+class EventRequests(CommandEvents):
+    """The part of Events that judges requests. `_kinds` are the kinds of event that there are here."""
+
+    rates: EventRates
+    _kinds: frozenset[int]
+
+    def is_supported(self, msg: EventSetup, source: JausID) -> bool:
+        """The event can be set up as asked for."""
+        return self._refusal(msg, source) is None
+
+    def event_exists(self, msg: EventRequest | CreateCommandEvent | ClientEvent, source: JausID) -> bool:
+        """The client has this event."""
+        return self._find(msg, source) is not None
+
+    def reject_event_request(self, msg: EventRequest | CreateCommandEvent, source: JausID) -> RejectEventRequest:
+        """Why not."""
+        return RejectEventRequest(request_id=msg.request_id, response_code=self._reason(msg, source))
+
+    def _reason(self, msg: Any, source: JausID) -> EventRejectCode:
+        if msg.CODE == CreateCommandEvent.CODE:
+            return (
+                EventRejectCode.MESSAGE_NOT_SUPPORTED
+                if self._command(msg) is None
+                else EventRejectCode.CONNECTION_REFUSED
+            )
+        if msg.CODE != CreateEvent.CODE and self._find(msg, source) is None:
+            return EventRejectCode.INVALID_EVENT_ID
+        return self._refusal(msg, source) or EventRejectCode.MESSAGE_NOT_SUPPORTED
+
+    def _find(self, msg: Any, source: JausID) -> ClientEvent | None:
+        if isinstance(msg, ClientEvent):
+            told_again = isinstance(msg, PendingCommand) and self.ended.holds(msg)
+            return msg if told_again or self.subscriptions.holds(msg) else None
+        if msg.CODE == CreateEvent.CODE:
+            return self.subscriptions.same(source, msg.event_type, encoded(msg.query_message))
+        if msg.CODE == CreateCommandEvent.CODE:
+            return self._find_command(msg, source)
+        found = self.subscriptions.find(msg.event_id, source)
+        return found if msg.CODE == CancelEvent.CODE or isinstance(found, Subscription) else None
+
+    def _refusal(self, msg: EventSetup, source: JausID) -> EventRejectCode | None:
+        """Why the event cannot be set up as asked for: a response code, None when it can."""
+        if (kind := self._refused_kind(msg)) is not None:
+            return kind
+        query = self.host.read(msg.query_message)
+        if query is None or not self.host.is_query(query):
+            return EventRejectCode.MESSAGE_NOT_SUPPORTED
+        if msg.event_type == PERIODIC and msg.requested_periodic_rate <= 0:
+            return EventRejectCode.INVALID_EVENT_SETUP
+        is_new = msg.CODE == CreateEvent.CODE and self._find(msg, source) is None
+        if len(encoded(msg.query_message)) > MAX_QUERY or (is_new and self.subscriptions.full_for(source)):
+            return EventRejectCode.CONNECTION_REFUSED
+        return None
+
+    def _refused_kind(self, msg: EventSetup) -> EventRejectCode | None:
+        if msg.event_type not in self._kinds:
+            return EventRejectCode.INVALID_EVENT_SETUP
+        if msg.event_type == PERIODIC and not self.rates.highest:
+            return EventRejectCode.PERIODIC_NOT_SUPPORTED
+        if msg.event_type in (EVERY_CHANGE, FIRST_CHANGE) and not self.rates.change:
+            return EventRejectCode.EVERY_CHANGE_NOT_SUPPORTED
+        return None
+
+    def _query(self, msg: EventSetup) -> Message:
+        """The query of a request that `is_supported` has let through."""
+        query = self.host.read(msg.query_message)
+        assert query is not None
+        return query
 
 
 class Events(EventReports, EventRequests, urn="urn:jaus:jss:core:Events", private=True):
