@@ -4,8 +4,7 @@ from jauspy.services.core.access_control import AccessControl
 from jauspy.services.core.discovery import Discovery
 from jauspy.services.core.events import Events
 from jauspy.services.core.identity import Identity
-from jauspy.services.core.list_driver import ListDriver
-from jauspy.services.core.list_manager import ListManager
+from jauspy.services.core.list_manager import ListDriver, ListManager
 from jauspy.services.core.liveness import Liveness
 from jauspy.services.core.management import Management
 from jauspy.services.core.time import Time

@@ -6,7 +6,7 @@ from typing import Any
 
 from jauspy.codec.base import Message
 from jauspy.messages.manipulator import SetEndEffectorPose
-from jauspy.services.core.list_driver import ListDriver
+from jauspy.services.core.list_manager import ListDriver
 from jauspy.services.manipulator.tool_pose_driver import ToolPoseDriver, pose_of
 
 

@@ -6,7 +6,7 @@ from typing import Any, Final
 
 from jauspy.codec.base import Message
 from jauspy.messages.manipulator import ReportCommandedJointPositions, SetJointPositions
-from jauspy.services.core.list_driver import ListDriver
+from jauspy.services.core.list_manager import ListDriver
 from jauspy.services.manipulator.driver import ArmDriver
 from jauspy.services.manipulator.values import positions, read_positions, values
 

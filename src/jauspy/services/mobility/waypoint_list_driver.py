@@ -6,7 +6,7 @@ from typing import Any
 
 from jauspy.codec.base import Message
 from jauspy.messages.mobility import ReportActiveElement
-from jauspy.services.core.list_driver import ListDriver
+from jauspy.services.core.list_manager import ListDriver
 from jauspy.services.mobility.travel import Traveller
 from jauspy.services.mobility.waypoint import Waypoint
 
