@@ -6,9 +6,7 @@ from collections.abc import Iterable
 
 from jauspy.services.core.discovery import Discovery
 from jauspy.services.core.identity import COMPONENT, DEFAULT_IDENTITIES, Identity
-from jauspy.services.core.liveness import Liveness
-from jauspy.services.core.management import Management
-from jauspy.services.core.time import Time
+from jauspy.services.core.management import Liveness, Management, Time
 from jauspy.services.service import Service
 
 

@@ -8,8 +8,7 @@ from typing import Final
 from jauspy.services.core.access_control import AccessControl
 from jauspy.services.core.events import Events
 from jauspy.services.core.list_manager import ListManager, ManipulatorListManager, MobilityListManager
-from jauspy.services.core.management import Management
-from jauspy.services.core.transport import Transport
+from jauspy.services.core.management import Management, Transport
 from jauspy.services.service import Service
 
 INHERITED_DEFAULTS: Final[Mapping[str, Callable[[], Service]]] = {
