@@ -25,8 +25,7 @@ from jauspy.messages.core import (
 from jauspy.protocol.header import MAX_PAYLOAD
 from jauspy.services.core import Discovery, Identity, Liveness, directory
 from jauspy.services.core.directory import MAX_COMPONENTS, OfferedService
-from jauspy.services.core.discovery import LIFETIME, MAX_FILTERS, MAX_REGISTRATION, MAX_REPORT
-from jauspy.services.core.listing import offered_services
+from jauspy.services.core.discovery import LIFETIME, MAX_FILTERS, MAX_REGISTRATION, MAX_REPORT, offered_services
 from jauspy.services.host import Host
 
 A = "42.1.1"

@@ -26,7 +26,7 @@ from jauspy.platform.ranging import RangeFinder
 from jauspy.platform.stills import MAX_REPORT
 from jauspy.protocol.delivery import Delivery
 from jauspy.services.core import Discovery, Identity
-from jauspy.services.core.identity import COMPONENT, NODE, SUBSYSTEM, SYSTEM
+from jauspy.services.core.discovery import COMPONENT, NODE, SUBSYSTEM, SYSTEM
 from jauspy.services.host import Host
 from jauspy.transport import Transport
 from jauspy.video.camera_process import CameraProcess

@@ -20,7 +20,7 @@ from jauspy.ocu.discovery import News, discover, discover_all, watch
 from jauspy.ocu.robot import Robot
 from jauspy.protocol.delivery import Delivery
 from jauspy.services.core import Discovery, Identity, Liveness
-from jauspy.services.core.identity import COMPONENT, NODE, SUBSYSTEM, SYSTEM
+from jauspy.services.core.discovery import COMPONENT, NODE, SUBSYSTEM, SYSTEM
 from jauspy.services.host import Host
 from jauspy.transport import Transport
 from jauspy.transport.connect import transport_for

@@ -1,9 +1,8 @@
 """The core services (AS5710)."""
 
 from jauspy.services.core.access_control import AccessControl
-from jauspy.services.core.discovery import Discovery
+from jauspy.services.core.discovery import Discovery, Identity
 from jauspy.services.core.events import Events
-from jauspy.services.core.identity import Identity
 from jauspy.services.core.list_manager import ListDriver, ListManager
 from jauspy.services.core.management import Liveness, Management, Time, Transport
 

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from jauspy.services.core.discovery import Discovery
-from jauspy.services.core.identity import COMPONENT, DEFAULT_IDENTITIES, Identity
+from jauspy.services.core.discovery import COMPONENT, DEFAULT_IDENTITIES, Discovery, Identity
 from jauspy.services.core.management import Liveness, Management, Time
 from jauspy.services.service import Service
 

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 from itertools import groupby
 from operator import attrgetter
-from typing import Final
+from typing import Any, Final
 
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID, component_id
@@ -21,12 +22,72 @@ from jauspy.messages.core import (
     ReportServiceList,
     ReportServices,
     ReportSubsystemList,
+    ServiceRec,
     SubsystemRec,
 )
 from jauspy.services.core.directory import AddressPattern, Directory, OfferedService, SearchFilters, within
-from jauspy.services.core.identity import DEFAULT_IDENTITIES, NODE, SUBSYSTEM, Identity
-from jauspy.services.core.listing import node_records, offered_services, service_record
 from jauspy.services.service import Service, ServiceHost
+
+
+def offered_services(host: ServiceHost) -> list[OfferedService]:
+    """The services of a component and all they inherit from."""
+    offers = []
+    for urn, definition in host.definitions.items():
+        major, _, minor = definition.version.partition(".")
+        offers.append(OfferedService(urn, int(major), int(minor or 0)))
+    return sorted(offers)
+
+
+def service_record(offer: OfferedService) -> ServiceRec:
+    """One service's record."""
+    return ServiceRec(uri=offer.uri, major_version_number=offer.major, minor_version_number=offer.minor)
+
+
+def node_records(report: Any, found: Mapping[JausID, Iterable[OfferedService]]) -> list[Any]:
+    """The nodes of a `ReportServices` or `ReportServiceList`, which look alike and are classes of their own."""
+    return [
+        report.NodeSeq(
+            node_rec=report.NodeRec(node_id=node),
+            component_list=[_component(report, each, found[each]) for each in ids],
+        )
+        for node, ids in groupby(sorted(found), key=attrgetter("node"))
+    ]
+
+
+def _component(report: Any, id: JausID, offers: Iterable[OfferedService]) -> Any:
+    return report.ComponentSeq(
+        component_rec=ComponentRec(component_id=id.component, instance_id=0),
+        service_list=[service_record(offer) for offer in offers],
+    )
+
+
+SYSTEM, SUBSYSTEM, NODE, COMPONENT = 1, 2, 3, 4
+"""The levels of a query (its field QueryType)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Identity:
+    """A name (Latin-1, at most 255 bytes), and the type of AS5710: 10001 vehicle, 40001 node, 60001 component."""
+
+    name: str
+    type: int
+
+    def __post_init__(self) -> None:
+        try:
+            fits = len(self.name.encode("latin-1")) <= 255
+        except UnicodeEncodeError:
+            fits = False
+        if not fits:
+            raise ConfigError(f"identity {self.name!r}: a name on the wire is Latin-1 text of up to 255 bytes")
+
+
+DEFAULT_IDENTITIES: Final[Mapping[int, Identity]] = {
+    SYSTEM: Identity("jauspy", 10001),
+    SUBSYSTEM: Identity("jauspy vehicle", 10001),
+    NODE: Identity("jauspy node", 40001),
+    COMPONENT: Identity("jauspy component", 60001),
+}
+
 
 LIFETIME: Final = 300.0
 """Seconds that a registration lasts after Discovery last heard from the component. AS5710 has no renewal: components
