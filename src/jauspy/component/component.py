@@ -19,7 +19,7 @@ from jauspy.ids import JausID, component_id
 from jauspy.protocol.delivery import Delivery
 from jauspy.protocol.header import Broadcast, Priority
 from jauspy.schema.model import Schema
-from jauspy.services.core.complete import with_core_services
+from jauspy.services.core.defaults import with_core_services
 from jauspy.services.host import Host
 from jauspy.services.service import Service, check_services
 from jauspy.transport import LocalTransport, Transport

@@ -13,8 +13,7 @@ from jauspy.messages import registry
 from jauspy.schema.inheritance import lineage, parents_among
 from jauspy.schema.model import Schema, Service as Definition
 from jauspy.services.binding import RequiredMethod, required_methods
-from jauspy.services.core.complete import with_core_services
-from jauspy.services.core.defaults import INHERITED_DEFAULTS
+from jauspy.services.core.defaults import INHERITED_DEFAULTS, with_core_services
 from jauspy.services.service import Service
 
 _ENDS: Final = {"action": "", "predicate": "", "report": "; None sends nothing"}

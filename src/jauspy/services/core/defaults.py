@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Final
 
 from jauspy.services.core.access_control import AccessControl
+from jauspy.services.core.discovery import COMPONENT, DEFAULT_IDENTITIES, Discovery, Identity
 from jauspy.services.core.events import Events
 from jauspy.services.core.list_manager import ListManager, ManipulatorListManager, MobilityListManager
-from jauspy.services.core.management import Management, Transport
+from jauspy.services.core.management import Liveness, Management, Time, Transport
 from jauspy.services.service import Service
 
 INHERITED_DEFAULTS: Final[Mapping[str, Callable[[], Service]]] = {
@@ -23,3 +24,15 @@ INHERITED_DEFAULTS: Final[Mapping[str, Callable[[], Service]]] = {
         ManipulatorListManager,
     )
 }
+
+
+def with_core_services(services: Iterable[Service], name: str) -> list[Service]:
+    """These services, and the core ones that are not among them; `name` is what Discovery calls the component."""
+    given = list(services)
+    urns = {service.urn for service in given}
+    component = Identity(name, DEFAULT_IDENTITIES[COMPONENT].type)
+    for service in given:
+        if isinstance(service, Discovery):
+            service.identities.setdefault(COMPONENT, component)
+    core = (Management(), Time(), Liveness(), Discovery({COMPONENT: component}))
+    return [*given, *(service for service in core if service.urn not in urns)]
