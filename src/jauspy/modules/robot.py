@@ -187,7 +187,7 @@ def _acquaint(hosts: Sequence[Host]) -> None:
     """Whichever of them is asked knows the whole robot."""
     for host in hosts:
         if (discovery := host.service(Discovery)) is not None:
-            discovery.about(each for each in hosts if each is not host)
+            discovery.add_local(each for each in hosts if each is not host)
 
 
 def announced(host: Host, module: ModuleConfig) -> Intercept | None:

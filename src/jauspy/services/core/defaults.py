@@ -1,4 +1,4 @@
-"""The core services that a component gets by itself when something inherits from them."""
+"""The core services that a component has by default (AS5710)."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ INHERITED_DEFAULTS: Final[Mapping[str, Callable[[], Service]]] = {
 
 
 def with_core_services(services: Iterable[Service], name: str) -> list[Service]:
-    """These services, and the core ones that are not among them; `name` is what Discovery calls the component."""
+    """These services, and the core services that are not among them; `name` is reported by Discovery."""
     given = list(services)
     urns = {service.urn for service in given}
     component = Identity(name, DEFAULT_IDENTITIES[COMPONENT].type)

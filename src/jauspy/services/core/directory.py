@@ -1,4 +1,4 @@
-"""The components and services that Discovery knows of, in a bounded table whose entries end by themselves."""
+"""The components and services that Discovery knows, in a bounded table with entries that expire."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from typing import Final, NamedTuple, TypeAlias
 from jauspy.ids import ANY_COMPONENT, ANY_NODE, ANY_SUBSYSTEM, JausID
 
 MAX_COMPONENTS: Final = 256
-"""Other components that may be registered at once."""
+"""Other components that may be registered."""
 MAX_SERVICES: Final = 64
-"""Services of one component that are kept; the wire allows 255, which no component comes near."""
+"""Services of one component that are kept; a message can carry 255."""
 
 
 AddressPattern: TypeAlias = tuple[int, int, int]

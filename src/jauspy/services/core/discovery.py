@@ -106,7 +106,7 @@ _RECORDS: Final = 8
 
 
 class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
-    """Answers for its own component, for those it was told `about`, and for those of its subsystem that registered.
+    """Answers for its own component, for those passed to `add_local`, and for those of its subsystem that registered.
 
     `identities` by level: 1 system, 2 subsystem, 3 node, 4 component; what is not given has a default.
     Registrations end `LIFETIME` seconds after the component last registered or asked. Reports name as many components
@@ -124,28 +124,28 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
         self._registrar = None if register_with is None else _one_component(register_with)
 
     def attached(self) -> None:
-        """The component's own services, those it inherits included; `ConfigError` where it cannot register."""
+        """List the component's own services, including inherited ones; `ConfigError` when it cannot register."""
         me, other = self.host.id, self._registrar
         if other is not None and me.subsystem and (other == me or other.subsystem != me.subsystem):
             raise ConfigError(f"register_with: {me} cannot register with {other}; name another one of its subsystem")
-        self._arrive()
+        self._list_own()
 
     def leaving(self) -> None:
-        """Others registered with the component of the old id, which is on nobody's list any more."""
+        """Forget registrations, which were made under the old id, and cancel the own one."""
         self.directory = Directory()
         self._register(())
 
     def joined(self) -> None:
-        """The same services under the new id."""
-        self._arrive()
+        """List the same services under the new id."""
+        self._list_own()
 
-    def _arrive(self) -> None:
+    def _list_own(self) -> None:
         self.directory.register(self.host.id, offered_services(self.host))
         if self._registrar is not None:
-            self.host.set_timer(self._stay_registered, self.host.now, self._stay_registered)
+            self.host.set_timer(self._repeat_registration, self.host.now, self._repeat_registration)
 
-    def _stay_registered(self) -> None:
-        self.host.set_timer(self._stay_registered, self.host.now + REGISTER_AGAIN, self._stay_registered)
+    def _repeat_registration(self) -> None:
+        self.host.set_timer(self._repeat_registration, self.host.now + REGISTER_AGAIN, self._repeat_registration)
         self._register(offered_services(self.host))
 
     def _register(self, offers: Iterable[OfferedService]) -> None:
@@ -157,17 +157,17 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
             return
         self.host.send(self._registrar, RegisterServices([service_record(each) for each in offers]))
 
-    def about(self, others: Iterable[ServiceHost]) -> None:
-        """Components of the same program: they need not register, are there as long as it is, and do not move."""
+    def add_local(self, others: Iterable[ServiceHost]) -> None:
+        """List components of the same program: they need not register, do not expire, and keep their ids."""
         for other in others:
             self.directory.register(other.id, offered_services(other))
 
     def publish_services(self, msg: RegisterServices, source: JausID) -> None:
-        """Take up another component of this subsystem; one that registers no services goes off the list."""
+        """List another component of this subsystem; one that registers no services is removed."""
         if source.subsystem != self.host.id.subsystem or source == self.host.id:
             self.host.count("foreign_registration", str(source))
             return
-        self._heard(source)
+        self._renew(source)
         if not msg.service_list:
             self.directory.forget(source)
             return
@@ -181,17 +181,17 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
             self.host.count("registration_dropped", str(source))
 
     def client_lost(self, client: JausID) -> None:
-        """It is not there any more, unless it is this very component."""
+        """Remove the component from the list, unless it is this one."""
         if client != self.host.id:
             self.directory.forget(client)
 
-    def _heard(self, source: JausID) -> None:
+    def _renew(self, source: JausID) -> None:
         self.directory.renew(source, self.host.now + LIFETIME)
         self.directory.expire(self.host.now)
 
     def report_identification(self, query: QueryIdentification, source: JausID) -> ReportIdentification | None:
         """Name and type at the level asked for; no answer for a reserved level."""
-        self._heard(source)
+        self._renew(source)
         level = int(query.query_type)
         identity = self.identities.get(level) or DEFAULT_IDENTITIES.get(level)
         if identity is None:
@@ -200,7 +200,7 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
 
     def report_configuration(self, query: QueryConfiguration, source: JausID) -> ReportConfiguration | None:
         """Nodes and components of the subsystem, or of this node alone; no answer for a reserved level."""
-        self._heard(source)
+        self._renew(source)
         if query.query_type not in (SUBSYSTEM, NODE):
             return None
         me = self.host.id
@@ -220,15 +220,15 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
         )
 
     def report_subsystem_list(self, source: JausID) -> ReportSubsystemList:
-        """The own subsystem, and where to ask about it: here."""
-        self._heard(source)
+        """The own subsystem, with this component as the one that answers for it."""
+        self._renew(source)
         me = self.host.id
         record = SubsystemRec(subsystem_id=me.subsystem, node_id=me.node, component_id=me.component)
         return ReportSubsystemList(subsystem_list=[record])
 
     def report_services(self, query: QueryServices, source: JausID) -> ReportServices:
         """The services of every component asked for that is known; wildcards (255) are understood."""
-        self._heard(source)
+        self._renew(source)
         wanted = {
             (self.host.id.subsystem, node.node_rec.node_id, component.component_id): _ALL
             for node in query.node_list
@@ -238,7 +238,7 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
 
     def report_service_list(self, query: QueryServiceList, source: JausID) -> ReportServiceList:
         """As `report_services`, over subsystems; a search filter keeps the services whose URI contains it."""
-        self._heard(source)
+        self._renew(source)
         matching = self.directory.matching(self._wanted(query))
         found = self._fitting({each: offers for each, offers in matching.items() if offers})
         subsystems = groupby(sorted(found), key=attrgetter("subsystem"))
@@ -270,7 +270,7 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
         return {where: known for where, known in wanted.items() if known}
 
     def _fitting(self, found: Mapping[JausID, tuple[OfferedService, ...]]) -> dict[JausID, tuple[OfferedService, ...]]:
-        """What fits `MAX_REPORT`: this component as far as possible, others with all of their services or not."""
+        """What fits `MAX_REPORT`: this component as far as possible, others with all of their services."""
         left, kept = MAX_REPORT, {}
         for each in sorted(found, key=lambda each: each != self.host.id):
             offers = within(found[each], left - _RECORDS)

@@ -1,4 +1,4 @@
-"""The order of a list's elements: doubly linked on the wire, checked as a whole, never half changed (AS5710)."""
+"""The order of a list's elements: doubly linked in messages, changed as a whole or not at all (AS5710)."""
 
 from __future__ import annotations
 
@@ -34,12 +34,12 @@ class ElementList:
         return self.order[0] if self.loop else 0
 
     def without(self, uids: Collection[int]) -> ElementList:
-        """The list when these are gone; their neighbours are linked with each other."""
+        """The list without these elements; their neighbours are linked with each other."""
         order = tuple(uid for uid in self.order if uid not in uids)
         return ElementList(order, self.loop and bool(order))
 
     def linked(self, records: Sequence[ElementRec]) -> ElementList | ElementRejectCode:
-        """The list with these elements inserted, or replaced, where their links say; why not, if these do not fit."""
+        """The list with these elements inserted or replaced where their links say; a reject code if they do not fit."""
         if not records:
             return ElementRejectCode.UNSPECIFIED_ERROR
         uids = {record.element_uid for record in records}

@@ -1,4 +1,4 @@
-"""Management: Standby, Ready, Emergency and the rest of a component's life (AS5710)."""
+"""The small core services of AS5710: Management, Liveness, Time and Transport."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from jauspy.services.state_machine import STAY, ActionResult
 from jauspy.services.units import date_stamp, time_stamp
 
 MAX_EMERGENCY_CLIENTS: Final = 64
-"""Clients whose emergency is remembered one by one; more keep the emergency, but need not clear it."""
+"""Clients whose emergency is remembered; further ones set the emergency, but need not clear it."""
 
 
 class Management(Service, urn="urn:jaus:jss:core:Management"):
@@ -24,11 +24,11 @@ class Management(Service, urn="urn:jaus:jss:core:Management"):
 
     @property
     def status(self) -> ReportStatus.Status:
-        """What the active state means."""
+        """The status of the active state."""
         return _status(self.host.path)
 
     def initialize(self) -> None:
-        """Nothing takes time here, so initialization is over at once; a component with hardware overrides this."""
+        """Initialization ends at once; a component with hardware overrides this."""
         self.host.fire("Initialized")
 
     def store_id(self, source: JausID) -> None:
@@ -46,7 +46,7 @@ class Management(Service, urn="urn:jaus:jss:core:Management"):
         return STAY if self._emergency_clients else None
 
     def report_status(self) -> ReportStatus:
-        """The status, and four reserved bytes."""
+        """The status of the component."""
         return ReportStatus(status=self.status, reserved=0)
 
 
@@ -66,18 +66,18 @@ def _status(path: tuple[str, ...]) -> ReportStatus.Status:
 
 
 class Liveness(Service, urn="urn:jaus:jss:core:Liveness"):
-    """The heartbeat."""
+    """Answers queries for a heartbeat."""
 
     def report_heartbeat_pulse(self) -> ReportHeartbeatPulse:
-        """There is nothing in it: that it comes is the news."""
+        """A message without fields."""
         return ReportHeartbeatPulse()
 
 
 class Time(Service, urn="urn:jaus:jss:core:Time"):
-    """UTC. Setting it keeps an offset to the wall clock; the machine's own clock is never touched."""
+    """Date and time of day in UTC. Setting it keeps an offset to the wall clock, which is not changed."""
 
     def set_time(self, msg: SetTime) -> None:
-        """Take over what the message has; a date that no calendar has is counted and ignored."""
+        """Set the fields that the message has; an impossible date is counted and ignored."""
         try:
             wanted = _combined(self.host.utc_time, msg)
         except ValueError as error:
@@ -102,7 +102,7 @@ def _combined(now: datetime, msg: SetTime) -> datetime:
 
 
 class Transport(Service, urn="urn:jaus:jss:core:Transport", private=True):
-    """Queues what is to be sent; a shell takes it from the host."""
+    """Queues the messages that the other services send through its SendFSM."""
 
     def enqueue(self, msg: Outgoing) -> None:
         """Send to one component, or to all that a wildcard id matches."""

@@ -1,4 +1,4 @@
-"""The events of a component: a bounded table, each entry known to its creator alone."""
+"""The events of a component in a bounded table, and their rates. Each event is known to its client only."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ FIRST_CHANGE: Final = 2
 ONE_TIME: Final = 3
 KINDS: Final = frozenset({PERIODIC, EVERY_CHANGE})
 EXTRA_KINDS: Final = frozenset({FIRST_CHANGE, ONE_TIME})
-"""Kinds of event that AS5710 has no numbers for."""
+"""Kinds of event that AS5710 does not number."""
 
 
 @dataclass(slots=True, eq=False)
 class ClientEvent:
-    """What a client asked for; `request_id` is that of its last request about it."""
+    """An event of one client; `request_id` is that of its last request about it."""
 
     id: int
     client: JausID
@@ -31,7 +31,7 @@ class ClientEvent:
 
 @dataclass(slots=True, eq=False)
 class Subscription(ClientEvent):
-    """Reports of one query; keeps to `due` (time) and `period` (s). The client was told the rate `confirmed` (Hz)."""
+    """Reports of one query, next at `due` (s), every `period` (s). `confirmed` is the rate that was confirmed (Hz)."""
 
     kind: int
     query: Message
@@ -40,24 +40,24 @@ class Subscription(ClientEvent):
     confirmed: float = 1.0
     sequence: int = 0
     last: bytes | None = None
-    asked: Message | None = None
-    """Its query while the answer to that has not come yet."""
+    pending_query: Message | None = None
+    """The query while its reply is deferred."""
 
 
 @dataclass(slots=True, eq=False)
 class PendingCommand(ClientEvent):
-    """A command under way, and whether it was carried out; None while that is open."""
+    """A command event: `success` says whether the command was carried out, None while it is pending."""
 
     command: Message
     request: bytes
-    """What its client sent."""
+    """The encoded CreateCommandEvent."""
     success: bool | None = None
-    known: bool = False
-    """Its client has the confirmation, and so does not ask again."""
+    confirmation_acknowledged: bool = False
+    """The client has the confirmation, and so does not repeat its request."""
 
 
 class Subscriptions:
-    """By event id, 0..255, unique in the component."""
+    """Events by their ids, 0..255, which are unique in the component."""
 
     def __init__(self, limit: int, limit_per_client: int) -> None:
         self._limit = min(limit, 256)
@@ -69,11 +69,11 @@ class Subscriptions:
         return len(self._by_id)
 
     def full_for(self, client: JausID) -> bool:
-        """True when this client cannot have one more."""
+        """True when this client cannot have another event."""
         return len(self._by_id) >= self._limit or len(self.of(client)) >= self._limit_per_client
 
     def free_id(self) -> int:
-        """An id that is not in use; ids of cancelled events come back last."""
+        """Return an id that is not in use; ids of cancelled events are reused last."""
         while self._next_id in self._by_id:
             self._next_id = self._next_id + 1 & 0xFF
         taken = self._next_id
@@ -81,11 +81,11 @@ class Subscriptions:
         return taken
 
     def add(self, entry: ClientEvent) -> None:
-        """Keep it under its id, in place of what is there."""
+        """Add it under its id, replacing the event with this id."""
         self._by_id[entry.id] = entry
 
     def remove(self, entry: ClientEvent) -> None:
-        """Forget it; fine when it is gone."""
+        """Remove the event, if it is in the table."""
         if self.holds(entry):
             del self._by_id[entry.id]
 
@@ -94,7 +94,7 @@ class Subscriptions:
         return self._by_id.get(entry.id) is entry
 
     def find(self, id: int, client: JausID) -> ClientEvent | None:
-        """The client's event with this id; another client's is unknown to it."""
+        """The client's event with this id; None for an event of another client."""
         found = self._by_id.get(id)
         return found if found and found.client == client else None
 
@@ -116,17 +116,17 @@ class Subscriptions:
         return [each for each in self.all() if each.client == client]
 
     def queries(self, client: JausID) -> Iterator[Subscription]:
-        """Those among them that report."""
+        """The subscriptions of the client."""
         return (each for each in self.of(client) if isinstance(each, Subscription))
 
 
 RATE_STEP: Final = 1092 / 65535
-"""Rates travel as 16-bit numbers of 0..1092 Hz."""
+"""Step (Hz) of rates in messages: 0..1092 Hz in 16 bits."""
 
 
 @dataclass(frozen=True, slots=True)
 class EventRates:
-    """Limits (Hz) of periodic events, and of how often every-change events look for a change; 0 is never."""
+    """Limits (Hz) of periodic events, and of how often every-change events check for a change; 0 refuses them."""
 
     lowest: float
     highest: float
@@ -142,15 +142,15 @@ class EventRates:
             )
 
     def periodic(self, asked: float) -> float:
-        """The rate of a periodic event."""
+        """The rate (Hz) applied to a periodic event."""
         return _on_wire(max(asked, self.lowest), self.highest)
 
     def on_change(self, asked: float) -> float:
-        """The most that an every-change event reports; 0, as asked for, leaves it open: as often as allowed."""
+        """The rate (Hz) applied to an every-change event; 0, when requested, means as often as allowed."""
         return _on_wire(asked, self.change) if asked else 0.0
 
 
 def _on_wire(rate: float, most: float) -> float:
-    """The nearest rate that the wire can say, and not more than allowed unless that is less than one step."""
+    """The nearest rate that a message can carry, at most the allowed one unless that is less than one step."""
     steps = min(round(rate / RATE_STEP), int(most / RATE_STEP + 1e-6))
     return max(1, steps) * RATE_STEP
