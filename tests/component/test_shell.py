@@ -9,7 +9,7 @@ import pytest
 
 from jauspy.codec.base import Message
 from jauspy.component import Shell
-from jauspy.component.shell import MAX_BACKLOG, MAX_PER_WAKEUP, loop_time
+from jauspy.component.shell import MAX_PACKETS_PER_TURN, MAX_TRANSPORT_BACKLOG, loop_time
 from jauspy.errors import EncodeError, ProtocolError, ResponseTimeout, TransportError
 from jauspy.ids import EVERYONE, JausID
 from jauspy.messages.core import (
@@ -325,7 +325,7 @@ async def test_large_messages_go_out_in_pieces_and_come_in_whole():
 
 async def test_pieces_wait_while_the_transport_has_much_to_send(virtual_network):
     class Line(LoopbackTransport):
-        waiting = MAX_BACKLOG
+        waiting = MAX_TRANSPORT_BACKLOG
 
     hub = LoopbackHub()
     line = Line(ME, hub)
@@ -347,10 +347,10 @@ def queries(number: int, start: int = 0) -> bytes:
 
 async def test_more_packets_than_one_turn_handles_are_all_handled():
     hub = LoopbackHub()
-    many = 3 * MAX_PER_WAKEUP + 1
+    many = 3 * MAX_PACKETS_PER_TURN + 1
     async with component(hub) as me:
         me.transport.received(queries(many))
-        assert me.counters["host.received"] == MAX_PER_WAKEUP
+        assert me.counters["host.received"] == MAX_PACKETS_PER_TURN
         me.transport.received(queries(1, start=many))
         async with asyncio.timeout(20):
             while me.counters["host.received"] < many + 1:
@@ -361,13 +361,13 @@ async def test_what_was_not_handled_before_closing_is_not_handled_after():
     hub = LoopbackHub()
     me = component(hub)
     await me.open()
-    me.transport.received(queries(MAX_PER_WAKEUP + 1, start=1000))
+    me.transport.received(queries(MAX_PACKETS_PER_TURN + 1, start=1000))
     await me.close()
     async with me, Peer(hub) as peer:
         peer.send(QueryHeartbeatPulse())
         await peer.next()
         await asyncio.sleep(0)
-        assert me.counters["host.received"] == MAX_PER_WAKEUP + 1
+        assert me.counters["host.received"] == MAX_PACKETS_PER_TURN + 1
 
 
 async def test_a_bug_on_one_packet_leaves_the_others_of_its_datagram():

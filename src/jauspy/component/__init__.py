@@ -2,6 +2,6 @@
 
 from jauspy.component.component import Component
 from jauspy.component.program import run
-from jauspy.component.shell import Shell
+from jauspy.component.shell import Component
 
 __all__ = ["Component", "Shell", "run"]

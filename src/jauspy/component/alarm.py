@@ -6,7 +6,7 @@ import asyncio
 from collections.abc import Callable
 
 
-class Alarm:
+class LoopTimer:
     """Calls `ring` once, at the time that was last set, by `clock`."""
 
     def __init__(self, ring: Callable[[], None], clock: Callable[[], float]) -> None:

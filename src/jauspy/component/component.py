@@ -13,7 +13,7 @@ from typing import Final, Literal, Self, TypeVar
 from jauspy.arguments import check_text
 from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
-from jauspy.component.shell import Shell
+from jauspy.component.shell import Component
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID, component_id
 from jauspy.protocol.delivery import Delivery
@@ -76,7 +76,7 @@ class Component:
         self._transport = transport
         self._delivery = delivery
         self._clock = clock or _loop_time
-        self._shell: Shell | None = None
+        self._shell: Component | None = None
         self._closed = asyncio.Event()
 
     def __repr__(self) -> str:
@@ -124,7 +124,7 @@ class Component:
         if self._shell is not None:
             return
         transport = self._transport or await self._way()
-        shell = Shell(self.host, transport, clock=self._clock, delivery=self._delivery)
+        shell = Component(self.host, transport, clock=self._clock, delivery=self._delivery)
         await shell.open()
         self._shell = shell
         self._closed.clear()
@@ -177,7 +177,7 @@ class Component:
         """Call this after acting on services from outside: sends what they want to send, sets their timers."""
         self._open().wake()
 
-    def _open(self) -> Shell:
+    def _open(self) -> Component:
         if self._shell is None:
             raise ConfigError(f"{self} is not open; use `async with component:` first")
         return self._shell

@@ -10,7 +10,7 @@ from typing import Final
 _LOG: Final = logging.getLogger("jauspy.component")
 
 
-class Guard:
+class ErrorGuard:
     """A `with` block around everything one wake-up does; reusable, not to be nested."""
 
     __slots__ = ("_counters", "_name")

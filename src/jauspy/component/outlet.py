@@ -6,7 +6,7 @@ import logging
 from collections import Counter
 from typing import Final
 
-from jauspy.component.deliveries import Deliveries
+from jauspy.component.acknowledgements import Acknowledgements
 from jauspy.errors import ProtocolError
 from jauspy.protocol.endpoint import Endpoint
 from jauspy.protocol.header import Ack
@@ -20,7 +20,7 @@ class Outlet:
     """`deliveries` hears of every outcome."""
 
     def __init__(
-        self, endpoint: Endpoint, transport: Transport, deliveries: Deliveries, counters: Counter[str]
+        self, endpoint: Endpoint, transport: Transport, deliveries: Acknowledgements, counters: Counter[str]
     ) -> None:
         self._endpoint = endpoint
         self._transport = transport

@@ -11,9 +11,9 @@ from types import TracebackType
 from typing import Final, Self
 
 from jauspy.codec.base import Message
-from jauspy.component.alarm import Alarm
-from jauspy.component.deliveries import Deliveries
-from jauspy.component.guard import Guard
+from jauspy.component.acknowledgements import Acknowledgements
+from jauspy.component.alarm import LoopTimer
+from jauspy.component.guard import ErrorGuard
 from jauspy.component.outlet import Outlet
 from jauspy.errors import ProtocolError, TransportError
 from jauspy.ids import JausID
@@ -25,9 +25,9 @@ from jauspy.transport.base import Transport
 
 _LOG: Final = logging.getLogger("jauspy.component")
 
-MAX_PER_WAKEUP: Final = 256
+MAX_PACKETS_PER_TURN: Final = 256
 """Packets handled before the event loop gets its turn; the rest, which is bounded, is handled right after that."""
-MAX_BACKLOG: Final = 64
+MAX_TRANSPORT_BACKLOG: Final = 64
 """Datagrams that may wait in the transport when further pieces of a large message are sent."""
 
 
@@ -40,7 +40,7 @@ Intercept = Callable[[Packet], bool]
 """Sees every received packet first; what it returns true for does not reach the services."""
 
 
-class Shell:
+class Component:
     """Runs `host` on `transport`: `async with Shell(host, transport): ...`, or `await shell.run()`.
 
     `clock` is monotonic, in seconds, the event loop's unless given; `delivery` has the settings of reliable delivery
@@ -65,11 +65,11 @@ class Shell:
         self._intercept = intercept
         start = random.randrange(0x10000) if first_sequence is None else first_sequence  # noqa: S311 - not a secret
         self._endpoint = Endpoint(host.id, first_sequence=start, delivery=delivery)
-        self._deliveries = Deliveries(self._endpoint, self._unreachable)
+        self._deliveries = Acknowledgements(self._endpoint, self._unreachable)
         self._errors: Counter[str] = Counter()
-        self._guard = Guard(f"component {host.id}", self._errors)
+        self._guard = ErrorGuard(f"component {host.id}", self._errors)
         self._outlet = Outlet(self._endpoint, transport, self._deliveries, self._errors)
-        self._alarm = Alarm(self._timeout, clock)
+        self._alarm = LoopTimer(self._timeout, clock)
         self._continuation: asyncio.Handle | None = None
         self._loop: asyncio.AbstractEventLoop | None = None
         self._closed = asyncio.Event()
@@ -204,7 +204,7 @@ class Shell:
 
     def _handle(self, loop: asyncio.AbstractEventLoop) -> None:
         """Handle what was received; what is too much for one turn of the event loop comes with the next."""
-        for _ in range(MAX_PER_WAKEUP):
+        for _ in range(MAX_PACKETS_PER_TURN):
             packet = self._endpoint.next_event()
             if packet is None:
                 break
@@ -270,7 +270,7 @@ class Shell:
 
     def _timeout(self) -> None:
         with self._guard:
-            self._endpoint.handle_timeout(self._clock(), room=self.transport.waiting < MAX_BACKLOG)
+            self._endpoint.handle_timeout(self._clock(), room=self.transport.waiting < MAX_TRANSPORT_BACKLOG)
             self.host.handle_timeout(self._clock())
         self._flush()
 

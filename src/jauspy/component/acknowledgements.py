@@ -10,11 +10,11 @@ from jauspy.errors import JausError, ResponseTimeout
 from jauspy.ids import JausID
 from jauspy.protocol.endpoint import Endpoint
 
-MAX_TOLD: Final = 64
+MAX_CALLBACKS: Final = 64
 """Messages that services may have sent until acknowledged at once: of what may be under way, the rest is for others."""
 
 
-class Deliveries:
+class Acknowledgements:
     """Futures by ticket; an outcome that nobody waits for is only counted, by the endpoint.
 
     `lost` is told who did not acknowledge, unless the service that sent is told.
@@ -29,7 +29,7 @@ class Deliveries:
     @property
     def full(self) -> bool:
         """True when no further service can be told."""
-        return len(self._told) >= MAX_TOLD
+        return len(self._told) >= MAX_CALLBACKS
 
     def tell(self, ticket: int, told: Callable[[bool], None]) -> None:
         """Call `told` with whether the message of this ticket was acknowledged."""
