@@ -8,8 +8,7 @@ from typing import Any
 import pytest
 
 import jauspy
-from jauspy.codec.entries import Collision, Entry
-from jauspy.codec.registry import Registry
+from jauspy.codec.registry import Collision, Entry, Registry
 from jauspy.errors import ConfigError, DecodeError, SchemaError
 from jauspy.messages import registry
 

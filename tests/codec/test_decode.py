@@ -8,9 +8,9 @@ from typing import Any
 
 import pytest
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
-from jauspy.codec.streams import MOST_DEVIATIONS
+from jauspy.codec.slow_path import MOST_DEVIATIONS
 from jauspy.errors import DecodeError
 from jauspy.messages import registry
 from jauspy.messages.core import (

@@ -8,8 +8,8 @@ from subprocess import run
 
 import pytest
 
+from jauspy.codec.build import load_schema
 from jauspy.codec.codegen import MAX_CACHED_PACKERS, Masks
-from jauspy.codec.dynamic import load_schema
 from jauspy.codec.names import attribute, class_name, constant, members, set_package
 from jauspy.codec.source import generate
 from jauspy.errors import SchemaError

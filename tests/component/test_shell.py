@@ -7,7 +7,7 @@ from datetime import UTC, datetime
 
 import pytest
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.component import Shell
 from jauspy.component.shell import MAX_PACKETS_PER_TURN, MAX_TRANSPORT_BACKLOG, loop_time
 from jauspy.errors import EncodeError, ProtocolError, ResponseTimeout, TransportError

@@ -30,10 +30,10 @@ from tests.conformance.mistakes import (
     unmasked,
 )
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.conformance import Bench, Part
 from jauspy.messages import core, mobility
-from jauspy.modules import announcement
+from jauspy.modules import hosts
 from jauspy.services import messaging
 
 
@@ -47,11 +47,11 @@ def waypoints(name: str, trips: str, inject: Injector) -> Fault:
 
 
 def announces_every(seconds: float) -> Injector:
-    return patched(announcement, PERIOD=seconds)
+    return patched(hosts, ANNOUNCEMENT_PERIOD=seconds)
 
 
 def never_content() -> Injector:
-    return patched(announcement.Announcement, intercept=lambda self, packet: False)
+    return patched(hosts.Announcement, intercept=lambda self, packet: False)
 
 
 def strange_stamp(report: Any) -> None:

@@ -47,7 +47,7 @@ from tests.conformance.mistakes import (
     wrong_report,
 )
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.conformance import Part
 from jauspy.messages import core, mobility
 from jauspy.services import messaging

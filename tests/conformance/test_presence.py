@@ -18,8 +18,8 @@ from jauspy.messages.mobility import (
 from jauspy.messages.mobility.v1_1.navigation_state import ReportNavigation
 from jauspy.services import messaging
 
-EXTENDED = "Ready/QueryVelocityStateExt/rival"
-NAVIGATION = "Ready/QueryNavigation/rival"
+EXTENDED = "Ready/QueryVelocityStateExt/other-client"
+NAVIGATION = "Ready/QueryNavigation/other-client"
 
 
 class Turning(Service, urn="urn:jaus:jss:mobility:VelocityStateSensor"):

@@ -20,8 +20,7 @@ from jauspy.mapping.files import save
 from jauspy.mapping.grid import OccupancyGrid
 from jauspy.mapping.mapper import Mapper
 from jauspy.mapping.pose import PlanarPose
-from jauspy.modules.description import robot_model
-from jauspy.modules.robots import load
+from jauspy.modules.robots import load, robot_model
 from jauspy_sim.assembly import COLLIDING, SEEN
 from jauspy_sim.robot import SimulatedRobot
 

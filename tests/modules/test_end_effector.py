@@ -11,7 +11,7 @@ from importlib.util import find_spec
 import pytest
 from tests.modules.workcell import BACKENDS, OTHER, Workcell, told
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.geometry.kinematics import forward_kinematics
 from jauspy.geometry.poses import Transform, rotation_vector
 from jauspy.geometry.vectors import Vector, quaternion, rotation_from_quaternion

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from tests.modules.workcell import BACKENDS, OTHER, Workcell, told
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.vectors import Vector, X, Z, rotation_about, rotation_from_quaternion
 from jauspy.ids import JausID

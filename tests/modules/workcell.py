@@ -10,14 +10,14 @@ from typing import Any
 import pytest
 from tests.modules.cameras import FakeVideo
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.ids import JausID
 from jauspy.messages import manipulator as m, registry
 from jauspy.messages.core import CommandEvent, RequestControl, Resume
 from jauspy.modules import robots
 from jauspy.modules.config import AccessControlConfig
-from jauspy.modules.description import robot_model
 from jauspy.modules.hosts import host_of
+from jauspy.modules.robots import robot_model
 from jauspy.platform.backends import find
 
 CLIENT, OTHER = JausID(42, 1, 1), JausID(42, 2, 1)

@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 from tests.helpers.robot import FakeDrive
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.component import Component
 from jauspy.component.shell import loop_time
 from jauspy.ids import JausID

@@ -7,8 +7,8 @@ from random import Random
 import pytest
 from hypothesis import given, strategies as st
 
-from jauspy.codec.base import Message
 from jauspy.codec.layout import Composite, Repeat, Slot
+from jauspy.codec.message import Message
 from jauspy.fuzz.messages import Maker, Style, Target, targets
 from jauspy.messages import registry
 from jauspy.messages.core import QueryStatus, ReportStatus

@@ -11,8 +11,7 @@ import time
 from statistics import mean
 
 from jauspy.geometry.kinematics import InverseKinematics, Solution, forward_kinematics
-from jauspy.modules.description import robot_model
-from jauspy.modules.robots import load
+from jauspy.modules.robots import load, robot_model
 from jauspy.platform.kinematic_joints import KinematicJoints
 from jauspy.services.manipulator.arm import Arm
 from jauspy.services.manipulator.end_effector_velocity_state_driver import PERIOD

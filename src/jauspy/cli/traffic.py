@@ -15,8 +15,8 @@ from jauspy.cli import console
 from jauspy.cli.definitions import Definitions
 from jauspy.cli.explain import explanation
 from jauspy.cli.render import field_lines
-from jauspy.codec.base import Message
-from jauspy.codec.entries import Entry
+from jauspy.codec.message import Message
+from jauspy.codec.registry import Entry
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet, Priority
 
 

@@ -11,7 +11,7 @@ from types import TracebackType
 from typing import Final, Literal, Self, TypeVar
 
 from jauspy.arguments import check_text
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
 from jauspy.component.shell import Component
 from jauspy.errors import ConfigError

@@ -10,7 +10,7 @@ from multiprocessing import get_context
 from random import Random
 from typing import Final
 
-from jauspy.codec.dynamic import load_schema
+from jauspy.codec.build import load_schema
 from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
 from jauspy.fuzz.checks import MEMORY_EVERY, Checks, Effort

@@ -13,11 +13,10 @@ from jauspy.component import Shell
 from jauspy.component.shell import Intercept, loop_time
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
-from jauspy.modules.announcement import Announcement
 from jauspy.modules.config import ModuleConfig, RobotConfig
-from jauspy.modules.description import robot_model
-from jauspy.modules.hosts import host_of
+from jauspy.modules.hosts import Announcement, host_of
 from jauspy.modules.realtime import RealTime
+from jauspy.modules.robots import robot_model
 from jauspy.platform import backends
 from jauspy.platform.camera import Camera
 from jauspy.platform.contract import Robot, Snapshot

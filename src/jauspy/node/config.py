@@ -11,9 +11,9 @@ from typing import Any, Literal, Self
 
 from pydantic import Field, ValidationError, model_validator
 
+from jauspy.config_errors import explain
 from jauspy.errors import ConfigError
 from jauspy.node.addresses import Entries, entries, load
-from jauspy.node.explain import explain
 from jauspy.node.settings import (
     Addresses,
     Group,

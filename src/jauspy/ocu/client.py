@@ -10,7 +10,7 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Any, Self, TypeVar, overload
 
 from jauspy.arguments import async_only, check_text, described
-from jauspy.codec.base import Message, Query
+from jauspy.codec.message import Message, Query
 from jauspy.codec.registry import Registry
 from jauspy.component import Shell
 from jauspy.errors import ConfigError

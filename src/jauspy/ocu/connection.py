@@ -12,7 +12,7 @@ from statistics import median
 from typing import Any, Final, Protocol
 
 from jauspy.arguments import check_number, check_text
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
 from jauspy.component import Shell
 from jauspy.errors import ConfigError, ControlRejected, JausError, ResponseTimeout, TransportError

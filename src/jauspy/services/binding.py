@@ -13,7 +13,7 @@ from functools import cache
 from operator import attrgetter
 from typing import Final, Literal, TypeAlias
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.codec.names import snake
 from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError

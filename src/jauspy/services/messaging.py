@@ -11,8 +11,8 @@ from collections.abc import Callable, Mapping, Sequence
 from copy import copy
 from typing import Any, Final, NamedTuple, TypeAlias, TypeVar
 
-from jauspy.codec.base import Message, Struct
 from jauspy.codec.layout import Composite, Repeat, Slot
+from jauspy.codec.message import Message, Struct
 from jauspy.codec.registry import Registry
 from jauspy.errors import DecodeError, EncodeError
 from jauspy.ids import JausID

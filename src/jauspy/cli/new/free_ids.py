@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Final
 import typer
 
 if TYPE_CHECKING:
-    from jauspy.codec.entries import Entry
+    from jauspy.codec.registry import Entry
 
 OWN: Final = range(0xD000, 0xFFFF)
 """Of users, as the standard has it; some public definitions are users, too."""

@@ -13,7 +13,7 @@ from functools import partial
 from itertools import product
 from typing import Final, NamedTuple, TypeAlias
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
 from jauspy.conformance.offers import ServiceKey
 from jauspy.ids import JausID

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.messages.manipulator import SetEndEffectorPose
 from jauspy.services.core.list_manager import ListDriver
 from jauspy.services.manipulator.tool_pose_driver import ToolPoseDriver, pose_of

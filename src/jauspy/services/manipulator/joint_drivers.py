@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Final
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.messages.manipulator import (
     ReportCommandedActuatorForceTorques,
     ReportCommandedJointPositions,

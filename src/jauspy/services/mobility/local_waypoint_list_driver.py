@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.messages.mobility import (
     ReportLocalWaypoint,
     ReportLocalWaypointExt,

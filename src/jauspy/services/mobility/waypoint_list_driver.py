@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.messages.mobility import ReportActiveElement
 from jauspy.services.core.list_manager import ListDriver
 from jauspy.services.mobility.travel import Traveller

@@ -2,7 +2,7 @@
 
 A message class declares its fields and its layout. Its straight-line `_unpack` and `_pack` are made from the layout
 when they are first called (`jauspy.codec.fast_path`). They take valid input only; all else ends in one of
-`FAST_ERRORS`. Then the slow path (`jauspy.codec.careful`) goes over the same input field by field: it finds what is
+`FAST_ERRORS`. Then the slow path (`jauspy.codec.slow_path`) goes over the same input field by field: it finds what is
 wrong and where, clamps, or keeps what a tolerant reader can keep. It costs about ten times as much and is linear in the
 input, too.
 """
@@ -10,14 +10,15 @@ input, too.
 from __future__ import annotations
 
 import struct
+from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any, ClassVar, Final, Literal, Protocol, Self, TypeVar, overload
 
-from jauspy.errors import DecodeError
+from jauspy.errors import DecodeError, EncodeError
 
 if TYPE_CHECKING:
-    from jauspy.codec.item import Item
-    from jauspy.codec.nesting import Nesting
+    from jauspy.codec.items import Item
+
 
 MAX_NESTING: Final = 8
 """Levels of messages inside messages that are decoded; deeper ones stay bytes."""
@@ -159,7 +160,7 @@ class Message(Struct):
                 return self._pack()
             except FAST_ERRORS:
                 pass
-        from jauspy.codec.careful import encode  # noqa: PLC0415 - off the fast road
+        from jauspy.codec.slow_path import encode  # noqa: PLC0415 - off the fast road
 
         return encode(self, clamp=clamp, strict=strict)
 
@@ -192,9 +193,9 @@ class Message(Struct):
             return cls._unpack(data, None), []
         except FAST_ERRORS:
             pass
-        from jauspy.codec import careful  # noqa: PLC0415 - off the fast road
+        from jauspy.codec import slow_path  # noqa: PLC0415 - off the fast road
 
-        return careful.decode(cls, data) if strict else careful.decode_tolerant(cls, data)
+        return slow_path.decode(cls, data) if strict else slow_path.decode_tolerant(cls, data)
 
 
 R_co = TypeVar("R_co", bound=Message, covariant=True)
@@ -233,3 +234,46 @@ def check_code(cls: type[Message], data: bytes) -> None:
     code = data[0] | data[1] << 8
     if code != cls.CODE:
         raise DecodeError(f"message id 0x{code:04X} is not 0x{cls.CODE:04X} ({cls.NAME})")
+
+
+class Source(Protocol):
+    """What knows the messages: a registry."""
+
+    @property
+    def nesting(self) -> Nesting:
+        """Its own, for messages that are in no other one."""
+
+    def class_of(self, data: bytes) -> type[Message] | None:
+        """The class these bytes begin like; None when it is unknown, or when there are several."""
+
+    def message_from(self, data: Mapping[str, Any], nesting: Nesting, path: str) -> Message:
+        """The inverse of `message_to_dict`; raises `EncodeError`."""
+
+
+class Nesting:
+    """What a message that is read knows about those inside it."""
+
+    __slots__ = ("_inner", "_source")
+
+    def __init__(self, source: Source, depth: int = 0) -> None:
+        self._source = source
+        self._inner = Nesting(source, depth + 1) if depth < MAX_NESTING else None
+
+    def message(self, data: bytes) -> Message | bytes:
+        """The message inside when it decodes strictly and encodes to the same bytes, else the bytes."""
+        if self._inner is None:
+            return data
+        cls = self._source.class_of(data)
+        if cls is None:
+            return data
+        try:
+            message = cls._unpack(data, self._inner)
+            return message if message._pack() == data else data  # noqa: SLF001 - the fast road
+        except FAST_ERRORS:
+            return data
+
+    def from_dict(self, data: Mapping[str, Any], path: str) -> Message:
+        """The message inside; raises `EncodeError`, also for what is too deep to be encoded."""
+        if self._inner is None:
+            raise EncodeError(f"messages are nested more than {MAX_NESTING} deep", path=path)
+        return self._source.message_from(data, self._inner, path)

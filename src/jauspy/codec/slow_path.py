@@ -1,18 +1,17 @@
-"""Where the careful codec reads from and writes to."""
+"""The careful road: field by field over a layout, with paths and offsets, strict or tolerant."""
 
 from __future__ import annotations
 
 import struct
 from functools import lru_cache
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, TypeVar
 
-from jauspy.codec.base import MAX_NESTING, Deviation, Message, counted
+from jauspy.codec.message import MAX_NESTING, Deviation, Message, Nesting, check_code, counted
 from jauspy.codec.wire import SIZES
 from jauspy.errors import DecodeError, EncodeError
 
 if TYPE_CHECKING:
-    from jauspy.codec.nesting import Nesting
-
+    from jauspy.codec.message import Nesting
 
 MOST_DEVIATIONS: Final = 1000
 """Deviations of one message that are listed; a hostile one may have one in every byte."""
@@ -138,3 +137,36 @@ class Writer:
         self.number("H", type(message).CODE)
         message.layout().write(self, message, path)
         self.depth -= 1
+
+
+M = TypeVar("M", bound=Message)
+
+
+def decode(cls: type[M], data: bytes, nesting: Nesting | None = None) -> M:
+    """Strict: raises `DecodeError` at the first deviation."""
+    return _read(cls, Reader(data, strict=True, nesting=nesting))
+
+
+def decode_tolerant(cls: type[M], data: bytes, nesting: Nesting | None = None) -> tuple[M, list[Deviation]]:
+    """Tolerant: collects deviations; only a wrong message id raises."""
+    reader = Reader(data, strict=False, nesting=nesting)
+    message = _read(cls, reader)
+    return message, reader.deviations()
+
+
+def encode(message: Message, *, clamp: bool, strict: bool) -> bytes:
+    """Raises `EncodeError` at the first value that does not fit."""
+    writer = Writer(clamp=clamp, strict=strict)
+    writer.message(message, "")
+    return bytes(writer.out)
+
+
+def _read(cls: type[M], reader: Reader) -> M:
+    check_code(cls, reader.data)
+    message = cls.layout().read(reader, "")
+    left = len(reader.data) - reader.at
+    if left and not reader.stopped:
+        reader.report(f"{counted(left, 'byte')} left over after the message", "", lost=True)
+    if not isinstance(message, cls):
+        raise DecodeError(f"layout of {cls.NAME} makes {type(message).__name__}")
+    return message
