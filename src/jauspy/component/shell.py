@@ -10,10 +10,9 @@ from collections.abc import Callable
 from types import TracebackType
 from typing import Final, Self
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.component.acknowledgements import Acknowledgements
-from jauspy.component.alarm import LoopTimer
-from jauspy.component.guard import ErrorGuard
+from jauspy.component.event_loop import ErrorGuard, LoopTimer
 from jauspy.component.outlet import Outlet
 from jauspy.errors import ProtocolError, TransportError
 from jauspy.ids import JausID

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from jauspy.arguments import check_number
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 
