@@ -42,7 +42,7 @@ class Slow(Time):
 
     def set_time(self, msg) -> None:
         self.begun += 1
-        self.completed = self.host.begin_command()
+        self.ended = self.host.begin_command()
 
 
 SET_TIME = SetTime(time_stamp=TimeStamp(milliseconds=0, seconds=1, minutes=2, hour=3, day=4))
@@ -98,22 +98,22 @@ def test_a_command_that_fails_is_unsuccessful(make, caplog) -> None:
 def test_a_command_that_takes_time_ends_when_its_service_says_so(rig, success) -> None:
     assert rig.ask(A, command(SET_TIME)) == ConfirmEventRequest(7, 1, 0.0)
     assert rig.run(5.0) == []
-    rig.host.service(Slow).completed(success)
+    rig.host.service(Slow).ended(success)
     assert rig.sent() == [(A, CommandEvent(1, SUCCESSFUL if success else UNSUCCESSFUL))]
-    rig.host.service(Slow).completed(not success)
+    rig.host.service(Slow).ended(not success)
     assert rig.run(60.0) == []
 
 
 def test_a_command_that_takes_too_long_is_unsuccessful_and_goes_on(rig) -> None:
     rig.ask(A, command(SET_TIME, within=3))
     assert rig.run(60.0) == [(3.0, A, CommandEvent(1, UNSUCCESSFUL))]
-    rig.host.service(Slow).completed(True)
+    rig.host.service(Slow).ended(True)
     assert rig.sent() == []
 
 
 def test_the_same_command_again_is_carried_out_again_and_has_its_full_time(rig) -> None:
     rig.ask(A, command(SET_TIME, within=10))
-    first = rig.host.service(Slow).completed
+    first = rig.host.service(Slow).ended
     rig.run(5.0)
     assert rig.ask(A, command(SET_TIME, within=10, request=8)) == ConfirmEventRequest(8, 1, 0.0)
     first(False)
@@ -126,7 +126,7 @@ def test_a_request_that_comes_again_does_not_begin_its_command_again(rig) -> Non
         assert rig.ask(A, command(SET_TIME)) == ConfirmEventRequest(7, 1, 0.0)
         rig.run(1.0)
     assert rig.host.service(Slow).begun == 1
-    rig.host.service(Slow).completed(True)
+    rig.host.service(Slow).ended(True)
     assert rig.sent() == [(A, CommandEvent(1, SUCCESSFUL))]
 
 
@@ -173,7 +173,7 @@ def test_cancelling_ends_the_event_and_not_the_command(rig) -> None:
     assert rig.tell(B, CancelEvent(9, 1)) == [(B, RejectEventRequest(9, 6))]
     assert rig.ask(A, UpdateEvent(9, 0, 1.0, 1, QueryStatus())) == RejectEventRequest(9, 6)
     assert rig.ask(A, CancelEvent(9, 1)) == ConfirmEventRequest(9, 1, 0.0)
-    rig.host.service(Slow).completed(True)
+    rig.host.service(Slow).ended(True)
     assert rig.run(60.0) == []
 
 
@@ -206,5 +206,5 @@ def test_a_client_that_cannot_be_reached_is_not_told(rig) -> None:
     rig.ask(A, command(SET_TIME))
     rig.host.unreachable(rig.ID.parse(A), rig.now)
     rig.sent()
-    rig.host.service(Slow).completed(True)
+    rig.host.service(Slow).ended(True)
     assert rig.run(60.0) == []

@@ -1,4 +1,4 @@
-"""Who waits for which message to be acknowledged."""
+"""Waits for acknowledgements: futures for programs, callbacks for services, by the tickets of an endpoint."""
 
 from __future__ import annotations
 
@@ -11,32 +11,32 @@ from jauspy.ids import JausID
 from jauspy.protocol.endpoint import Endpoint
 
 MAX_CALLBACKS: Final = 64
-"""Messages that services may have sent until acknowledged at once: of what may be under way, the rest is for others."""
+"""Messages with a callback that services may have pending; the endpoint's remaining ones are for others."""
 
 
 class Acknowledgements:
-    """Futures by ticket; an outcome that nobody waits for is only counted, by the endpoint.
+    """Passes on the outcomes of reliable delivery.
 
-    `lost` is told who did not acknowledge, unless the service that sent is told.
+    `on_unreachable` is called with a destination that did not acknowledge, unless the message has a callback.
     """
 
-    def __init__(self, endpoint: Endpoint, lost: Callable[[JausID], None]) -> None:
+    def __init__(self, endpoint: Endpoint, on_unreachable: Callable[[JausID], None]) -> None:
         self._endpoint = endpoint
-        self._lost = lost
+        self._on_unreachable = on_unreachable
         self._futures: dict[int, asyncio.Future[bool]] = {}
-        self._told: dict[int, Callable[[bool], None]] = {}
+        self._callbacks: dict[int, Callable[[bool], None]] = {}
 
     @property
-    def full(self) -> bool:
-        """True when no further service can be told."""
-        return len(self._told) >= MAX_CALLBACKS
+    def is_full(self) -> bool:
+        """True when no further callback can be added."""
+        return len(self._callbacks) >= MAX_CALLBACKS
 
-    def tell(self, ticket: int, told: Callable[[bool], None]) -> None:
-        """Call `told` with whether the message of this ticket was acknowledged."""
-        self._told[ticket] = told
+    def add_callback(self, ticket: int, callback: Callable[[bool], None]) -> None:
+        """Call `callback` with whether the message of this ticket was acknowledged."""
+        self._callbacks[ticket] = callback
 
     async def wait(self, ticket: int | None, problem: str) -> None:
-        """Until the message of this ticket was acknowledged; raises `ResponseTimeout` when it never was."""
+        """Wait for an acknowledgement; if there is none after all resends, `ResponseTimeout` is raised."""
         assert ticket is not None
         future = self._futures[ticket] = asyncio.get_running_loop().create_future()
         try:
@@ -45,16 +45,16 @@ class Acknowledgements:
         finally:
             self._futures.pop(ticket, None)
 
-    def settle(self) -> None:
-        """Hand the endpoint's outcomes to those who wait."""
+    def process(self) -> None:
+        """Pass on the outcomes that the endpoint has; one that nothing waits for is only counted, by the endpoint."""
         while (outcome := self._endpoint.next_outcome()) is not None:
             future = self._futures.get(outcome.ticket)
             if future is not None and not future.done():
                 future.set_result(outcome.delivered)
-            if (told := self._told.pop(outcome.ticket, None)) is not None:
-                told(outcome.delivered)
+            if (callback := self._callbacks.pop(outcome.ticket, None)) is not None:
+                callback(outcome.delivered)
             elif outcome.unresponsive is not None:
-                self._lost(outcome.unresponsive)
+                self._on_unreachable(outcome.unresponsive)
 
     def fail(self, error: JausError) -> None:
         """End all waiting with this error."""

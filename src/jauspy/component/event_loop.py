@@ -1,4 +1,4 @@
-"""What the event loop calls must not raise into it: a bug is logged and counted, and the component goes on."""
+"""Helpers of a component in the event loop: a guard against exceptions, and one timer."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _LOG: Final = logging.getLogger("jauspy.component")
 
 
 class ErrorGuard:
-    """A `with` block around everything one wake-up does; reusable, not to be nested."""
+    """A `with` block that logs and counts exceptions, so that the component goes on; reusable, not to be nested."""
 
     __slots__ = ("_counters", "_name")
 
@@ -35,30 +35,30 @@ class ErrorGuard:
 
 
 class LoopTimer:
-    """Calls `ring` once, at the time that was last set, by `clock`."""
+    """Calls `on_timeout` once at the time (s) that was set last, by `clock`; uses one timer handle of the loop."""
 
-    def __init__(self, ring: Callable[[], None], clock: Callable[[], float]) -> None:
-        self._ring = ring
+    def __init__(self, on_timeout: Callable[[], None], clock: Callable[[], float]) -> None:
+        self._on_timeout = on_timeout
         self._clock = clock
-        self._timer: asyncio.TimerHandle | None = None
+        self._handle: asyncio.TimerHandle | None = None
         self._at: float | None = None
 
     def set(self, loop: asyncio.AbstractEventLoop, at: float | None) -> None:
-        """Ring then, or not at all; the same time as before costs nothing."""
-        if self._timer is not None:
+        """Set the time, None for never; the same time as before costs nothing."""
+        if self._handle is not None:
             if at == self._at:
                 return
-            self._timer.cancel()
-            self._timer = None
+            self._handle.cancel()
+            self._handle = None
         if at is not None:
-            self._timer, self._at = loop.call_later(max(0.0, at - self._clock()), self._rings), at
+            self._handle, self._at = loop.call_later(max(0.0, at - self._clock()), self._expire), at
 
     def cancel(self) -> None:
-        """Do not ring any more; twice is fine."""
-        if self._timer is not None:
-            self._timer.cancel()
-            self._timer = None
+        """Cancel the timer, if it is set."""
+        if self._handle is not None:
+            self._handle.cancel()
+            self._handle = None
 
-    def _rings(self) -> None:
-        self._timer = None
-        self._ring()
+    def _expire(self) -> None:
+        self._handle = None
+        self._on_timeout()
