@@ -103,6 +103,18 @@ class Transform:
         return Pose(*self.position, roll, math.atan2(-zx, across), yaw)
 
 
+@dataclass(frozen=True, slots=True)
+class PlanarPoint:
+    """A point on the ground, metres."""
+
+    x: float
+    y: float
+
+    def to(self, other: PlanarPoint) -> tuple[float, float]:
+        """Distance (m) and direction (rad, from x towards y) of another point."""
+        return math.hypot(other.x - self.x, other.y - self.y), math.atan2(other.y - self.y, other.x - self.x)
+
+
 def rotation_vector(start: Rotation, end: Rotation) -> Vector:
     """The rotation from one attitude to another: its axis, as long as its angle in radians."""
     d, *vector = quaternion((Transform(end) @ Transform(transposed(start))).rotation)
