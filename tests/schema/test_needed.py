@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 from lxml import etree
 
-from jauspy.schema import builtin_paths, load_builtin, needed
+from jauspy.schema import builtin_paths, load_builtin, loader
+from jauspy.schema.loader import load_needed
 from jauspy.schema.model import Schema
-from jauspy.schema.needed import load_needed
 
 CORE, MOBILITY = "urn:jaus:jss:core:", "urn:jaus:jss:mobility:"
 
@@ -23,7 +23,7 @@ def keys(schema: Schema) -> set[tuple[str, str]]:
 
 
 def test_every_shipped_file_is_known() -> None:
-    assert {path for versions in needed._index().values() for path in versions.values()} == set(builtin_paths())
+    assert {path for versions in loader._index().values() for path in versions.values()} == set(builtin_paths())
 
 
 @pytest.mark.parametrize("path", builtin_paths(), ids=lambda path: f"{path.parent.name}-{path.stem}")
@@ -31,7 +31,7 @@ def test_references_are_found_without_parsing(path: Path) -> None:
     names = ("inherits_from", "declared_type_set_ref", "declared_const_set_ref")
     root = etree.parse(path).getroot()
     parsed = {(e.get("id"), e.get("version")) for e in root.iter(*(f"{{*}}{name}" for name in names))}
-    assert set(needed._keys(needed._REFERENCE, path.read_bytes())) == parsed
+    assert set(loader._keys(loader._REFERENCE, path.read_bytes())) == parsed
 
 
 def test_all_that_is_inherited_comes_along_and_nothing_else() -> None:

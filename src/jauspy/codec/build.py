@@ -29,8 +29,8 @@ from jauspy.codec.registry import Entry, Registry
 from jauspy.codec.wire import CODES, FLOATS, as_sent
 from jauspy.errors import SchemaError
 from jauspy.schema import model as m
+from jauspy.schema.loader import load_own
 from jauspy.schema.model import Schema
-from jauspy.schema.own import load_own
 
 JAUS_MESSAGE: Final = "jaus message"
 """The format of bytes that are a message."""

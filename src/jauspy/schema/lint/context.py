@@ -1,30 +1,28 @@
-"""All files the linter looks at. Mistakes are collected where the loader would stop."""
+"""What the linter looks at and what it finds. Mistakes are collected where the loader would stop."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
 from pathlib import Path
-from typing import TypeVar
+from typing import Literal, TypeAlias, TypeVar
 
 from lxml.etree import _Element as Element
 
 from jauspy.errors import SchemaError
 from jauspy.schema.behavior import read_behavior
-from jauspy.schema.grammar import is_unexpected, problems
+from jauspy.schema.document import identity, is_unexpected, problems
 from jauspy.schema.inheritance import lineage
 from jauspy.schema.library import Key, Library, Scope
-from jauspy.schema.messages import read_message
-from jauspy.schema.model import Behavior, Message, Service
-from jauspy.schema.own import Identity, builtin_roots
-from jauspy.schema.reading import identity
-from jauspy.schema.services import matches_version, version_key
-from jauspy.schema.source import parse
+from jauspy.schema.loader import Identity, builtin_roots, parse_file
+from jauspy.schema.model import Behavior, Location, Message, Service
+from jauspy.schema.services import matches_version, read_message, version_key
 
 Thing = TypeVar("Thing")
 MESSAGES = ("message_def", "declared_message_def")
 
 
-class World:
+class LintContext:
     """The files to be checked, and beside them the built-in definitions they may refer to."""
 
     def __init__(self, paths: Iterable[Path]) -> None:
@@ -46,7 +44,7 @@ class World:
     def _read(self, path: Path) -> Element | None:
         """The root of a file, entered in the library; None when it cannot be, or is there already."""
         try:
-            root, _ = parse(path)
+            root = parse_file(path)
         except SchemaError as error:
             self.unreadable.append(error)
             return None
@@ -179,3 +177,34 @@ def _order(key: Key) -> tuple[int, ...]:
         return version_key(key[1])
     except ValueError:
         return ()
+
+
+Severity: TypeAlias = Literal["error", "warning", "hint"]
+"""An error stops a tool or is sent wrongly, a warning may, a hint makes the definition harder to use."""
+
+Problem: TypeAlias = tuple[Location, str]
+"""Where, and a sentence with what to do."""
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class LintFinding:
+    """One finding; sorts by place."""
+
+    file: str
+    line: int
+    code: str
+    severity: Severity
+    message: str
+
+    def __str__(self) -> str:
+        return f"{self.file}:{self.line}: {self.severity}: {self.code}: {self.message}"
+
+
+@dataclass(frozen=True, slots=True)
+class LintRule:
+    """A code, what it stands for, and the function that looks for it in all files."""
+
+    code: str
+    severity: Severity
+    summary: str
+    check: Callable[[LintContext], Iterator[Problem]]
