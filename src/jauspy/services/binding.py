@@ -21,7 +21,7 @@ from jauspy.schema import behavior, model
 from jauspy.schema.inheritance import lineage, parents_among
 from jauspy.schema.model import Schema, Service as Definition
 from jauspy.schema.state_tree import MergedState, Owned, merge_machines, short_name, walk_states
-from jauspy.services.core.defaults import DEFAULTS
+from jauspy.services.core.defaults import INHERITED_DEFAULTS
 from jauspy.services.deferred import Deferred
 from jauspy.services.definitions import definitions_of, schema_for
 from jauspy.services.service import BoundServices, Service
@@ -418,9 +418,9 @@ def _by_urn(services: Iterable[Service]) -> dict[str, Service]:
 
 
 def _default(urn: str) -> Service:
-    if urn not in DEFAULTS:
+    if urn not in INHERITED_DEFAULTS:
         raise ConfigError(f"{urn} is inherited from and is not among the component's services; add it")
-    return DEFAULTS[urn]()
+    return INHERITED_DEFAULTS[urn]()
 
 
 def _inputs(

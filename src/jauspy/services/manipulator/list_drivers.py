@@ -11,8 +11,7 @@ from jauspy.messages.manipulator import (
     SetEndEffectorPose,
     SetJointPositions,
 )
-from jauspy.services.core.list_driver import ListDriver
-from jauspy.services.core.list_manager import ListManager
+from jauspy.services.core.list_manager import ListDriver, ListManager
 from jauspy.services.manipulator.arm import ArmDriver
 from jauspy.services.manipulator.end_effector import ToolPoseDriver, commanded_pose
 from jauspy.services.manipulator.joints import joint_values, position_records, read_positions

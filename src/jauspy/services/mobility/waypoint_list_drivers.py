@@ -16,7 +16,7 @@ from jauspy.messages.mobility import (
     SetLocalWaypoint,
     SetLocalWaypointExt,
 )
-from jauspy.services.core.list_driver import ListDriver
+from jauspy.services.core.list_manager import ListDriver
 from jauspy.services.mobility.waypoint_drivers import WaypointFollower
 from jauspy.services.mobility.waypoints import GlobalWaypoint, LocalWaypoint, Waypoint, global_waypoint, local_waypoint
 

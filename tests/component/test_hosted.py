@@ -8,9 +8,14 @@ from datetime import UTC, datetime
 import pytest
 
 from jauspy.codec.message import Message
-from jauspy.component import Shell
-from jauspy.component.shell import MAX_BACKLOG, MAX_PER_WAKEUP, loop_time
-from jauspy.errors import EncodeError, ProtocolError, ResponseTimeout, TransportError
+from jauspy.component.component import (
+    MAX_PACKETS_PER_TURN,
+    MAX_TRANSPORT_BACKLOG,
+    Component,
+    ComponentOptions,
+    loop_time,
+)
+from jauspy.errors import ConfigError, EncodeError, ProtocolError, ResponseTimeout, TransportError
 from jauspy.ids import EVERYONE, JausID
 from jauspy.messages.core import (
     CreateEvent,
@@ -35,9 +40,9 @@ from jauspy.transport import LoopbackHub, LoopbackTransport
 ME, PEER = JausID(1, 1, 1), JausID(2, 1, 1)
 
 
-def component(hub: LoopbackHub, id: JausID = ME, **options) -> Shell:
+def component(hub: LoopbackHub, id: JausID = ME, *, intercept=None, **options) -> Component:
     host = Host(id, [Liveness(), AccessControl(timeout=1)], utc_now=lambda: datetime.now(UTC), now=loop_time())
-    return Shell(host, LoopbackTransport(id, hub), **options)
+    return Component.of_host(host, LoopbackTransport(id, hub), intercept=intercept, options=ComponentOptions(**options))
 
 
 class Peer:
@@ -87,7 +92,7 @@ async def test_an_answer_that_comes_later_is_sent_when_it_is_there():
 
     slow, hub = Slow(), LoopbackHub()
     host = Host(ME, [slow], utc_now=lambda: datetime.now(UTC), now=time.monotonic())
-    async with Shell(host, LoopbackTransport(ME, hub)), Peer(hub) as peer:
+    async with Component.of_host(host, LoopbackTransport(ME, hub)), Peer(hub) as peer:
         peer.send(QueryHeartbeatPulse(), ack=Ack.REQUIRED)
         acknowledged = await peer.next()
         assert acknowledged.ack is Ack.ACK
@@ -138,7 +143,7 @@ async def test_garbage_is_counted_and_good_traffic_goes_on():
     hub = LoopbackHub()
     async with component(hub) as me, Peer(hub) as peer:
         for garbage in (b"", b"\x02", b"\xff" * 65507, pack(Packet(PEER, ME, b"\x0d\x00"))[:-3]):
-            me.transport.received(garbage)
+            me._transport.received(garbage)
         peer.send(b"\x0d")
         peer.send(b"\x0d\x00\x01\x02\x03")
         peer.send(QueryHeartbeatPulse())
@@ -225,9 +230,9 @@ async def test_run_serves_until_closed_or_cancelled():
 async def test_an_outage_of_the_transport_is_survived():
     hub = LoopbackHub()
     async with component(hub) as me, Peer(hub) as peer:
-        await me.transport.close()
+        await me._transport.close()
         me.send(PEER, ReportHeartbeatPulse())
-        await me.transport.open()
+        await me._transport.open()
         peer.send(QueryHeartbeatPulse())
         await peer.next()
         assert me.counters["transport.dropped.closed"] == 1
@@ -293,7 +298,7 @@ async def test_events_of_a_client_that_does_not_acknowledge_end():
 
 async def test_nobody_waits_for_a_component_that_is_closed():
     me = component(LoopbackHub())
-    with pytest.raises(TransportError, match="not open"):
+    with pytest.raises(ConfigError, match="not open"):
         await me.deliver(PEER, ReportHeartbeatPulse())
     await me.open()
     waiting = asyncio.create_task(me.deliver(PEER, ReportHeartbeatPulse()))
@@ -325,12 +330,12 @@ async def test_large_messages_go_out_in_pieces_and_come_in_whole():
 
 async def test_pieces_wait_while_the_transport_has_much_to_send(virtual_network):
     class Line(LoopbackTransport):
-        waiting = MAX_BACKLOG
+        waiting = MAX_TRANSPORT_BACKLOG
 
     hub = LoopbackHub()
     line = Line(ME, hub)
     host = Host(ME, [Liveness()], utc_now=lambda: datetime.now(UTC), now=loop_time())
-    async with Shell(host, line) as me, component(hub, PEER) as other:
+    async with Component.of_host(host, line) as me, component(hub, PEER) as other:
         me._endpoint.send(PEER, b"\x01\x40" + bytes(400_000), now=loop_time())
         me.wake()
         await asyncio.sleep(1.0)
@@ -347,11 +352,11 @@ def queries(number: int, start: int = 0) -> bytes:
 
 async def test_more_packets_than_one_turn_handles_are_all_handled():
     hub = LoopbackHub()
-    many = 3 * MAX_PER_WAKEUP + 1
+    many = 3 * MAX_PACKETS_PER_TURN + 1
     async with component(hub) as me:
-        me.transport.received(queries(many))
-        assert me.counters["host.received"] == MAX_PER_WAKEUP
-        me.transport.received(queries(1, start=many))
+        me._transport.received(queries(many))
+        assert me.counters["host.received"] == MAX_PACKETS_PER_TURN
+        me._transport.received(queries(1, start=many))
         async with asyncio.timeout(20):
             while me.counters["host.received"] < many + 1:
                 await asyncio.sleep(0)
@@ -361,13 +366,13 @@ async def test_what_was_not_handled_before_closing_is_not_handled_after():
     hub = LoopbackHub()
     me = component(hub)
     await me.open()
-    me.transport.received(queries(MAX_PER_WAKEUP + 1, start=1000))
+    me._transport.received(queries(MAX_PACKETS_PER_TURN + 1, start=1000))
     await me.close()
     async with me, Peer(hub) as peer:
         peer.send(QueryHeartbeatPulse())
         await peer.next()
         await asyncio.sleep(0)
-        assert me.counters["host.received"] == MAX_PER_WAKEUP + 1
+        assert me.counters["host.received"] == MAX_PACKETS_PER_TURN + 1
 
 
 async def test_a_bug_on_one_packet_leaves_the_others_of_its_datagram():
@@ -379,7 +384,7 @@ async def test_a_bug_on_one_packet_leaves_the_others_of_its_datagram():
         return False
 
     async with component(hub, intercept=buggy) as me:
-        me.transport.received(queries(2, start=1))
+        me._transport.received(queries(2, start=1))
         assert me.counters["component.internal_error"] == 1
         assert me.counters["host.received"] == 1
 
