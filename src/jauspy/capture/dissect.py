@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 from jauspy.codec.message import Message, too_short
-from jauspy.codec.registry import NO_HINTS, Collision, Entry, Hints, Registry
+from jauspy.codec.registry import NO_HINTS, Collision, Hints, MessageEntry, Registry
 from jauspy.errors import DecodeError, EncodeError, ProtocolError
 from jauspy.protocol import judp, junior
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet
@@ -32,7 +32,7 @@ class Content:
     deviations: tuple[str, ...] = ()
     problem: str = ""
     broken: bool = False
-    others: tuple[Entry, ...] = ()
+    others: tuple[MessageEntry, ...] = ()
 
     @property
     def code(self) -> int | None:
