@@ -17,11 +17,12 @@ from typing import Any
 import pytest
 
 import jauspy
-from jauspy.codec.base import Message, Struct
+from jauspy.codec.build import load_schema
 from jauspy.codec.codegen import identifier
-from jauspy.codec.dynamic import load_schema
 from jauspy.codec.fast_path import install
-from jauspy.codec.items import Choice, Composite, Formatted
+from jauspy.codec.items import Choice, Formatted
+from jauspy.codec.layout import Composite
+from jauspy.codec.message import Message, Struct
 from jauspy.codec.registry import Registry
 from jauspy.codec.source import generate
 from jauspy.messages import registry

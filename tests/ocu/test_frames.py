@@ -19,9 +19,8 @@ from jauspy.messages.manipulator import (
     SetPanTiltJointPositions,
 )
 from jauspy.messages.mobility import SetWrenchEffort
-from jauspy.modules.description import robot_model
 from jauspy.modules.robot import RobotRunner
-from jauspy.modules.robots import load
+from jauspy.modules.robots import load, robot_model
 from jauspy.ocu import OCU, Robot
 from jauspy.ocu.frames import RobotFrames
 from jauspy.testing import until

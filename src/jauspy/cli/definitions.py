@@ -11,9 +11,8 @@ import typer
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from jauspy.codec.base import Message
-    from jauspy.codec.entries import Hints
-    from jauspy.codec.registry import Registry
+    from jauspy.codec.message import Message
+    from jauspy.codec.registry import Hints, Registry
     from jauspy.schema import Schema, model
 
 Beside = Annotated[
@@ -51,7 +50,7 @@ class Definitions:
 
     def hints(self, service: str | None = None, version: str | None = None, message: str | None = None) -> Hints:
         """What to prefer; `ConfigError` with close matches for what nothing is called."""
-        from jauspy.codec.entries import Hints
+        from jauspy.codec.registry import Hints
 
         entries = self.registry.entries
         services = {entry.service for entry in entries}
@@ -72,8 +71,8 @@ def definitions(sources: list[str] | None) -> Definitions:
         from jauspy.messages import registry
 
         return Definitions(registry)
-    from jauspy.codec.dynamic import load_schema
-    from jauspy.schema.own import load_own
+    from jauspy.codec.build import load_schema
+    from jauspy.schema.loader import load_own
 
     own = load_own(sources)
     return Definitions(load_schema(own), own)

@@ -9,7 +9,7 @@ from rich.text import Text
 
 from jauspy.capture.dissect import Content
 from jauspy.codec import reference
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.errors import DecodeError
 from jauspy.schema import model
 

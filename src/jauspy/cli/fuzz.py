@@ -54,7 +54,7 @@ def codec(
       jauspy fuzz codec --message ReportServices --seed 7
       jauspy fuzz codec --from vendor/ --cases 20000
     """
-    from jauspy.codec.base import counted
+    from jauspy.codec.message import counted
     from jauspy.fuzz.campaign import Plan, run
 
     with _wrong_use():
@@ -156,7 +156,7 @@ class _Lines:
 
 
 def _state(outcome: Outcome) -> str:
-    from jauspy.codec.base import counted
+    from jauspy.codec.message import counted
 
     return f"{outcome.accepted} valid, {counted(len(outcome.findings), 'finding')}"
 

@@ -10,7 +10,7 @@ from jauspy.cli.definitions import Beside, ServiceName, ServiceVersion
 from jauspy.cli.options import Connect, OwnId, Timeout
 
 if TYPE_CHECKING:
-    from jauspy.codec.base import Message
+    from jauspy.codec.message import Message
     from jauspy.ids import JausID
     from jauspy.ocu import OCU
 

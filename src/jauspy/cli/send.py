@@ -11,7 +11,7 @@ from jauspy.cli.options import Connect, OwnId, Timeout
 from jauspy.cli.query import Destination, Fields, MessageName
 
 if TYPE_CHECKING:
-    from jauspy.codec.base import Message
+    from jauspy.codec.message import Message
     from jauspy.ids import JausID
     from jauspy.ocu import OCU
 

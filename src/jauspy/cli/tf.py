@@ -65,7 +65,7 @@ async def _look(
 ) -> tuple[Frames, Callable[[str, str], list[str]]]:
     """All frames, and what tells on which joints that nobody reports the pose of one in another one depends."""
     from jauspy.cli import addresses
-    from jauspy.modules.description import robot_model
+    from jauspy.modules.robots import robot_model
     from jauspy.ocu.frames import RobotFrames
 
     model = robot_model(config)

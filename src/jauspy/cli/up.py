@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from enum import StrEnum
 from pathlib import Path
 from typing import Annotated
 
@@ -25,19 +24,13 @@ from jauspy.cli.options import (
     WithParent,
 )
 
-
-class BackendName(StrEnum):
-    """What moves the robot."""
-
-    SIM = "sim"
-    KINEMATIC = "kinematic"
-
-
 Backend = Annotated[
-    BackendName | None,
+    str | None,
     typer.Option(
         "--backend",
-        help="sim: MuJoCo physics (extra 'sim'); kinematic: pure Python, without obstacles. Default: the robot's own.",
+        metavar="NAME",
+        help="sim: MuJoCo physics (extra 'sim'); kinematic: pure Python, without obstacles; or that of an installed "
+        "package. Default: the robot's own.",
     ),
 ]
 
@@ -98,6 +91,7 @@ def up(
     from jauspy.cli.node_serve import log_everything
     from jauspy.cli.run import end_with_parent, remove_if_empty, run
     from jauspy.cli.up_run import run_robot
+    from jauspy.cli.up_tell import KINEMATIC
     from jauspy.errors import ConfigError
     from jauspy.modules import robots
     from jauspy.modules.cloud import Clouds
@@ -114,10 +108,10 @@ def up(
     runner = RobotRunner(
         config,
         lambda component: LocalTransport(component, local_root),
-        backend=None if backend is None else backend.value,
+        backend=backend,
         world=world,
     )
-    if world is not None and runner.config.backend == BackendName.KINEMATIC:
+    if world is not None and runner.config.backend == KINEMATIC:
         raise ConfigError("the backend kinematic is an empty plane and has no worlds; leave out --world, or use sim")
     if gateway is not None:
         in_file = gateway_port(gateway, config.subsystem, local_root, starts=not no_node_manager)

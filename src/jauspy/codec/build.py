@@ -7,42 +7,30 @@ nested classes, flat, with names that are unique in it.
 
 from __future__ import annotations
 
+import logging
 import math
+import sys
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from enum import IntEnum
-from types import GenericAlias
+from importlib import import_module
+from itertools import count
+from pathlib import Path
+from types import GenericAlias, ModuleType
 from typing import Any, Final
 
 from jauspy.codec import declare
-from jauspy.codec.base import Message, Struct
 from jauspy.codec.codegen import keywords_only
-from jauspy.codec.entries import Entry
-from jauspy.codec.items import (
-    ANY,
-    Bit,
-    Bits,
-    Blob,
-    Choice,
-    Composite,
-    Count,
-    Formatted,
-    Grid,
-    Item,
-    Number,
-    Real,
-    Repeat,
-    Slot,
-    Text,
-    Union,
-    Values,
-    real,
-)
+from jauspy.codec.items import ANY, Bit, Bits, Blob, Choice, Count, Formatted, Item, Number, Real, Text, Values, real
+from jauspy.codec.layout import Composite, Grid, Repeat, Slot, Union
+from jauspy.codec.message import Message, Struct
 from jauspy.codec.names import attribute, attributes, class_name, members, set_package, unique, version_package
-from jauspy.codec.registry import Registry
+from jauspy.codec.registry import MessageEntry, Registry
 from jauspy.codec.wire import CODES, FLOATS, as_sent
 from jauspy.errors import SchemaError
 from jauspy.schema import model as m
+from jauspy.schema.loader import load_own
+from jauspy.schema.model import Schema
 
 JAUS_MESSAGE: Final = "jaus message"
 """The format of bytes that are a message."""
@@ -85,7 +73,7 @@ def build(schema: m.Schema, package: str, base: Registry | None = None) -> Packa
     """
     planned = _planned(schema)
     entries = (
-        Entry(p.message.code, p.message.name, p.service.id, p.service.version, f"{package}.{p.module}", p.name)
+        MessageEntry(p.message.code, p.message.name, p.service.id, p.service.version, f"{package}.{p.module}", p.name)
         for p in planned
     )
     files = {service.key: service.where.file for service in schema.services if service.where}
@@ -595,3 +583,44 @@ def _doc(summary: str, rows: Iterable[str] = (), name: str = "") -> str:
     listed = [row for row in listed if row]
     lines = [*([head] if head else []), *([""] if head and listed else []), *listed] or [f"{name}."]
     return "\n".join(lines if len(lines) == 1 else [*lines, ""])
+
+
+_log = logging.getLogger(__name__)
+_numbers: Final = count(1)
+
+
+def load(*sources: str | Path) -> Registry:
+    """The messages of JSIDL files, folders or patterns (`load("vendor/*.xml")`), in front of the built-in ones.
+
+    The files may refer to each other and to everything built in, in any mix of versions. A service they define in a
+    version that is built in replaces that one; message ids that mean several things are in `Registry.collisions` and in
+    the log. When the registry decodes a built-in message, it finds its own messages inside. Raises `SchemaError` with
+    file and line, `ConfigError` when there is no such file.
+    """
+    return load_schema(load_own(sources))
+
+
+def load_schema(schema: Schema) -> Registry:
+    """The messages of a model, in front of the built-in ones."""
+    built_in = import_module("jauspy.messages").registry  # of the layer above, which no module here may import
+    package = build(schema, f"jauspy_loaded_{next(_numbers)}", built_in)
+    _register(package)
+    registry = package.registry
+    registry.schema = schema
+    for code in sorted({message.code for service in schema.services for message in service.messages}):
+        if collision := registry.collision(code):
+            _log.warning("%s; decoding needs to know the %s", collision, collision.remedy)
+    return registry
+
+
+def _register(package: Package) -> None:
+    """Make the modules known to `import`, which is how a registry finds classes, and pickle."""
+    root = sys.modules[package.name] = ModuleType(package.name)
+    root.__dict__["registry"] = package.registry
+    for module in package.modules:
+        name = package.name
+        for part in module.name.split("."):
+            name = f"{name}.{part}"
+            sys.modules.setdefault(name, ModuleType(name))
+        sys.modules[name].__doc__ = module.doc
+        sys.modules[name].__dict__.update({cls.__name__: cls for cls in module.classes})

@@ -16,11 +16,11 @@ from keyword import iskeyword
 from struct import Struct as Packer
 from typing import Final
 
-from jauspy.codec.base import Message, Reject
-from jauspy.codec.items import Bits, Composite, Grid, Item, Number, Real, Slot, Text, Values
+from jauspy.codec.items import Bits, Item, Number, Real, Text, Values
+from jauspy.codec.layout import Composite, Grid, Slot
+from jauspy.codec.message import Message, Reject
 from jauspy.codec.names import unique
-from jauspy.codec.scaling import Scaling, exact_raw
-from jauspy.codec.wire import FLOATS, SIZES, compact, limits
+from jauspy.codec.wire import FLOATS, SIZES, Scaling, compact, exact_raw, limits
 
 MAX_CACHED_PACKERS: Final = 1024
 """Packers that one cache holds; a peer that sends all of 2**15 presence vectors must not fill the memory."""

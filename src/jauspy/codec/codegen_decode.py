@@ -35,23 +35,9 @@ from jauspy.codec.codegen import (
     scaled,
     size_of,
 )
-from jauspy.codec.items import (
-    Bits,
-    Blob,
-    Choice,
-    Composite,
-    Count,
-    Formatted,
-    Grid,
-    Item,
-    Number,
-    Real,
-    Repeat,
-    Slot,
-    Text,
-    Union,
-)
-from jauspy.codec.nesting import Source
+from jauspy.codec.items import Bits, Blob, Choice, Count, Formatted, Item, Number, Real, Text
+from jauspy.codec.layout import Composite, Grid, Repeat, Slot, Union
+from jauspy.codec.message import Source
 from jauspy.codec.wire import FLOATS, SIZES, limits
 
 

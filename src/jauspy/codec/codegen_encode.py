@@ -29,25 +29,9 @@ from jauspy.codec.codegen import (
     run_masks,
     runs,
 )
-from jauspy.codec.items import (
-    Bit,
-    Bits,
-    Blob,
-    Choice,
-    Composite,
-    Count,
-    Formatted,
-    Grid,
-    Item,
-    Number,
-    Real,
-    Repeat,
-    Slot,
-    Text,
-    Union,
-)
-from jauspy.codec.scaling import NEAR_TIE
-from jauspy.codec.wire import FLOATS, SIZES, limits
+from jauspy.codec.items import Bit, Bits, Blob, Choice, Count, Formatted, Item, Number, Real, Text
+from jauspy.codec.layout import Composite, Grid, Repeat, Slot, Union
+from jauspy.codec.wire import FLOATS, NEAR_TIE, SIZES, limits
 
 
 def pack_source(layout: Composite, code: int, namespace: Namespace) -> list[str]:

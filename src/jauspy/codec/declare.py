@@ -11,27 +11,9 @@ import dataclasses
 from collections.abc import Callable
 from typing import Any, NamedTuple, TypeVar, cast, dataclass_transform
 
-from jauspy.codec.base import Message, Struct
-from jauspy.codec.items import (
-    ANY,
-    Bit,
-    Bits,
-    Blob,
-    Choice,
-    Composite,
-    Count,
-    Formatted,
-    Grid,
-    Item,
-    Number,
-    Real,
-    Repeat,
-    Slot,
-    Text,
-    Union,
-    Values,
-    real,
-)
+from jauspy.codec.items import ANY, Bit, Bits, Blob, Choice, Count, Formatted, Item, Number, Real, Text, Values, real
+from jauspy.codec.layout import Composite, Grid, Repeat, Slot, Union
+from jauspy.codec.message import Message, Struct
 
 __all__ = [
     "ANY",

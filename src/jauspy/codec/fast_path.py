@@ -9,11 +9,12 @@ from __future__ import annotations
 import linecache
 from typing import Any, Literal
 
-from jauspy.codec.base import Message, Reject, Struct
 from jauspy.codec.codegen import Namespace
 from jauspy.codec.codegen_decode import read_source, unpack_source
 from jauspy.codec.codegen_encode import pack_source, write_source
-from jauspy.codec.items import Choice, Composite, Formatted
+from jauspy.codec.items import Choice, Formatted
+from jauspy.codec.layout import Composite
+from jauspy.codec.message import Message, Reject, Struct
 
 
 def install(cls: type[Struct], method: Literal["_unpack", "_pack", "_read", "_write"]) -> None:

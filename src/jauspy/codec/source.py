@@ -13,27 +13,11 @@ from importlib import import_module
 from types import NoneType, UnionType
 from typing import Any, Final, get_args, get_origin
 
-from jauspy.codec.base import Message, Struct
 from jauspy.codec.build import Module, Package, build
 from jauspy.codec.codegen import indent, keywords_only
-from jauspy.codec.items import (
-    Bit,
-    Bits,
-    Blob,
-    Choice,
-    Composite,
-    Count,
-    Formatted,
-    Grid,
-    Item,
-    Number,
-    Real,
-    Repeat,
-    Slot,
-    Text,
-    Union,
-    Values,
-)
+from jauspy.codec.items import Bit, Bits, Blob, Choice, Count, Formatted, Item, Number, Real, Text, Values
+from jauspy.codec.layout import Composite, Grid, Repeat, Slot, Union
+from jauspy.codec.message import Message, Struct
 from jauspy.codec.names import module_alias, version_key
 from jauspy.codec.registry import Registry
 from jauspy.schema.model import Schema
@@ -302,7 +286,7 @@ def _table(built: Package, *, with_files: bool) -> str:
             "",
             "from typing import Final",
             "",
-            "from jauspy.codec.entries import entries",
+            "from jauspy.codec.registry import entries",
             "",
             "TABLE: Final = (",
             *indent(rows),
@@ -345,7 +329,7 @@ def _lazy(name: str, modules: Iterable[Module], package: str) -> str:
             "",
             "from typing import TYPE_CHECKING",
             "",
-            "from jauspy.codec.lazy import lazy",
+            "from jauspy.codec.registry import lazy",
             "",
             "if TYPE_CHECKING:",
             *indent(_imports(by_module, package)),

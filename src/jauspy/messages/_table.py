@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from jauspy.codec.entries import entries
+from jauspy.codec.registry import entries
 
 TABLE: Final = (
     *entries(

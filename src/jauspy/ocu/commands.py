@@ -12,7 +12,7 @@ from contextlib import suppress
 from typing import Final
 
 from jauspy.arguments import check_number
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.errors import ConfigError, JausError, RequestError, ResponseTimeout
 from jauspy.ids import JausID
 from jauspy.messages.core import CommandEvent, ConfirmEventRequest, CreateCommandEvent

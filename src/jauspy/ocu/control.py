@@ -9,7 +9,7 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Final, Self
 
 from jauspy.arguments import async_only, check_number
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.errors import ConfigError, ControlRejected, ProtocolError, ResponseTimeout, TransportError
 from jauspy.ids import JausID
 from jauspy.messages.core import (

@@ -17,7 +17,7 @@ from itertools import count
 from typing import Final, TypeAlias
 
 from jauspy.arguments import check_number
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.errors import ConfigError, ResponseTimeout
 from jauspy.ids import ANY_COMPONENT, ANY_NODE, ANY_SUBSYSTEM, EVERYONE, JausID
 from jauspy.messages.core import (

@@ -9,7 +9,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Any, Final, TypeAlias, overload
 
 from jauspy.arguments import async_only, check_number, described
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.errors import (
     ConfigError,
     DecodeError,

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from typing import Final, TypeAlias
 
 from jauspy.arguments import described
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
 from jauspy.errors import CodecError, ConfigError, DecodeError
 from jauspy.ids import JausID

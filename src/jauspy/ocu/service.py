@@ -10,7 +10,7 @@ from contextlib import suppress
 from typing import Any, Final, TypeVar, overload
 
 from jauspy.arguments import check_number
-from jauspy.codec.base import Message, Query
+from jauspy.codec.message import Message, Query
 from jauspy.errors import RequestError, ResponseTimeout
 from jauspy.ids import JausID
 from jauspy.messages.core import QueryStatus, ReportStatus, Resume, Standby

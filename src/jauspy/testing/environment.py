@@ -6,11 +6,12 @@ import asyncio
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable
 from contextlib import AbstractAsyncContextManager
+from dataclasses import replace
 from datetime import datetime
 from typing import Any, Final
 
-from jauspy.component import Component
-from jauspy.component.shell import loop_time
+from jauspy.component import Component, ComponentOptions
+from jauspy.component.component import loop_time
 from jauspy.ids import JausID
 from jauspy.modules.realtime import RealTime
 from jauspy.modules.robot import RobotRunner
@@ -44,7 +45,8 @@ class TestEnvironment(ABC):
 
     def component(self, id: str | JausID, services: Iterable[Service], **options: Any) -> Component:
         """A component of these services; `options` are those of `Component`."""
-        return Component(id, services, transport=self.transport(id), clock=self.now, utc_now=self.utc_now, **options)
+        own = replace(options.pop("options", ComponentOptions()), clock=self.now, utc_now=self.utc_now)
+        return Component(id, services, transport=self.transport(id), options=own, **options)
 
     def ocu(self, id: str | JausID = "42.1.1", **options: Any) -> OCU:
         """An OCU; `options` are those of `OCU`."""

@@ -7,8 +7,7 @@ import pytest
 from jauspy.cli.demo import plan
 from jauspy.cli.demo.reach import Hand
 from jauspy.errors import RequestError
-from jauspy.modules.description import robot_model
-from jauspy.modules.robots import load
+from jauspy.modules.robots import load, robot_model
 
 
 @pytest.fixture(scope="module")

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from jauspy.cli.options import DEFAULT_PORT, Port
-from jauspy.cli.up import BackendName
 
 if TYPE_CHECKING:
     from jauspy.services.environment_sensing.frame_sizes import FrameSize
@@ -18,12 +17,14 @@ def demo(
     *,
     port: Port = DEFAULT_PORT,
     backend: Annotated[
-        BackendName,
+        str,
         typer.Option(
             "--backend",
-            help="sim: MuJoCo physics (extra 'all'); kinematic: pure Python, only drives and moves the arm.",
+            metavar="NAME",
+            help="sim: MuJoCo physics (extra 'all'); kinematic: pure Python, only drives and moves the arm; or that of "
+            "an installed package.",
         ),
-    ] = BackendName.SIM,
+    ] = "sim",
     output: Annotated[
         Path, typer.Option("--output", metavar="DIR", help="Where videos, still, map, plot and summary go.")
     ] = Path("demo_out"),
@@ -50,7 +51,7 @@ def demo(
     pixels = _size(size)
     view = View() if plain or not console.is_terminal() else LiveView()
     try:
-        report = run(play(port, backend.value, view, output, pixels))
+        report = run(play(port, backend, view, output, pixels))
     except KeyboardInterrupt:
         console.note(view.farewell())
         raise typer.Exit(130) from None

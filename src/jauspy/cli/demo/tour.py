@@ -13,7 +13,7 @@ from jauspy.cli.demo.reach import Hand
 from jauspy.cli.demo.report import Finding, Report
 from jauspy.cli.demo.watch import Watcher
 from jauspy.modules.config import RobotConfig
-from jauspy.modules.description import robot_model
+from jauspy.modules.robots import robot_model
 from jauspy.ocu import OCU, Control
 from jauspy.ocu.robot import Robot
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from jauspy.codec.lazy import lazy
+from jauspy.codec.registry import lazy
 
 if TYPE_CHECKING:
     from jauspy.messages.core.v1_1.access_control import (

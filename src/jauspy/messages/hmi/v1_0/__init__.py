@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from jauspy.codec.lazy import lazy
+from jauspy.codec.registry import lazy
 
 if TYPE_CHECKING:
     from jauspy.messages.hmi.v1_0.analog_control import (
