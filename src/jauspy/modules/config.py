@@ -10,7 +10,7 @@ from typing import Annotated, Final, Literal, Self, TypeAlias
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, model_validator
 
 from jauspy.cloud.depth import DepthSettings
-from jauspy.cloud.message import MOST_POINTS
+from jauspy.cloud.message import MAX_POINTS
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.modules import catalogue
