@@ -2,7 +2,7 @@
 
 python tools/bench/node_manager.py [--rounds 5] [--messages 30000] [--seconds 1] [--uvloop]
 
-For three routes: messages per second with 64 and with 256 in flight, CPU seconds of the router per 100,000 messages, and
+For three routes: messages per second with 64 and 256 in flight, CPU seconds of the router per 100,000 messages, and
 round trips at a steady rate. A lost message ends it. The driver shares the machine, and others may, too: routers take
 turns, and the ratio is the median of those of each round.
 """
