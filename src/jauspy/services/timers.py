@@ -44,7 +44,7 @@ class Timers:
         return self._heap[0][0] if self._heap else None
 
     def due(self, now: float) -> list[Due]:
-        """Timers that are due, earliest first. `take` each: what an earlier one calls may cancel or move a later one."""
+        """Timers that are due, earliest first. `take` each: an earlier one may cancel or move a later one."""
         found: list[Due] = []
         while self._heap and self._heap[0][0] <= now:
             entry = heapq.heappop(self._heap)
