@@ -118,7 +118,7 @@ def text_of(parent: Element, tag: str) -> str:
     return " ".join((parent.findtext(tag) or "").split())
 
 
-class Group:
+class ChildGroup:
     """Alternative children, and how many of them together there may be."""
 
     def __init__(self, names: tuple[str, ...], minimum: int, maximum: int | None) -> None:
@@ -130,26 +130,26 @@ class Group:
         return " or ".join(f"<{name}>" for name in self.names)
 
 
-def _one(*names: str) -> Group:
-    return Group(names, 1, 1)
+def _one(*names: str) -> ChildGroup:
+    return ChildGroup(names, 1, 1)
 
 
-def _maybe(*names: str) -> Group:
-    return Group(names, 0, 1)
+def _maybe(*names: str) -> ChildGroup:
+    return ChildGroup(names, 0, 1)
 
 
-def _some(*names: str) -> Group:
-    return Group(names, 1, None)
+def _some(*names: str) -> ChildGroup:
+    return ChildGroup(names, 1, None)
 
 
-def _any(*names: str) -> Group:
-    return Group(names, 0, None)
+def _any(*names: str) -> ChildGroup:
+    return ChildGroup(names, 0, None)
 
 
 class ElementRule:
     """What one element needs and allows; every element may have an `interpretation`."""
 
-    def __init__(self, required: str, optional: str, *groups: Group) -> None:
+    def __init__(self, required: str, optional: str, *groups: ChildGroup) -> None:
         self.required = tuple(required.split())
         self.attributes = frozenset((*self.required, *optional.split(), "interpretation"))
         self.groups = groups
@@ -294,7 +294,7 @@ def problems(root: Element) -> Iterator[tuple[Element, SchemaError]]:
     waiting = [root]
     while waiting:
         element = waiting.pop()
-        rule = RULES[element.tag]  # the parent's rule has vouched for it
+        rule = RULES[element.tag]  # the parent's rule allows it
         yield from _check_attributes(element, rule)
         yield from _check_children(element, rule)
         waiting += [child for child in reversed(element) if child.tag in rule.group_of]

@@ -1,4 +1,4 @@
-"""All loaded files together, and what a name in one of them refers to.
+"""All loaded files together, what a name in one of them refers to, and constant expressions (`-10 * basicConsts.PI`).
 
 A `Scope` is one file's names: its constants and declared types, and the other sets it refers to by a local
 name. A dotted path walks through those: `core.time.TimeStamp` is the type `TimeStamp` of the set that the
@@ -121,7 +121,7 @@ class Scope:
             raise wrong(element, f"{attribute}: {error}") from error
 
     def integer(self, element: Element, attribute: str) -> int:
-        """The same, where only a whole number makes sense."""
+        """A mandatory attribute that is a whole number or a constant expression of that value."""
         number = self.number(element, attribute)
         if number != int(number):
             raise wrong(element, f"{attribute}: expected a whole number, got {required(element, attribute)!r}")
@@ -198,7 +198,7 @@ def _linked(scope: Scope, local: str, links: str) -> Scope | None:
 
 
 def refuse(error: SchemaError) -> None:
-    """What becomes of a mistake while files are put together, unless somebody collects them."""
+    """Raises the error: the default for mistakes found while files are linked."""
     raise error
 
 
@@ -230,7 +230,7 @@ def add_once(names: dict[str, Element], element: Element, report: Report = refus
     """Enter a named element; a name that is there already is an error."""
     name = element.get("name")
     if name is None:
-        return  # against the grammar, which whoever goes on after that has checked
+        return  # against the grammar, which has been reported
     first = names.setdefault(name, element)
     if first is not element:
         report(wrong(element, f"duplicate name '{name}'; the first is at {file_of(first)}:{line_of(first)}"))

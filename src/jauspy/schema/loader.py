@@ -32,7 +32,7 @@ Identity: TypeAlias = tuple[str, str, str]
 Wanted: TypeAlias = tuple[str, str | None]
 """The URN of a service and its version, None for the newest."""
 
-# Shipped files are in one form, so their tags can be found without parsing: that is what makes this fast.
+# Shipped files have one form, so tags can be found without parsing, which takes longer.
 _HEAD: Final = 1024
 """Bytes within which the start tag of the root ends."""
 _ROOT: Final = re.compile(rb"<(?:service_def|declared_type_set|declared_const_set)\s([^>]*)>")
@@ -63,7 +63,7 @@ def load_files(paths: Iterable[str | Path], *, base: Schema | None = None, state
 
     New services may inherit from those of `base`, which are part of the result except where a file defines the
     same id and version. Type sets are those of the files alone. Without `states`, what behaviour refers to is
-    not checked: for whoever wants messages, and would lose them all to one misspelt state.
+    not checked: messages can be used although one state is misspelt.
     """
     library = Library()
     versions: dict[Key, str] = {}

@@ -20,7 +20,7 @@ _VALUE_SETS = ("value_set", "declared_value_set")
 
 
 def named(element: Element) -> str:
-    """How a finding calls an element: by its name, or that of what it is in."""
+    """The name of an element, or of the nearest one around it that has a name."""
     holder: Element | None = element
     while holder is not None and holder.get("name") is None:
         holder = holder.getparent()

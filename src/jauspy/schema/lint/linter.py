@@ -82,7 +82,7 @@ def refused(context: LintContext) -> Iterator[Problem]:
 
 
 def refused_together(context: LintContext) -> Iterator[Problem]:
-    """The mistake that loading everything stops at: the last word on whether files are right."""
+    """The mistake at which loading all files together stops, if there is one."""
     try:
         load_beside_builtin(context.paths)
     except SchemaError as error:

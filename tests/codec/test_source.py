@@ -1,4 +1,4 @@
-"""The generator is deterministic, its committed output is up to date, and names are what people expect."""
+"""Written messages are deterministic, up to date and typed; names are what people expect."""
 
 from __future__ import annotations
 
