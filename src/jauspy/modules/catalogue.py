@@ -12,6 +12,7 @@ from importlib.metadata import EntryPoint, entry_points
 from typing import Any, ClassVar, Final, Generic, Protocol, TypeVar
 
 from jauspy.errors import ConfigError
+from jauspy.platform.chassis import ParkingBrake
 from jauspy.platform.contract import RobotParts
 from jauspy.services import manipulator, mobility, ugv
 from jauspy.services.environment_sensing import (
@@ -27,6 +28,7 @@ from jauspy.services.environment_sensing import (
     VisualSensor,
 )
 from jauspy.services.service import Service
+from jauspy.services.ugv.parking_brake import ParkingBrakeDriver
 
 GROUP: Final = "jauspy.services"
 
@@ -190,6 +192,12 @@ BUILT_IN: Final[Mapping[str, Mapping[str, ServiceEntry[Any]]]] = {
         "GlobalWaypointListDriver": _global(mobility.GlobalWaypointListDriver),
         "SkidSteerDriver": _vehicle(ugv.SkidSteerDriver),
         "PlatformSpecifications": _vehicle(ugv.PlatformSpecifications),
+        "ParkingBrakeDriver": ServiceEntry(
+            MobilityContext,
+            lambda context: ParkingBrakeDriver(brake) if (brake := ParkingBrake.of(context.robot)) else None,
+            needs="a parking brake",
+            by_default=False,  # leaving Ready engages it: a client that does not know it could drive only once
+        ),
     },
     "CM-MAN": {
         "ManipulatorSpecificationService": _arm(manipulator.ManipulatorSpecification),

@@ -12,7 +12,7 @@ from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.poses import Acceleration, Pose, Transform, Twist
 from jauspy.geometry.urdf import CollisionBox, Inertial, collision_boxes, inertials
 from jauspy.geometry.vectors import Vector
-from jauspy.platform.contract import OptionalPart
+from jauspy.platform.contract import Command, OptionalPart, PartId, Robot, RobotLink
 from jauspy.platform.description import RobotModel
 
 SPEED_ON_GROUND: Final = 0.95
@@ -114,12 +114,81 @@ def _largest(corners: list[Vector]) -> Vector:
     return x, y, z
 
 
+class ParkingBrake(OptionalPart):
+    """A brake that holds the chassis until it is released; efforts do not move it meanwhile."""
+
+    @property
+    def id(self) -> PartId:
+        """There is one."""
+        return PartId(ParkingBrake)
+
+    @property
+    @abstractmethod
+    def engaged(self) -> bool:
+        """True while it holds the chassis."""
+
+    @abstractmethod
+    def set(self, engaged: bool) -> None:
+        """Engage or release it. The chassis then stands until its next effort."""
+
+    def state(self) -> object:
+        """Whether it is engaged."""
+        return self.engaged
+
+    def proxy(self, link: RobotLink) -> ParkingBrake:
+        """The brake for other threads."""
+        return _ParkingBrakeProxy(link)
+
+
+@dataclass(frozen=True, slots=True)
+class ParkingBrakeCommand(Command):
+    """Engage or release the parking brake."""
+
+    engaged: bool
+
+    @property
+    def part(self) -> PartId:
+        """The brake."""
+        return PartId(ParkingBrake)
+
+    def apply(self, robot: Robot) -> None:
+        """Set the brake."""
+        if (brake := ParkingBrake.of(robot)) is not None:
+            brake.set(self.engaged)
+
+
+class _ParkingBrakeProxy(ParkingBrake):
+    def __init__(self, link: RobotLink) -> None:
+        self._link = link
+
+    @property
+    def engaged(self) -> bool:
+        return self._link.snapshot.parts[self.id] is True
+
+    def set(self, engaged: bool) -> None:
+        self._link.submit(ParkingBrakeCommand(engaged))
+
+
+class _HoldingBrake(ParkingBrake):
+    """Holds with the brakes of the tracks."""
+
+    engaged = False
+
+    def __init__(self, drive: SkidSteerDrive) -> None:
+        self._drive = drive
+
+    def set(self, engaged: bool) -> None:
+        self.engaged = engaged
+        self._drive.stop()
+
+
 class SkidSteerDrive(ABC):
     """A `DriveBase` with two tracks, without an inertial sensor: what the drives of both backends share."""
 
     def __init__(self) -> None:
         self._acceleration = Acceleration()
-        self.optional_parts: tuple[OptionalPart, ...] = ()
+        self._brake = _HoldingBrake(self)
+        self.optional_parts: tuple[OptionalPart, ...] = (self._brake,)
 
     @abstractmethod
     def set_track_efforts(self, left: float, right: float) -> None:
@@ -135,7 +204,8 @@ class SkidSteerDrive(ABC):
 
     def set_effort(self, linear_x: float, rotational_z: float) -> None:
         """Drive with fractions of the full effort, -1..1, clamped; positive z turns left."""
-        self.set_track_efforts(*mix(linear_x, rotational_z))
+        if not self._brake.engaged:
+            self.set_track_efforts(*mix(linear_x, rotational_z))
 
     def stop(self) -> None:
         """Brake to a standstill and hold it, also on a slope."""

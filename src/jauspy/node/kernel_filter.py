@@ -1,4 +1,4 @@
-"""Letting the kernel drop what is least urgent, before it costs a reading: a socket filter in classic BPF."""
+"""A socket filter (classic BPF) with which the kernel drops packets of low priority before they are read."""
 
 from __future__ import annotations
 
@@ -18,37 +18,36 @@ _UDP_HEADER: Final = 8
 _LOAD_BYTE, _AND, _EQUALS, _ANY_OF, _ABOVE, _RETURN = 0x30, 0x54, 0x15, 0x45, 0x25, 0x06
 _INSTRUCTION: Final = struct.Struct("HBBI")
 _PROGRAM: Final = struct.Struct("HP")
-_WHOLE: Final = 0xFFFF
+_ACCEPT_ALL: Final = 0xFFFF
 
 
-def hold_back(sock: socket.socket, up_to: Priority, skip: int) -> bool:
-    """Drop plain packets of AS5669A up to this priority; all others still arrive. False where there is no such filter.
+def attach(sock: socket.socket, up_to: Priority, skip: int) -> bool:
+    """Drop plain packets of AS5669A up to this priority; false where the system has no such filter.
 
-    `skip` bytes come before the packet's version byte. What is dropped counts with what the socket's buffer could not
-    hold.
+    `skip` bytes precede the packet's version byte. Dropped packets count with those that overflow the receive buffer.
     """
     at = _UDP_HEADER + skip
     code = (
         (_LOAD_BYTE, 0, 0, at),
         (_EQUALS, 0, 5, header.VERSION),
         (_LOAD_BYTE, 0, 0, at + 1),
-        (_ANY_OF, 3, 0, 0xFF),  # compressed or none of ours: their control byte is elsewhere
+        (_ANY_OF, 3, 0, 0xFF),  # compressed, or not AS5669A: the control byte is elsewhere
         (_LOAD_BYTE, 0, 0, at + 4),
         (_AND, 0, 0, 3),
         (_ABOVE, 0, 1, up_to),
-        (_RETURN, 0, 0, _WHOLE),
+        (_RETURN, 0, 0, _ACCEPT_ALL),
         (_RETURN, 0, 0, 0),
     )
     program = ctypes.create_string_buffer(b"".join(_INSTRUCTION.pack(*each) for each in code))
-    return _set(sock, _SO_ATTACH_FILTER, _PROGRAM.pack(len(code), ctypes.addressof(program)))
+    return _set_option(sock, _SO_ATTACH_FILTER, _PROGRAM.pack(len(code), ctypes.addressof(program)))
 
 
-def let_through(sock: socket.socket) -> None:
-    """Let everything arrive again."""
-    _set(sock, _SO_DETACH_FILTER, bytes(4))
+def detach(sock: socket.socket) -> None:
+    """Receive all packets again."""
+    _set_option(sock, _SO_DETACH_FILTER, bytes(4))
 
 
-def _set(sock: socket.socket, option: int, value: bytes) -> bool:
+def _set_option(sock: socket.socket, option: int, value: bytes) -> bool:
     if sys.platform != "linux":
         return False
     try:

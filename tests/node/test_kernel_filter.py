@@ -7,7 +7,7 @@ from collections.abc import Callable
 import pytest
 
 from jauspy.ids import JausID
-from jauspy.node import sieve
+from jauspy.node import kernel_filter
 from jauspy.protocol import judp
 from jauspy.protocol.header import Packet, Priority
 
@@ -43,16 +43,16 @@ def test_what_is_more_urgent_or_not_understood_arrives(
     receiver, sender = udp(), udp()
     seal = bytes(range(skip))
     sent = [seal + data for data in (*map(packet, Priority), *OTHERS, packet(Priority.SAFETY_CRITICAL, bytes(60000)))]
-    assert sieve.hold_back(receiver, up_to, skip)
+    assert kernel_filter.attach(receiver, up_to, skip)
     for data in sent:
         sender.sendto(data, receiver.getsockname())
     assert arrived(receiver) == sent[up_to + 1 :]
-    sieve.let_through(receiver)
+    kernel_filter.detach(receiver)
     for data in sent:
         sender.sendto(data, receiver.getsockname())
     assert arrived(receiver) == sent
 
 
 def test_without_such_filters_it_says_so(monkeypatch: pytest.MonkeyPatch, udp: Callable[[], socket.socket]) -> None:
-    monkeypatch.setattr(sieve, "_SO_ATTACH_FILTER", 9999)
-    assert not sieve.hold_back(udp(), Priority.LOW, 0)
+    monkeypatch.setattr(kernel_filter, "_SO_ATTACH_FILTER", 9999)
+    assert not kernel_filter.attach(udp(), Priority.LOW, 0)

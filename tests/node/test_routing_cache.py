@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from jauspy.ids import EVERYONE, JausID
-from jauspy.node import NodeConfig, NodeManager, shortcuts
-from jauspy.node.shortcuts import Shortcuts
+from jauspy.node import NodeConfig, NodeManager, routing_cache
+from jauspy.node.routing_cache import RoutingCache
 from jauspy.protocol import judp, junior
 from jauspy.protocol.addressing import LocalPort, Port, UdpPort
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet, Priority
@@ -28,28 +28,28 @@ PORTS: tuple[Port, ...] = (
 
 
 class CountingRouter:
-    """A core, with shortcuts or without."""
+    """A router, with a routing cache or without."""
 
-    def __init__(self, *, short: bool) -> None:
+    def __init__(self, *, cached: bool) -> None:
         self.out: list[tuple[Port, bytes]] = []
-        self.short_ways = 0
-        self.core = Router("/tmp", changed=self._changed)
-        self.shortcuts = Shortcuts(self.core, self._open if short else lambda _: None)
+        self.cached = 0
+        self.router = Router("/tmp", changed=self._changed)
+        self.cache = RoutingCache(self.router, self._open if cached else lambda _: None)
 
-    def _open(self, port: LocalPort | UdpPort) -> shortcuts.Send:
+    def _open(self, port: LocalPort | UdpPort) -> routing_cache.Send:
         def send(datagram: bytes) -> None:
-            self.short_ways += 1
+            self.cached += 1
             self.out.append((port, datagram))
 
         return send
 
     def _changed(self, id: int | None) -> None:
-        self.shortcuts.forget(id)
+        self.cache.invalidate(id)
 
     def take(self, datagram: bytes, port: Port, now: float) -> None:
-        if not self.shortcuts.take(datagram, port):
-            self.core.receive(datagram, port, now)
-            self.out += self.core.poll_output()
+        if not self.cache.forward(datagram, port):
+            self.router.receive(datagram, port, now)
+            self.out += self.router.poll_output()
 
 
 def any_datagram(chance: random.Random, number: int) -> bytes:
@@ -89,40 +89,40 @@ def any_datagram(chance: random.Random, number: int) -> bytes:
 @pytest.mark.parametrize("seed", range(5))
 async def test_nobody_can_tell_the_difference(seed: int) -> None:
     chance = random.Random(seed)
-    quick, whole = CountingRouter(short=True), CountingRouter(short=False)
+    quick, whole = CountingRouter(cached=True), CountingRouter(cached=False)
     now = asyncio.get_running_loop().time()
     for number in range(4000):
         datagram, port = any_datagram(chance, number), chance.choice(PORTS)
         gone = chance.choice(PORTS) if chance.random() < 0.01 else None
         for router in (quick, whole):
             if isinstance(gone, LocalPort | UdpPort):
-                router.core.remove_dead(gone)
+                router.router.remove_dead(gone)
             router.take(datagram, port, now)
         assert quick.out == whole.out, f"datagram {number}: {datagram.hex()} from {port}"
         quick.out.clear()
         whole.out.clear()
-    assert quick.core.counters == whole.core.counters
-    assert quick.short_ways > 100
-    quick.shortcuts.clear()
+    assert quick.router.counters == whole.router.counters
+    assert quick.cached > 100
+    quick.cache.clear()
 
 
 async def test_ways_are_looked_for_again_after_a_while(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(shortcuts, "LIFETIME", 0.0)
-    router = CountingRouter(short=True)
+    monkeypatch.setattr(routing_cache, "CACHE_LIFETIME", 0.0)
+    router = CountingRouter(cached=True)
     now = asyncio.get_running_loop().time()
     port = LocalPort(f"/tmp/{int(HERE)}")
     for id in (HERE, THERE):
         router.take(junior.connect(id), LocalPort(f"/tmp/{int(id)}"), now)
     router.take(judp.pack(Packet(HERE, THERE, b"\x02\x20")), port, now)
-    assert len(router.shortcuts) == 1
+    assert len(router.cache) == 1
     async with asyncio.timeout(20):
-        while len(router.shortcuts):
+        while len(router.cache):
             await asyncio.sleep(0)
 
 
 async def test_made_up_destinations_do_not_pile_up(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(shortcuts, "MAX_WAYS", 3)
-    router = CountingRouter(short=True)
+    monkeypatch.setattr(routing_cache, "MAX_ROUTES", 3)
+    router = CountingRouter(cached=True)
     now = asyncio.get_running_loop().time()
     sender = JausID(101, 1, 1)
     for number in range(1, 20):
@@ -131,8 +131,8 @@ async def test_made_up_destinations_do_not_pile_up(monkeypatch: pytest.MonkeyPat
     for number in range(1, 20):
         datagram = judp.pack(Packet(sender, JausID(101, 1, number), b"\x02\x20"))
         router.take(datagram, LocalPort(f"/tmp/{int(sender)}"), now)
-        assert len(router.shortcuts) <= 3
-    router.shortcuts.clear()
+        assert len(router.cache) <= 3
+    router.cache.clear()
 
 
 async def test_rules_that_are_loaded_hold_for_the_next_packet(root: Path, introduce, udp) -> None:

@@ -1,4 +1,4 @@
-"""Writing pcapng: sections of JUDP datagrams under made-up IPv4 and UDP headers."""
+"""Writing pcapng: UDP datagrams with synthetic IPv4 and UDP headers."""
 
 from __future__ import annotations
 
@@ -12,24 +12,25 @@ LINKTYPE_RAW: Final = 101
 _PREAMBLE: Final = struct.pack("<IIIHHqI", 0x0A0D0D0A, 28, 0x1A2B3C4D, 1, 0, -1, 28) + struct.pack(
     "<IIHHIHHB3xHHI", 1, 32, LINKTYPE_RAW, 0, 0, 9, 1, 9, 0, 0, 32
 )
-"""A section header, and an interface with time stamps in nanoseconds."""
+"""A section header, and an interface with timestamps in nanoseconds."""
 _BLOCK: Final = struct.Struct("<IIIIIII")
 _IP: Final = struct.Struct(">BBHHHBBHII")
 _UDP: Final = struct.Struct(">HHHH")
 _LENGTH: Final = struct.Struct("<I")
-_MAX: Final = 65507
+_MAX_PAYLOAD: Final = 65507
 
 Endpoint = tuple[str, int]
+"""IPv4 address and UDP port."""
 
 
 def preamble() -> bytes:
-    """What begins a file, or a datagram that is to be a file of its own."""
+    """The start of a file: section header and interface."""
     return _PREAMBLE
 
 
 def packet(source: Endpoint, destination: Endpoint, payload: bytes, nanoseconds: int) -> bytes:
-    """The block of one datagram; `nanoseconds` since 1970."""
-    payload = payload[:_MAX]
+    """The packet block of one datagram; `nanoseconds` since 1970."""
+    payload = payload[:_MAX_PAYLOAD]
     size = 28 + len(payload)
     sender, receiver, base = _addresses(source[0], destination[0])
     checksum = base + size
@@ -51,7 +52,7 @@ def packet(source: Endpoint, destination: Endpoint, payload: bytes, nanoseconds:
 
 @lru_cache(maxsize=1024)
 def _addresses(source: str, destination: str) -> tuple[int, int, int]:
-    """Both as numbers, and the sum of all of the IP header but its length."""
+    """Both addresses as numbers, and the sum of the IP header without its length."""
     sender, receiver = (int.from_bytes(socket.inet_aton(text), "big") for text in (source, destination))
     words = (0x4500, 64 << 8 | 17, sender >> 16, sender & 0xFFFF, receiver >> 16, receiver & 0xFFFF)
     return sender, receiver, sum(words)

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from jauspy.ids import JausID
-from jauspy.node import NodeConfig, NodeManager, sweep
+from jauspy.node import NodeConfig, NodeManager, liveness
 from jauspy.protocol import judp, junior
 from jauspy.protocol.addressing import LocalPort
 from jauspy.protocol.directory import ComponentDirectory, ComponentPort
@@ -22,7 +22,7 @@ LIVING, DEAD = JausID.parse("126.1.11"), JausID.parse("126.1.20")
 @pytest.fixture
 def swept(monkeypatch: pytest.MonkeyPatch) -> None:
     """The node manager looks after its components all the time."""
-    monkeypatch.setattr(sweep, "INTERVAL", 0.01)
+    monkeypatch.setattr(liveness, "CHECK_INTERVAL", 0.01)
 
 
 @pytest.fixture
@@ -96,7 +96,7 @@ async def test_what_waited_for_one_that_died_is_counted(root: Path, node: NodeMa
     with await connected(root, LIVING, root / str(int(LIVING))) as living:
         dead = await connected(root, DEAD, root / str(int(DEAD)))
         sent = 0
-        while not (waiting := node.state.waiting.get(str(root / str(int(DEAD))), 0)) > 20:
+        while not (waiting := node.state.queued.get(str(root / str(int(DEAD))), 0)) > 20:
             with contextlib.suppress(BlockingIOError):
                 living.sendto(judp.pack(Packet(LIVING, DEAD, b"\x02\x20", sent)), str(node.path))
                 sent += 1
@@ -123,7 +123,7 @@ async def test_a_component_that_came_by_udp_is_noticed_too(node: NodeManager) ->
 
 def test_many_components_are_looked_at_a_few_at_a_time() -> None:
     components, asked = ComponentDirectory(), []
-    for number in range(3 * sweep.PER_TURN):
+    for number in range(3 * liveness.MAX_CHECKS):
         components.register(number + 1, LocalPort(f"/{number}"))
 
     def is_dead(path: str) -> bool:
@@ -131,9 +131,9 @@ def test_many_components_are_looked_at_a_few_at_a_time() -> None:
         return path == "/7"
 
     gone: list[ComponentPort] = []
-    looking = sweep.Sweep(components, is_dead, gone.append)
+    looking = liveness.LivenessCheck(components, is_dead, gone.append)
     for turn in range(1, 4):
-        looking.turn()
-        assert len(asked) == turn * sweep.PER_TURN
+        looking.check_next()
+        assert len(asked) == turn * liveness.MAX_CHECKS
     assert len(set(asked)) == len(asked)
     assert gone == [LocalPort("/7")]

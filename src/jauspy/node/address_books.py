@@ -17,7 +17,7 @@ from jauspy.ids import JausID
 from jauspy.protocol import judp
 from jauspy.protocol.addressing import NetworkPort, SerialPort, TcpPort, UdpPort
 
-Entries = dict[JausID, tuple[NetworkPort, ...]]
+AddressEntries = dict[JausID, tuple[NetworkPort, ...]]
 _Pairs = Iterator[tuple[JausID, NetworkPort]]
 
 FORMS: Final = "udp://IP[:PORT], tcp://HOST[:PORT], serial:DEVICE or IP:PORT (which means UDP)"
@@ -25,7 +25,7 @@ _WRAPPED: Final = ":value"
 """FKIE's files may wrap a value, to keep its description beside it."""
 
 
-def load(path: Path) -> Entries:
+def load_address_book(path: Path) -> AddressEntries:
     """The entries of an address book; raises `ConfigError` that names file and entry."""
     readers: dict[str, Callable[[bytes], _Pairs]] = {
         ".toml": _toml,
@@ -47,12 +47,12 @@ def load(path: Path) -> Entries:
         raise ConfigError(f"address book {path}: {error}") from None
 
 
-def entries(table: Mapping[str, Any]) -> Entries:
+def parse_entries(table: Mapping[str, Any]) -> AddressEntries:
     """The entries of a table as in our own TOML: `"101.1.255" = "udp://10.0.0.5"`, or a list of such addresses."""
     return _collected(_pairs(table))
 
 
-def address(text: str) -> NetworkPort:
+def parse_address(text: str) -> NetworkPort:
     """An address as people write it; raises `ConfigError` that shows the forms."""
     if text.startswith("serial:"):
         device = text.removeprefix("serial:")
@@ -75,7 +75,7 @@ def address(text: str) -> NetworkPort:
     return UdpPort(host, port)
 
 
-def _collected(pairs: Iterable[tuple[JausID, NetworkPort]]) -> Entries:
+def _collected(pairs: Iterable[tuple[JausID, NetworkPort]]) -> AddressEntries:
     found: dict[JausID, list[NetworkPort]] = {}
     for id, port in pairs:
         known = found.setdefault(id, [])
@@ -89,7 +89,7 @@ def _pairs(table: Mapping[str, Any]) -> _Pairs:
         for each in value if isinstance(value, list) else [value]:
             if not isinstance(each, str):
                 raise ConfigError(f"{id} = {each!r}: write {FORMS}")
-            yield JausID.parse(id), address(each)
+            yield JausID.parse(id), parse_address(each)
 
 
 def _toml(data: bytes) -> _Pairs:
@@ -107,7 +107,7 @@ def _xml(data: bytes) -> _Pairs:
             number = str(name).removeprefix("J")
             if not (number.isascii() and number.isdigit() and len(number) <= 10 and int(number) <= 0xFFFFFFFF):
                 raise ConfigError(f"{name!s}={value!r}: write J and the id in decimal, as in J8257803 for 126.1.11")
-            yield JausID.from_int(int(number)), address(str(value))
+            yield JausID.from_int(int(number)), parse_address(str(value))
 
 
 def _yaml(data: bytes) -> _Pairs:
@@ -119,12 +119,12 @@ def _yaml(data: bytes) -> _Pairs:
     for transport, table in book.items():
         if transport not in ("udp", "tcp"):
             raise ConfigError(f"addrbook/{transport}: only udp and tcp are known")
-        entries = _plain(table) or {}
-        if not isinstance(entries, dict):
-            raise ConfigError(f'addrbook/{transport} = {entries!r}: write lines such as "10.0.0.5:3794": 101.1.1')
-        for where, ids in entries.items():
+        table_entries = _plain(table) or {}
+        if not isinstance(table_entries, dict):
+            raise ConfigError(f'addrbook/{transport} = {table_entries!r}: write lines such as "10.0.0.5:3794": 101.1.1')
+        for where, ids in table_entries.items():
             for id in _as_list(_plain(ids)):
-                yield JausID.parse(str(id)), address(f"{transport}://{where}")
+                yield JausID.parse(str(id)), parse_address(f"{transport}://{where}")
 
 
 def _plain(value: Any) -> Any:
