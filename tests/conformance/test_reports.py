@@ -18,7 +18,7 @@ from jauspy.capture.reader import CaptureReader
 from jauspy.cli.conformance_files import Files
 from jauspy.conformance import Profile, Step, Verdict, ask, has, run
 from jauspy.conformance.reports import capture, junit, page, result_json, summary, summary_json
-from jauspy.conformance.results import OTHERWISE, Report, Result, Transition
+from jauspy.conformance.results import DEPENDS_ON_TARGET, Report, Result, Transition
 from jauspy.errors import ConfigError
 from jauspy.messages.core import QueryIdentification, QueryStatus, ReportIdentification, ReportStatus
 
@@ -155,7 +155,7 @@ def test_transitions_are_counted_and_those_that_are_left_have_a_reason():
         Transition(failure, reason="it comes from inside"),
         Transition(reset, "b"),
         Transition(query, reason="wrong"),
-        Transition(create, reason=OTHERWISE),
+        Transition(create, reason=DEPENDS_ON_TARGET),
     )
     total = "1 of 4 state machine transitions in these steps were taken and judged"
     assert summary_json(report)["transitions"] == {
@@ -164,7 +164,7 @@ def test_transitions_are_counted_and_those_that_are_left_have_a_reason():
         "left": [
             {"transition": failure, "reason": "it comes from inside"},
             {"transition": query, "reason": "wrong"},
-            {"transition": create, "reason": OTHERWISE},
+            {"transition": create, "reason": DEPENDS_ON_TARGET},
         ],
     }
     assert f"{total}</summary><ul><li>Management, Ready: Failure: it comes from inside</li>" in page(report)

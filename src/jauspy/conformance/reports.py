@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any, Final
 from xml.etree import ElementTree as ET
 
 from jauspy.capture import writer
-from jauspy.conformance.results import Report, Result, Verdict, transitions_sum
-from jauspy.conformance.trace import Direction, Entry
+from jauspy.conformance.results import Report, Result, Verdict, transitions_summary
+from jauspy.conformance.trace import Direction, TraceEntry
 from jauspy.errors import ConfigError
 from jauspy.protocol import judp
 
@@ -48,7 +48,7 @@ def page(report: Report) -> str:
         began=datetime.fromtimestamp(report.began, UTC).strftime("%Y-%m-%d %H:%M:%S UTC"),
         summary=summary(report),
         counts=[(verdict, report.counts[verdict]) for verdict in Verdict if report.counts[verdict]],
-        transitions=transitions_sum(report),
+        transitions=transitions_summary(report),
         not_taken=[each for each in report.transitions if not each.step],
     )
 
@@ -74,7 +74,7 @@ def junit(report: Report) -> bytes:
         timestamp=datetime.fromtimestamp(report.began, UTC).strftime("%Y-%m-%dT%H:%M:%S"),
         hostname=report.target,
     )
-    facts = [("transitions", transitions_sum(report)), *(("note", note) for note in report.notes)]
+    facts = [("transitions", transitions_summary(report)), *(("note", note) for note in report.notes)]
     if known := [(name, value) for name, value in facts if value]:
         properties = ET.SubElement(suite, "properties")
         for name, value in known:
@@ -127,18 +127,18 @@ def result_json(result: Result) -> dict[str, Any]:
         "reason": result.reason,
         "why": result.why,
         "expected": list(result.expected),
-        "checks": [{"check": each.name, "problem": each.problem} for each in result.looked],
+        "checks": [{"check": each.name, "problem": each.problem} for each in result.checks],
         "began": round(result.began, 6),
         "elapsed": round(result.elapsed, 6),
         "points": result.points,
         "earned": result.earned,
         "taken": list(result.taken),
         "traffic": [entry_json(each) for each in result.entries],
-        "left_out": result.left_out,
+        "left_out": result.omitted,
     }
 
 
-def entry_json(entry: Entry) -> dict[str, Any]:
+def entry_json(entry: TraceEntry) -> dict[str, Any]:
     """One datagram."""
     return {
         "at": round(entry.at, 6),
@@ -179,7 +179,7 @@ def summary_json(report: Report) -> dict[str, Any]:
 # --- pcapng -----------------------------------------------------------------------------------------------------------
 
 TESTER: Final = ("192.0.2.42", judp.PORT)
-STRANGE: Final = ("192.0.2.42", 49152)
+OTHER_PORT: Final = ("192.0.2.42", 49152)
 TARGET: Final = ("192.0.2.1", judp.PORT)
 """Addresses for documentation (RFC 5737): a run knows bytes and times, not addresses."""
 
@@ -188,7 +188,7 @@ def capture(report: Report) -> bytes:
     """The datagrams of a run as a pcapng file, for Wireshark and `jauspy decode`."""
     blocks = [writer.preamble()]
     for entry in report.entries:
-        tester = STRANGE if entry.strange_port else TESTER
+        tester = OTHER_PORT if entry.other_port else TESTER
         source, destination = (tester, TARGET) if entry.direction is Direction.SENT else (TARGET, tester)
         nanoseconds = int((report.began + entry.at) * 1e9)
         blocks.append(writer.packet(source, destination, entry.data, nanoseconds))
