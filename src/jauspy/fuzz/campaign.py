@@ -20,8 +20,8 @@ from jauspy.fuzz.mutation import Seed, from_payloads, from_schemas, mutate
 from jauspy.fuzz.offsets import offsets_of
 from jauspy.messages import registry
 from jauspy.schema import load_builtin
+from jauspy.schema.loader import load_own
 from jauspy.schema.model import Schema
-from jauspy.schema.own import load_own
 
 MAX_SLOW_TRIES: Final = 60
 """Attempts to minimise a finding about time or memory, each of which is slow."""

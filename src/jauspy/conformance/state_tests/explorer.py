@@ -34,7 +34,7 @@ from jauspy.messages.core import (
     Shutdown,
     Standby,
 )
-from jauspy.schema import guards
+from jauspy.schema import behavior
 
 STOP: Final = SetEmergency.EmergencyCode.STOP
 MIN_AUTHORITY: Final = 200
@@ -327,7 +327,7 @@ class Stimulus:
     def judge(self, role: str) -> Decide:
         """Decides predicates for this input from this sender."""
 
-        def decide(call: guards.Call, situation: Situation) -> TruthValue:
+        def decide(call: behavior.Call, situation: Situation) -> TruthValue:
             name = call.name.rpartition(".")[2]
             if name in SENDER_PREDICATES:
                 return situation.controller == role
