@@ -7,8 +7,8 @@ from typing import Final
 from jauspy.geometry.urdf import Joint
 from jauspy.platform.description import JointGains
 from jauspy.platform.joints import ControlMode, Target
-from jauspy.platform.motion import Motion
 from jauspy.platform.pid import Pid
+from jauspy.platform.setpoint import SetpointGenerator
 
 BRAKING: Final = 0.1
 """Seconds that a joint that is to hold brakes first: long enough for those beside it to come to rest, too."""
@@ -25,7 +25,7 @@ class JointController:
 
     def __init__(self, joint: Joint, gains: JointGains, position: float) -> None:
         self._joint = joint
-        self._motion = Motion(joint, position)
+        self._motion = SetpointGenerator(joint, position)
         self._position_pid = Pid(gains.position, joint.effort)
         self._velocity_pid = Pid(gains.velocity, joint.effort)
         self._holding = True

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from jauspy.geometry.urdf import Joint, RobotDescription
 from jauspy.platform.description import GroupSetup
 from jauspy.platform.joints import ControlMode, JointState, Target
-from jauspy.platform.motion import Motion
+from jauspy.platform.setpoint import SetpointGenerator
 
 
 class KinematicJoints:
@@ -20,7 +20,9 @@ class KinematicJoints:
     def __init__(self, description: RobotDescription, setup: GroupSetup) -> None:
         self._joints = tuple(description.joint(name) for name in setup.joints)
         self._chain = description.chain(setup.base, setup.tip)
-        self._motions = [Motion(joint, start) for joint, start in zip(self._joints, setup.start, strict=True)]
+        self._motions = [
+            SetpointGenerator(joint, start) for joint, start in zip(self._joints, setup.start, strict=True)
+        ]
         self._efforts = [0.0] * len(self._joints)
 
     @property
