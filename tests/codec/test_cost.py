@@ -92,6 +92,7 @@ def test_inputs_are_of_every_kind(inputs: Any) -> None:
     assert len({cls for cls, _ in inputs}) > 10
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("number", range(4))
 def test_work_of_64_kb(number: int, inputs: Any) -> None:
     most = 100 * work(lambda: ReportServices.decode(normal()))
@@ -100,6 +101,7 @@ def test_work_of_64_kb(number: int, inputs: Any) -> None:
         assert work(lambda cls=cls, data=data: slow_path.decode_tolerant(cls, data)) <= most, cls
 
 
+@pytest.mark.slow
 def test_memory_of_64_kb(inputs: Any) -> None:
     most = 100 * memory(lambda: ReportServices.decode(normal()))
     assert most < 2**30  # a normal message takes less than 160 bytes for each of its own

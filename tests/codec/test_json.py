@@ -91,6 +91,7 @@ def test_long_values_are_cut_in_errors() -> None:
         assert len(str(caught.value)) < 400
 
 
+@pytest.mark.slow
 def test_odd_dictionaries_raise_nothing_but_codec_errors(odd: Registry, values_of: Any) -> None:
     """A part of a good dictionary is replaced by anything."""
     entries = st.sampled_from([*registry.entries, *(entry for entry in odd.entries if "example" in entry.service)])

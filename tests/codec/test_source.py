@@ -51,6 +51,7 @@ def _schema(body: m.Composite) -> m.Schema:
     return m.Schema(services=(service,))
 
 
+@pytest.mark.slow
 def test_generated_code_is_typed(tmp_path: Path, odd_models: dict[str, m.Message]) -> None:
     """Also where names are those of types, and numbers of a variable field integers and floats."""
     names = ("List", "Int", "Float", "Str", "Bytes", "rt", "Size")

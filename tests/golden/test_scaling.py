@@ -67,6 +67,7 @@ def test_all_probes() -> None:
         check(probe)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("lower", "upper"),
     [(-1.0, 1.0), (-90.0, 90.0), (0.0, 100.0), (100.0, 250.0), (-10.0, 5.0), (1e6, 1e6 + 1), (-7e4, -6e4)],
@@ -91,7 +92,7 @@ def test_both_ends_are_exact() -> None:
         assert exact_raw(scale.upper, scale) == scale.top
 
 
-@pytest.mark.parametrize("function", ["floor", "ceiling"])
+@pytest.mark.parametrize("function", ["floor", pytest.param("ceiling", marks=pytest.mark.slow)])
 def test_decoded_values_get_their_raw_value_back(function: Literal["floor", "ceiling"]) -> None:
     scale = Scaling(-6.283185307179586, 1.5707963267948966, 0xFFFF, function)
     assert [exact_raw(scale.real(raw), scale) for raw in range(0x10000)] == list(range(0x10000))

@@ -152,6 +152,7 @@ class Life:
         self.said.append((what, rig.host.state, rig.host.next_timeout(), dict(rig.host.counters)))
 
 
+@pytest.mark.slow
 @settings(deadline=None, max_examples=100)
 @given(st.lists(steps, min_size=5, max_size=30), st.sampled_from(["stay", "failure"]))
 def test_events_are_the_same_with_and_without_it(script, failing) -> None:
