@@ -13,6 +13,14 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 WHEELHOUSE = Path(sys.prefix) / "wheelhouse"
+EXTRAS = ("cli", "node-manager", "robot", "conformance")
+CORE = """
+import asyncio, jauspy
+from jauspy.messages.core import QueryStatus
+from jauspy.services.core import Liveness
+assert QueryStatus().encode().hex() == "0220"
+jauspy.OCU("42.1.1"), jauspy.Component("101.1.1", [Liveness()])
+"""
 QUERY_STATUS = "02 00 1000 01 0b017e00 14017e00 0220 0400"
 
 
@@ -31,9 +39,11 @@ def expect(what: str, text: str) -> None:
 
 
 def download() -> None:
-    """Fill the wheelhouse with the core's dependencies."""
+    """Fill the wheelhouse with the dependencies of the core and of the extras that are tested."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
-    run(sys.executable, "-m", "pip", "wheel", "-q", "-w", WHEELHOUSE, *project["dependencies"])
+    extras = project["optional-dependencies"]
+    wanted = {each for name in EXTRAS for each in extras[name] if not each.startswith("jauspy[")}
+    run(sys.executable, "-m", "pip", "wheel", "-q", "-w", WHEELHOUSE, *project["dependencies"], *sorted(wanted))
 
 
 def main() -> None:
@@ -43,12 +53,19 @@ def main() -> None:
         run(sys.executable, "-m", "build", "--wheel", "--no-isolation", "--outdir", folder, ROOT)
         (wheel,) = folder.glob("*.whl")
         run(sys.executable, "-m", "venv", folder / "venv")
-        python = folder / "venv" / "bin" / "python"
-        run(python, "-m", "pip", "install", "-q", "--no-index", "--find-links", WHEELHOUSE, wheel)
-        jauspy = folder / "venv" / "bin" / "jauspy"
+        python, jauspy = folder / "venv" / "bin" / "python", folder / "venv" / "bin" / "jauspy"
+        install = (python, "-m", "pip", "install", "-q", "--no-index", "--find-links", WHEELHOUSE)
+        run(*install, wheel)
+        run(python, "-c", CORE, cwd=folder)
+        without = subprocess.run([jauspy, "ls"], capture_output=True, text=True, check=False)
+        expect("pip install 'jauspy[cli]'", without.stderr)
+        run(*install, f"{wheel}[cli]")
         expect("decode", run(jauspy, "--help", cwd=folder))
         expect("QueryStatus", run(jauspy, "decode", QUERY_STATUS, cwd=folder))
         expect("PrimitiveDriver", run(python, "-c", "import jauspy.schema as s; print(s.load_builtin())", cwd=folder))
+        without = subprocess.run([jauspy, "up", "inc1"], capture_output=True, text=True, check=False)
+        expect("pip install 'jauspy[", without.stderr)
+        run(*install, f"{wheel}[robot,conformance]")
         expect("inc1", run(python, "-c", "from jauspy.modules.robots import known; print(known())", cwd=folder))
         print(f"wheel-test: {wheel.name} ({wheel.stat().st_size / 1e3:.0f} kB) works alone")
 
