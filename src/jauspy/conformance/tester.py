@@ -256,7 +256,7 @@ class Client:
     def answers(
         self, message: Message, answer: type[M], seconds: float, *, of: JausID | None = None
     ) -> list[tuple[JausID, M]]:
-        """Send, and return all answers within a time in seconds with their sources. `of`: ask others than the target."""
+        """Send, and return all answers within a time in seconds, with sources. `of`: ask others than the target."""
         self.forget(answer)
         self.send(message, to=of)
         expectation = Expectation(self, answer, [], lambda _: True, of)
