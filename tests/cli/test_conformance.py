@@ -13,9 +13,9 @@ import pytest
 from typer.testing import CliRunner
 
 from jauspy.capture.reader import is_capture
-from jauspy.cli import run
+from jauspy.cli import processes
 from jauspy.cli.main import app
-from jauspy.cli.run import stoppable
+from jauspy.cli.processes import stoppable
 
 JAUSPY = [sys.executable, "-m", "jauspy.cli.main"]
 SOME = ("--only", "01", "--only", "02", "--only", "2", "--only", "31")
@@ -103,7 +103,7 @@ def test_who_stops_a_run_twice_gets_the_report_all_the_same(monkeypatch):
         signal.raise_signal(signal.SIGINT)  # the robot is being left in order
         signal.raise_signal(signal.SIGTERM)
         assert status() == 130
-        monkeypatch.setattr(run, "PARTING", 0.0)
+        monkeypatch.setattr(processes, "PARTING", 0.0)
         with pytest.raises(KeyboardInterrupt):
             signal.raise_signal(signal.SIGINT)
 

@@ -6,7 +6,7 @@ import sys
 import pytest
 import yaml
 
-from jauspy.cli import map_robot
+from jauspy.cli import map as map_robot
 from jauspy.cli.main import app
 from jauspy.testing import LocalNode
 

@@ -11,7 +11,7 @@ import sys
 
 import pytest
 
-from jauspy.cli.node_serve import FILES
+from jauspy.cli.node_manager import FILES
 
 COMMAND = [sys.executable, "-m", "jauspy.cli.main", "node-manager"]
 

@@ -6,7 +6,7 @@ import sys
 
 import pytest
 
-WAIT = "import asyncio\nfrom jauspy.cli.run import run, end_with_parent\n"
+WAIT = "import asyncio\nfrom jauspy.cli.processes import run, end_with_parent\n"
 
 FOREVER = (
     WAIT

@@ -111,7 +111,7 @@ def test_ls_json_has_one_object_per_service():
 
 def test_ls_of_a_set_and_of_own_files(old):
     assert {item["set"] for item in objects("ls", "--set", "Core")} == {"core"}
-    assert [item["name"] for item in objects("ls", "--from", old)] == ["Thruster"]
+    assert [item["name"] for item in objects("ls", "--schemas", old)] == ["Thruster"]
     message = run("ls", "--set", "cor", status=2).stderr
     assert message.startswith("Error: there is no service set 'cor'; there is ")
     assert " core, " in message
@@ -175,8 +175,8 @@ def test_show_one_id_of_two_messages():
 
 
 def test_show_own_definitions(old):
-    assert "EffortX" in run("show", "SetThrust", "--from", old).stdout
-    assert "SetThrust [isReady( msg )]: setThrust(msg)" in run("show", "Thruster", "--from", old).stdout
+    assert "EffortX" in run("show", "SetThrust", "--schemas", old).stdout
+    assert "SetThrust [isReady( msg )]: setThrust(msg)" in run("show", "Thruster", "--schemas", old).stdout
 
 
 def test_show_json():
@@ -203,7 +203,7 @@ def test_show_json():
 def test_show_ranges_with_their_units(changed, type, inside, shown):
     before = 'field_type="unsigned byte"'
     path = changed((f'name="EffortX" {before}', f'name="EffortX" field_type="{type}"'), (SCALE, inside))
-    rows = {row["name"]: row for row in objects("show", "SetThrust", "--from", path)[0]["layout"]}
+    rows = {row["name"]: row for row in objects("show", "SetThrust", "--schemas", path)[0]["layout"]}
     assert rows["EffortX"]["values"] == [shown]
 
 
@@ -256,9 +256,9 @@ def test_sets_by_every_name():
     "arguments",
     [
         ["ls", "--set", "nonsense"],
-        ["ls", "--from", "nowhere/*.xml"],
+        ["ls", "--schemas", "nowhere/*.xml"],
         ["show", "Nonsense"],
-        ["show", "Time", "--from", "nowhere/*.xml"],
+        ["show", "Time", "--schemas", "nowhere/*.xml"],
         ["lint", "nowhere/*.xml"],
         ["diff", "nowhere/*.xml", "Time"],
         ["generate", "nowhere/*.xml", "-o", "nowhere"],

@@ -21,11 +21,10 @@ import av
 import cv2
 import yaml
 
-from jauspy.cli.demo import plan, sight
-from jauspy.cli.demo.arm import Arm
+from jauspy.cli.demo import grasp as sight, plan
+from jauspy.cli.demo.arm import Arm, ArmKinematics
 from jauspy.cli.demo.grasp import Grasp
-from jauspy.cli.demo.reach import Hand
-from jauspy.cli.demo.watch import Scene
+from jauspy.cli.demo.report import DemoState
 from jauspy.modules.description import robot_model
 from jauspy.modules.robot import RobotRunner
 from jauspy.modules.robots import load
@@ -82,7 +81,7 @@ def with_environment(name: str, value: str) -> list[psutil.Process]:
 
 async def test_the_can_is_really_lifted(root: Path, tmp_path: Path) -> None:
     """The stages after the drive; the robot is put before the table, not quite where the plan has it."""
-    model, scene = robot_model(INC1), Scene()
+    model, scene = robot_model(INC1), DemoState()
     runner = RobotRunner(INC1, lambda me: LocalTransport(me, root), backend="sim")
     async with AsyncExitStack() as stack:
         await stack.enter_async_context(NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root)))
@@ -97,7 +96,7 @@ async def test_the_can_is_really_lifted(root: Path, tmp_path: Path) -> None:
             management = module.service("Management")
             await stack.enter_async_context(management.control(plan.AUTHORITY))
             await management.resume(timeout=20.0)
-        arm = Arm(robot, arm_module, gripper_module, Hand(model), scene)
+        arm = Arm(robot, arm_module, gripper_module, ArmKinematics(model), scene)
         await stack.enter_async_context(arm.watched())
         grasp = Grasp(arm, RobotFrames(robot, model), model, robot.component(106), (320, 240))
 
@@ -112,7 +111,7 @@ async def test_the_can_is_really_lifted(root: Path, tmp_path: Path) -> None:
         lifted = await grasp.lift()
         assert lifted.reached, lifted.measured
         assert can.xpos[2] - before[2] == pytest.approx(lifted.figures["lifted"], abs=0.01)
-        assert can.xpos[2] - before[2] > plan.LIFT
+        assert can.xpos[2] - before[2] > plan.MIN_LIFT
 
 
 def put(robot: Robot, x: float, y: float, yaw: float) -> None:

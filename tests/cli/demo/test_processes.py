@@ -5,8 +5,8 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-from jauspy.cli.demo import processes
-from jauspy.cli.demo.processes import Heard, _whole_tour
+from jauspy.cli import demo as processes
+from jauspy.cli.demo import RobotOutput, _whole_tour
 from jauspy.cli.main import app
 from jauspy.errors import ConfigError, RequestError
 from jauspy.services.environment_sensing.frame_sizes import FrameSize
@@ -34,7 +34,7 @@ def test_a_size_that_no_camera_has_lists_those_there_are() -> None:
 
 
 async def test_the_robot_tells_how_it_kept_time() -> None:
-    heard = Heard()
+    heard = RobotOutput()
     for line in ("counters of inc1:", "  101.1.102.endpoint.sent  7", "  realtime.late    3", "  realtime.steps  120"):
         heard.line(line)
     assert await heard.counters() == {"realtime.late": 3, "realtime.steps": 120}
@@ -43,4 +43,4 @@ async def test_the_robot_tells_how_it_kept_time() -> None:
 async def test_a_robot_that_does_not_tell_is_no_riddle(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(processes, "COUNTED", 0.1)
     with pytest.raises(RequestError, match="does not tell its counters"):
-        await Heard().counters()
+        await RobotOutput().counters()

@@ -6,11 +6,11 @@ from pathlib import Path
 
 from rich.console import Console
 
-from jauspy.cli.demo.report import Finding, Report
+from jauspy.cli.demo.report import Report, StageResult
 
-DRIVE = Finding("drive", "2 m, 3.0 cm off", True, {"distance_error": 0.03})
-TIME = Finding("real time", "99.0 % held", None, {"held": 0.99})
-LIFT = Finding("lift", "0.1 cm", False, {"lifted": 0.001})
+DRIVE = StageResult("drive", "2 m, 3.0 cm off", True, {"distance_error": 0.03})
+TIME = StageResult("real time", "99.0 % held", None, {"held": 0.99})
+LIFT = StageResult("lift", "0.1 cm", False, {"lifted": 0.001})
 
 
 def shown(report: Report) -> str:

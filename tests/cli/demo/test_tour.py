@@ -8,9 +8,8 @@ from pathlib import Path
 import pytest
 
 from jauspy.cli.demo import plan
-from jauspy.cli.demo.report import Report
+from jauspy.cli.demo.report import Report, View
 from jauspy.cli.demo.tour import Tour
-from jauspy.cli.demo.view import View
 from jauspy.errors import ControlRejected, RequestError
 from jauspy.modules.robot import RobotRunner
 from jauspy.modules.robots import load
@@ -32,7 +31,7 @@ async def test_it_drives_moves_the_arm_and_gives_back_control(robot: RobotRunner
     assert [(each.stage, each.reached) for each in tour._report.findings] == [("drive", True), ("arm", True)]
     assert robot.snapshot is not None
     where = robot.snapshot.pose
-    assert (where.x, where.y, where.yaw) == pytest.approx((*plan.STAND, plan.HEADING), abs=0.15)
+    assert (where.x, where.y, where.yaw) == pytest.approx((*plan.TABLE_POSITION, plan.TABLE_HEADING), abs=0.15)
     assert holders(robot) == {None}
 
 

@@ -7,15 +7,14 @@ from types import SimpleNamespace
 import pytest
 from rich.console import Console
 
-from jauspy.cli.demo.report import Finding
-from jauspy.cli.demo.view import LiveView, View
+from jauspy.cli.demo.report import LiveView, StageResult, View
 
 
 def test_plain_lines_are_marked(capsys: pytest.CaptureFixture[str]) -> None:
     with View() as view:
         view.step("Lift the can")
-        view.found(Finding("lift", "13 cm", reached=True))
-        view.found(Finding("look", "nothing red", reached=False))
+        view.found(StageResult("lift", "13 cm", reached=True))
+        view.found(StageResult("look", "nothing red", reached=False))
     said = capsys.readouterr().out
     assert "Lift the can" in said
     assert "✓ lift: 13 cm" in said

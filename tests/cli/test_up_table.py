@@ -15,8 +15,7 @@ import psutil
 import pytest
 from rich.console import Console
 
-from jauspy.cli.up_look import Lookout, _tells_of_loss
-from jauspy.cli.up_table import table
+from jauspy.cli.up_table import StatusSampler, _tells_of_loss, table
 from jauspy.ids import JausID
 from jauspy.messages.core import CreateEvent, RequestControl, Resume
 from jauspy.messages.mobility import QueryLocalPose, SetWrenchEffort
@@ -60,7 +59,7 @@ async def test_shows_who_controls_what_and_what_was_lost() -> None:
     endpoint, wire = Endpoint(CLIENT, first_sequence=0), LoopbackTransport(CLIENT, hub)
     await wire.open()
     async with RobotRunner(load("inc1"), lambda me: LoopbackTransport(me, hub), backend="kinematic") as runner:
-        lookout = Lookout(runner)
+        lookout = StatusSampler(runner)
         first = lookout.look(10.0, {**STATUS, "counters": {}})
         assert (first.modules[0].status, first.modules[0].controller) == ("standby", "")
         event = CreateEvent(

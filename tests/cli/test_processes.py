@@ -8,12 +8,12 @@ import sys
 import psutil
 import pytest
 
-from jauspy.cli.children import Child, ChildFailed
+from jauspy.cli.processes import ChildFailed, ChildProcess
 from jauspy.transport.local_socket import is_alive
 
 
 async def test_a_child_is_ready_when_it_says_so_and_gone_afterwards(free_port, local_root):
-    async with Child(
+    async with ChildProcess(
         "node manager", ["node-manager", "--port", str(free_port), "--local-root", str(local_root)]
     ) as child:
         assert is_alive(local_root / "JuniorRTE")
@@ -25,14 +25,14 @@ async def test_a_child_is_ready_when_it_says_so_and_gone_afterwards(free_port, l
 async def test_a_child_that_fails_says_why(free_port, local_root):
     arguments = ["node-manager", "--port", str(free_port), "--local-root", str(local_root), "--address", "203.0.113.9"]
     with pytest.raises(ChildFailed, match=r"^node manager: 203\.0\.113\.9 is no address of this machine"):
-        async with Child("node manager", arguments):
+        async with ChildProcess("node manager", arguments):
             pass
 
 
 async def test_a_child_that_ends_is_noticed(free_port, local_root):
     where = ["--port", str(free_port), "--interface", "127.0.0.1", "--local-root", str(local_root)]
     arguments = ["node-manager", *where]
-    async with Child("node manager", arguments) as child:
+    async with ChildProcess("node manager", arguments) as child:
         os.kill(child.pid, signal.SIGKILL)
         error = await child.ended()
     assert str(error) == "node manager: ended by signal 9"
@@ -48,12 +48,12 @@ async def test_lines_of_any_length_are_read(monkeypatch, tmp_path):
     )
     say.chmod(0o755)
     monkeypatch.setattr(sys, "executable", str(say))
-    async with Child("talker", [], heard=heard.append) as child:
+    async with ChildProcess("talker", [], heard=heard.append) as child:
         child.signal(signal.SIGUSR1)
         assert str(await child.ended()) == "talker: ended with exit status 3"
     assert heard[-1] == "last"
     assert "".join(heard[:-1]) == "y" * 200000
-    async with Child("talker", []) as child:
+    async with ChildProcess("talker", []) as child:
         child.signal(signal.SIGUSR1)
         told = str(await child.ended())
     assert told.startswith("talker: yyy")
@@ -62,7 +62,7 @@ async def test_lines_of_any_length_are_read(monkeypatch, tmp_path):
 
 PARENT = """
 import asyncio, sys
-from jauspy.cli.children import Child
+from jauspy.cli.processes import Child
 
 async def main():
     async with Child("node manager", ["node-manager", "--port", sys.argv[1], "--local-root", sys.argv[2]]) as child:
