@@ -1,5 +1,5 @@
 # make demo    sets everything up, then runs the whole system once
-# make test    sets everything up, then runs all checks and tests
+# make test    sets everything up, then runs the checks and tests (a few minutes)
 # Everything lives in .venv; nothing is reinstalled until pyproject.toml changes.
 
 PYTHON ?= python3
@@ -12,11 +12,11 @@ CASES ?= 200000
 SECONDS ?= 600
 
 .DEFAULT_GOAL := help
-.PHONY: help setup dev demo test check lint types imports unit wheel-test bench fuzz soak format generate clean
+.PHONY: help setup dev demo test test-slow check lint types imports unit wheel-test bench fuzz soak format generate clean
 
 help:
 	@sed -n 's/^# //p' Makefile | head -3
-	@echo "others: lint types imports unit wheel-test bench fuzz soak format generate clean (see CONTRIBUTING.md)"
+	@echo "others: test-slow lint types imports unit wheel-test bench fuzz soak format generate clean (see CONTRIBUTING.md)"
 
 $(VENV)/.installed: pyproject.toml tools/setup_venv.sh
 	@PYTHON=$(PYTHON) tools/setup_venv.sh $(VENV) user
@@ -33,6 +33,9 @@ demo: setup
 	@$(BIN)/jauspy demo --port $(PORT)
 
 test: check wheel-test unit
+
+test-slow: dev
+	$(BIN)/pytest -n 2 -m slow $(PYTEST_ARGS)
 
 check: lint types imports
 

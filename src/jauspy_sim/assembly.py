@@ -12,8 +12,9 @@ import numpy as np
 from lxml import etree
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.urdf import Joint, JointKind, RobotDescription
 from jauspy.platform.camera import CameraSetup
-from jauspy.platform.description import Description, Joint, JointKind, RobotModel, TrackSetup
+from jauspy.platform.description import RobotModel, TrackSetup
 from jauspy.platform.joint_control import LIVELIEST
 from jauspy_sim.force_torque import add_force_torque
 from jauspy_sim.terrain import add_twins
@@ -83,7 +84,7 @@ def _world(name: str) -> mujoco.MjSpec:
     return spec
 
 
-def _from_urdf(description: Description) -> mujoco.MjSpec:
+def _from_urdf(description: RobotDescription) -> mujoco.MjSpec:
     """MuJoCo would weld fixed links together and drop what is only seen; both are wanted: frames, and pictures."""
     root = etree.fromstring(description.urdf.encode())
     options = etree.SubElement(etree.SubElement(root, "mujoco"), "compiler")

@@ -6,7 +6,8 @@ from collections.abc import Sequence
 
 import mujoco
 
-from jauspy.platform.description import Description, GroupSetup, Joint
+from jauspy.geometry.urdf import Joint, RobotDescription
+from jauspy.platform.description import GroupSetup
 from jauspy.platform.joint_control import JointController
 from jauspy.platform.joints import JointState, Target
 from jauspy_sim.assembly import TIMESTEP
@@ -17,7 +18,7 @@ class SimulatedJoints:
     """A `JointGroup`; joints and motors have their URDF's names after `prefix`."""
 
     def __init__(
-        self, model: mujoco.MjModel, data: mujoco.MjData, prefix: str, description: Description, setup: GroupSetup
+        self, model: mujoco.MjModel, data: mujoco.MjData, prefix: str, description: RobotDescription, setup: GroupSetup
     ) -> None:
         self._qpos, self._qvel, self._bias, self._ctrl = map(view, (data.qpos, data.qvel, data.qfrc_bias, data.ctrl))
         self._joints = tuple(description.joint(name) for name in setup.joints)
@@ -75,7 +76,7 @@ class SimulatedJoints:
 
 
 def _place(
-    data: mujoco.MjData, model: mujoco.MjModel, prefix: str, description: Description, start: dict[str, float]
+    data: mujoco.MjData, model: mujoco.MjModel, prefix: str, description: RobotDescription, start: dict[str, float]
 ) -> None:
     """Put joints, and those that mimic them, where they start."""
     for joint in description.joints.values():

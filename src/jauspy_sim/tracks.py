@@ -7,8 +7,8 @@ import math
 import mujoco
 import numpy as np
 
+from jauspy.geometry.poses import Acceleration, Pose, Twist
 from jauspy.platform.acceleration import mean_acceleration
-from jauspy.platform.contract import Acceleration, Pose, Twist
 from jauspy.platform.description import TrackSetup
 from jauspy.platform.skid_steer import mix
 from jauspy_sim.views import view

@@ -1,7 +1,6 @@
 """A robot's node manager: one's own, or somebody else's that may end."""
 
 import asyncio
-from collections.abc import Callable
 from pathlib import Path
 
 import psutil
@@ -10,6 +9,7 @@ import pytest
 from jauspy.cli import up
 from jauspy.node import NodeConfig, NodeManager
 from jauspy.protocol import junior
+from jauspy.testing import until
 from jauspy.transport import local_socket
 
 
@@ -20,12 +20,6 @@ def quick(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def is_there(root: Path) -> bool:
     return local_socket.is_alive(root / junior.SOCKET_NAME)
-
-
-async def until(condition: Callable[[], bool]) -> None:
-    async with asyncio.timeout(20):
-        while not condition():
-            await asyncio.sleep(0.02)
 
 
 def children() -> list[psutil.Process]:

@@ -11,7 +11,7 @@ import sys
 
 import pytest
 
-from jauspy.cli.node_manager import FILES
+from jauspy.cli.node_manager import MAX_OPEN_FILES
 
 COMMAND = [sys.executable, "-m", "jauspy.cli.main", "node-manager"]
 
@@ -87,7 +87,7 @@ def test_it_lets_itself_have_a_file_for_each_component(free_port, local_root):
     try:
         assert process.stdout.readline().startswith("node manager ready")
         _, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
-        assert resource.prlimit(process.pid, resource.RLIMIT_NOFILE)[0] == min(FILES, hard)
+        assert resource.prlimit(process.pid, resource.RLIMIT_NOFILE)[0] == min(MAX_OPEN_FILES, hard)
     finally:
         process.kill()
         process.communicate()

@@ -8,7 +8,7 @@ import logging
 import math
 import os
 import signal
-from collections.abc import AsyncIterator, Callable, Iterator
+from collections.abc import AsyncIterator, Iterator
 from pathlib import Path
 
 import pytest
@@ -27,6 +27,7 @@ from jauspy.modules.description import robot_model
 from jauspy.modules.robots import load
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.kinematic import KinematicRobot
+from jauspy.testing import until
 
 FRONT = CameraSetup("front", "chassis_camera_link", math.radians(80.0))
 SETTINGS = DepthSettings(80, 60, rate=20.0, least=0.1, most=5.0)
@@ -64,12 +65,6 @@ async def next_cloud(subscriber: CloudSubscriber) -> Cloud:
     return cloud
 
 
-async def until(condition: Callable[[], object]) -> None:
-    async with asyncio.timeout(PATIENCE):
-        while not condition():
-            await asyncio.sleep(0.01)
-
-
 async def test_the_floor_is_where_it_is(process: DepthProcess, subscriber: CloudSubscriber) -> None:
     cloud = await next_cloud(subscriber)
     assert (cloud.frame, cloud.values) == ("chassis_camera_link", XYZ_RGB)
@@ -89,7 +84,7 @@ async def test_each_cloud_has_a_number_and_what_was_sent_is_counted(
     first, second = await next_cloud(subscriber), await next_cloud(subscriber)
     assert second.number == first.number + 1
     assert second.time == pytest.approx(first.time, abs=0.01), "of the same state: the robot stands"
-    await until(lambda: process.counters.get("published", 0) >= 2)
+    await until(lambda: process.counters.get("published", 0) >= 2, PATIENCE)
     assert process.counters["points"] == process.counters["published"] * len(first)
     assert "floor" in process.description
 

@@ -9,6 +9,7 @@ from typing import Any
 
 import pytest
 from hypothesis import HealthCheck, given, settings, strategies as st
+from tests.helpers.sampling import sampled
 
 from jauspy.codec import careful, reference
 from jauspy.codec.base import Message
@@ -36,7 +37,7 @@ def check(message: Message) -> bytes:
     return data
 
 
-@pytest.mark.parametrize("entry", registry.entries, ids=lambda entry: f"{entry.name}-{entry.version}")
+@pytest.mark.parametrize("entry", sampled(registry.entries, 120), ids=lambda entry: f"{entry.name}-{entry.version}")
 def test_every_builtin_message(entry: Any, values_of: Any) -> None:
     layout = entry.load().layout()
 

@@ -25,6 +25,7 @@ from jauspy.messages.core import (
 from jauspy.messages.mobility import QueryWrenchEffort, ReportWrenchEffort, SetWrenchEffort
 from jauspy.node import NodeConfig, NodeManager
 from jauspy.services.core import Discovery, Identity, Liveness
+from jauspy.testing import until
 from jauspy.transport import LoopbackHub, LoopbackTransport
 
 ME, OCU = "101.1.120", "42.1.1"
@@ -195,12 +196,6 @@ async def test_it_survives_its_own_bugs_and_others_run_on(on_error, status, capl
     assert "QueryHeartbeatPulse" in record.getMessage()
     assert "42.1.1" in record.getMessage()
     assert "a bug of the author" in caplog.text
-
-
-async def until(condition) -> None:
-    async with asyncio.timeout(20):
-        while not condition():
-            await asyncio.sleep(0.005)
 
 
 PROGRAM = """

@@ -27,15 +27,10 @@ from jauspy.messages.core import (
 )
 from jauspy.node import NodeConfig, NodeManager
 from jauspy.services.core import AccessControl, Discovery, Events, Liveness
+from jauspy.testing import until
 from jauspy.transport import LoopbackHub, LoopbackTransport
 
 NOWHERE, HOME, OCU = "0.0.101", "101.1.101", "42.1.1"
-
-
-async def until(condition) -> None:
-    async with asyncio.timeout(20):
-        while not condition():
-            await asyncio.sleep(0.005)
 
 
 class Client(Liveness):

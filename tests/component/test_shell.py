@@ -24,10 +24,9 @@ from jauspy.messages.core import (
     RequestControl,
     ServiceRec,
 )
-from jauspy.protocol.delivery import Delivery
+from jauspy.protocol.delivery import FRAGMENTS_PER_BURST, Delivery
 from jauspy.protocol.header import Ack, DataFlag, Packet
 from jauspy.protocol.judp import pack, unpack
-from jauspy.protocol.transfers import PIECES_PER_TURN
 from jauspy.services.core import AccessControl, Events, Liveness
 from jauspy.services.host import Host
 from jauspy.testing import until
@@ -335,7 +334,7 @@ async def test_pieces_wait_while_the_transport_has_much_to_send(virtual_network)
         me._endpoint.send(PEER, b"\x01\x40" + bytes(400_000), now=loop_time())
         me.wake()
         await asyncio.sleep(1.0)
-        assert line.counters["sent"] == PIECES_PER_TURN
+        assert line.counters["sent"] == FRAGMENTS_PER_BURST
         line.waiting = 0
         await until(lambda: other.counters.get("endpoint.received") == 1)
 

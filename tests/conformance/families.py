@@ -19,10 +19,10 @@ from tests.conformance.mistakes import goes_on, stuck, wrong_report
 from jauspy.codec.base import Message, Struct
 from jauspy.codec.items import Composite
 from jauspy.conformance import Bench, Part
-from jauspy.conformance.walk import neutral
-from jauspy.conformance.walk.pictures import PATIENCE as PICTURE_PATIENCE
-from jauspy.conformance.walk.trial import Trial
-from jauspy.conformance.walk.walker import AUTHORITY, CLIENTS, OBSERVER
+from jauspy.conformance.state_tests import sample_messages
+from jauspy.conformance.state_tests.explorer import AUTHORITY, CLIENTS, OBSERVER
+from jauspy.conformance.state_tests.sensors import PATIENCE as PICTURE_PATIENCE
+from jauspy.conformance.state_tests.state_test import Trial
 from jauspy.ids import JausID
 from jauspy.messages import core, registry
 from jauspy.messages.environment_sensing.v2_0.range_sensor import ConfirmSensorConfiguration
@@ -198,10 +198,10 @@ def full(payload: bytes) -> list[bytes]:
 
 def _fill(item: Any, out: bytearray) -> None:
     if not isinstance(item, Composite):
-        neutral._write(item, out)
+        sample_messages._write(item, out)
         return
     optional = sum(slot.optional for slot in item.slots)
-    out += neutral._packed(item.presence, (1 << optional) - 1) if item.presence else b""
+    out += sample_messages._packed(item.presence, (1 << optional) - 1) if item.presence else b""
     for slot in item.slots:
         _fill(slot.item, out)
 

@@ -21,8 +21,8 @@ from tests.conformance.simulated import TARGET
 
 from jauspy.conformance import Bench, Part
 from jauspy.conformance.bench import STRANGE, USUAL
-from jauspy.conformance.packets import FIRST_NUMBER
-from jauspy.conformance.profiles.transport import garbage
+from jauspy.conformance.profiles import transport as transport_steps
+from jauspy.conformance.profiles.raw_packets import FIRST_NUMBER
 from jauspy.conformance.wire import Arrival
 from jauspy.ids import JausID
 from jauspy.messages import core
@@ -245,7 +245,7 @@ class _Anybody:
 
 def _like(step: str) -> Callable[[bytes], bool]:
     """True for the garbage of this step, whatever its sequence number."""
-    sample = dict(zip(GARBAGE, (make for _, make in garbage.GARBAGE), strict=True))[step](_Anybody())  # type: ignore[arg-type]
+    sample = dict(zip(GARBAGE, (make for _, make in transport_steps.GARBAGE), strict=True))[step](_Anybody())  # type: ignore[arg-type]
     cut = -2 if len(sample) > 12 and step != "garbage-15" else len(sample)
 
     def same(datagram: bytes) -> bool:
@@ -254,7 +254,7 @@ def _like(step: str) -> Callable[[bytes], bool]:
     return same
 
 
-GARBAGE: Final = {f"garbage-{number:02}": name for number, (name, _) in enumerate(garbage.GARBAGE, 1)}
+GARBAGE: Final = {f"garbage-{number:02}": name for number, (name, _) in enumerate(transport_steps.GARBAGE, 1)}
 
 FIRST: Final = {"garbage-12": "restart"}
 """Steps that send the same garbage before."""
@@ -434,8 +434,8 @@ TRANSPORT: Final = (
     ),
     *(wire(f"{name} ends it", FIRST.get(step, step), hangs_on(_like(step))) for step, name in GARBAGE.items()),
     *(wire(f"{name} is answered", step, echoes_on(_like(step))) for step, name in GARBAGE.items()),
-    wire("bytes too many end it", "long", hangs_on(payload_is(garbage.WHO + bytes(3)))),
-    wire("bytes too few end it", "short", hangs_on(payload_is(garbage.WHO[:-1]))),
+    wire("bytes too many end it", "long", hangs_on(payload_is(transport_steps.WHO + bytes(3)))),
+    wire("bytes too few end it", "short", hangs_on(payload_is(transport_steps.WHO[:-1]))),
     wire("everybody is answered at port 3794", "port-other port-back port-neighbour", answers_first_port()),
     wire("a host is answered at one port", "port-back", answers_last_port()),
 )

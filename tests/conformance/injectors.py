@@ -11,7 +11,7 @@ from unittest.mock import patch
 from tests.conformance.simulated import examined, robot
 
 from jauspy.codec.base import Message
-from jauspy.conformance import Bench, Part, Report, drive
+from jauspy.conformance import Bench, Part, Report, waypoint_drive
 from jauspy.ids import JausID
 from jauspy.protocol import judp
 from jauspy.protocol.header import Packet
@@ -46,7 +46,7 @@ class Fault:
         """The profile against the broken robot."""
         part, bench, patches = self.inject()
         with ExitStack() as stack:
-            for each in (patch.object(drive, "PATIENCE", ENOUGH), *patches):
+            for each in (patch.object(waypoint_drive, "PATIENCE", ENOUGH), *patches):
                 stack.enter_context(each)
             still: dict[str, Any] = {} if self.motion and not self.still else {"tick": None}
             target = robot(part, bench, timeout=self.timeout, **still)

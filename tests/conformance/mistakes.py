@@ -11,7 +11,7 @@ from unittest.mock import patch
 from tests.conformance.injectors import Injector, _spoilt, code, hears, instead, packets, says
 
 from jauspy.codec.base import Message
-from jauspy.conformance import Bench, Part, drive
+from jauspy.conformance import Bench, Part, waypoint_drive
 from jauspy.ids import JausID
 from jauspy.messages import core, mobility
 from jauspy.protocol.header import Packet
@@ -129,7 +129,7 @@ def freezes(number: int) -> Injector:
                 return
             if not seen:
                 seen.append((pose.x, pose.y))
-            corner = (drive.corners(*seen[0])[number - 1]) if number else seen[0]
+            corner = (waypoint_drive.corners(*seen[0])[number - 1]) if number else seen[0]
             if len(seen) > 1 or math.dist((pose.x, pose.y), corner) < 0.4:
                 seen.append(corner)
                 pose.x, pose.y = corner

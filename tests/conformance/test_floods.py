@@ -9,10 +9,8 @@ from tests.conformance.scripted import ScriptedWire
 from tests.conformance.simulated import examined, robot
 from tests.conformance.test_endings import COP, READY, STATUS, dying, steps, verdicts
 
-from jauspy.conformance import Verdict, record, run, tell, tester
-from jauspy.conformance.as_json import result_json, summary_json
-from jauspy.conformance.html import page
-from jauspy.conformance.junit import junit
+from jauspy.conformance import Verdict, run, tell, tester, trace
+from jauspy.conformance.reports import junit, page, result_json, summary_json
 from jauspy.conformance.wire import Arrival
 from jauspy.ids import JausID
 from jauspy.messages.core import Standby
@@ -29,8 +27,8 @@ EVENT_STEPS = tuple(
 @pytest.fixture
 def nothing_kept(monkeypatch: pytest.MonkeyPatch) -> None:
     """As if what came before had filled the record."""
-    monkeypatch.setattr(record, "MAX_ENTRIES", 0)
-    monkeypatch.setattr(record, "MAX_LATE", 0)
+    monkeypatch.setattr(trace, "MAX_ENTRIES", 0)
+    monkeypatch.setattr(trace, "MAX_LATE", 0)
 
 
 @pytest.mark.parametrize(("profile", "only"), [("core-1.1", EVENT_STEPS), ("transport", ())])
@@ -53,7 +51,7 @@ def flooding(payload):
 
 
 def test_what_is_too_much_is_counted_in_every_report(monkeypatch):
-    monkeypatch.setattr(record, "MAX_STEP", 20)
+    monkeypatch.setattr(trace, "MAX_STEP", 20)
     wire = ScriptedWire("101.1.1", flooding)
     wait = steps(STATUS, lambda at: at.wait(0.1), STATUS)
     report = run(wait, wire, wire.id, began=0.0)
@@ -69,8 +67,8 @@ def test_what_is_too_much_is_counted_in_every_report(monkeypatch):
 
 
 def test_a_record_that_is_full_still_has_the_begin_of_each_step(monkeypatch):
-    monkeypatch.setattr(record, "MAX_ENTRIES", 10)
-    monkeypatch.setattr(record, "MAX_LATE", 5)
+    monkeypatch.setattr(trace, "MAX_ENTRIES", 10)
+    monkeypatch.setattr(trace, "MAX_LATE", 5)
     wire = ScriptedWire("101.1.1", flooding)
     report = run(steps(*[lambda at: (STATUS(at), at.wait(0.1))] * 3), wire, wire.id, began=0.0)
     assert [len(each.entries) for each in report.results] == [10, 5, 5]

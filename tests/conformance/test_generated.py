@@ -12,11 +12,11 @@ from tests.conformance.simulated import TARGET, examined, robot
 
 from jauspy.conformance import Bench, Part, Verdict, find, offers_of
 from jauspy.conformance.offers import Offers
+from jauspy.conformance.state_tests.behaviour import subject_of
+from jauspy.conformance.state_tests.plan import Planner
+from jauspy.conformance.state_tests.sample_messages import neutral
+from jauspy.conformance.state_tests.state_test import Trial
 from jauspy.conformance.trace import Direction
-from jauspy.conformance.walk.neutral import neutral
-from jauspy.conformance.walk.plan import Planner
-from jauspy.conformance.walk.subject import subject_of
-from jauspy.conformance.walk.trial import Trial
 from jauspy.ids import JausID
 from jauspy.messages import core, registry
 from jauspy.messages.core import RegisterServices, ServiceRec

@@ -6,7 +6,7 @@ import pytest
 from tests.conformance.simulated import examined, robot
 
 from jauspy.conformance import Profile, Step
-from jauspy.conformance.walk.sensors import SETTINGS
+from jauspy.conformance.state_tests.sensors import SETTINGS
 from jauspy.ids import JausID
 from jauspy.messages.manipulator import QueryJointMotionProfile, QueryPanTiltMotionProfile
 from jauspy.services.core import Time

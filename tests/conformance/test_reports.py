@@ -14,10 +14,7 @@ from tests.conformance.scripted import ScriptedWire
 
 from jauspy.capture.reader import CaptureReader
 from jauspy.conformance import Profile, Step, Verdict, ask, has, run
-from jauspy.conformance.as_json import result_json, summary_json
-from jauspy.conformance.html import page, summary
-from jauspy.conformance.junit import junit
-from jauspy.conformance.pcap import capture
+from jauspy.conformance.reports import capture, junit, page, result_json, summary, summary_json
 from jauspy.conformance.results import OTHERWISE, Report, Result, Transition
 from jauspy.messages.core import QueryIdentification, QueryStatus, ReportIdentification, ReportStatus
 

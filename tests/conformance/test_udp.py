@@ -11,7 +11,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from jauspy.conformance.udp import UdpWire
+from jauspy.conformance.wire import UdpWire
 from jauspy.errors import TransportError
 from jauspy.ids import JausID
 from jauspy.node import binding

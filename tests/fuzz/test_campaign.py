@@ -10,13 +10,12 @@ import pytest
 from jauspy.codec.base import Message
 from jauspy.codec.wire import SIZES
 from jauspy.errors import ConfigError, DecodeError
-from jauspy.fuzz.agreement import difference
 from jauspy.fuzz.campaign import Plan, fuzzer, run
-from jauspy.fuzz.making import Maker, Style
-from jauspy.fuzz.minimise import minimise
-from jauspy.fuzz.mutation import LARGEST, mutate
-from jauspy.fuzz.seeds import file_payloads
-from jauspy.fuzz.spots import spots_of
+from jauspy.fuzz.checks import difference
+from jauspy.fuzz.findings import minimise
+from jauspy.fuzz.messages import Maker, Style
+from jauspy.fuzz.mutation import LARGEST, file_payloads, mutate
+from jauspy.fuzz.offsets import spots_of
 from jauspy.messages import registry
 
 CAPTURE = Path(__file__).parents[1] / "golden" / "sae_management.hex"

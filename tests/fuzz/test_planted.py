@@ -12,7 +12,7 @@ from typer.testing import CliRunner
 from jauspy.cli.main import app
 from jauspy.codec.base import Message
 from jauspy.errors import DecodeError
-from jauspy.fuzz import effort, watch
+from jauspy.fuzz import checks
 from jauspy.fuzz.campaign import Plan, fuzzer
 from jauspy.fuzz.findings import Finding, load_finding
 from jauspy.messages.core import RegisterServices
@@ -138,7 +138,7 @@ class Clock:
 
 def test_quadratic_time(plant: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     clock = Clock()
-    monkeypatch.setattr(effort.time, "thread_time_ns", clock)
+    monkeypatch.setattr(checks.time, "thread_time_ns", clock)
 
     def quadratic(right: Callable[[bytes, int], Any], data: bytes) -> Any:
         clock.now += 20 * len(data) ** 2
@@ -155,13 +155,13 @@ def test_quadratic_time(plant: Any, monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_what_is_slow_once_is_no_finding(monkeypatch: pytest.MonkeyPatch) -> None:
     clock = Clock()
-    monkeypatch.setattr(effort.time, "thread_time_ns", clock)
+    monkeypatch.setattr(checks.time, "thread_time_ns", clock)
     measured = fuzzer(Plan(0, only=("RegisterServices",))).checks._effort
     assert measured.complaint(600, 10.0 * measured.limit(600), lambda: None) is None
 
 
 def test_no_end(plant: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(watch, "MOST_SECONDS", 0.05)
+    monkeypatch.setattr(checks, "MOST_SECONDS", 0.05)
 
     def endless(right: Callable[[bytes, int], Any], data: bytes) -> Any:
         while data[2] == 2:

@@ -9,14 +9,14 @@ from operator import matmul
 import pytest
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.denavit_hartenberg import manipulator_geometry
+from jauspy.geometry.frames import FrameTree
+from jauspy.geometry.poses import JAUS_FROM_REP_103, Transform, jaus_frame
+from jauspy.geometry.vectors import X, Z, rotation_about
 from jauspy.modules.carriers import carrier_of
 from jauspy.modules.description import robot_model
 from jauspy.modules.robots import load
-from jauspy.platform.transforms import FrameTree
-from jauspy.platform.vectors import Transform, X, Z, about
-from jauspy.services.axes import JAUS_FROM_REP_103, jaus_frame
 from jauspy.services.environment_sensing import OnJoint
-from jauspy.services.manipulator.denavit_hartenberg import geometry
 
 
 def carrier(robot: str, link: str) -> OnJoint:
@@ -61,8 +61,8 @@ def test_a_camera_on_the_arm_is_where_the_reported_numbers_say(robot: str) -> No
     model = robot_model(config)
     group, tree = model.groups["arm"], FrameTree(model.description)
     positions = dict(zip(group.joints, (0.3, 0.25, -0.4, 0.6, 0.7), strict=False))
-    arm = geometry(model.description.chain(group.base, group.tip))
-    standard = arm.standard([positions[joint] for joint in group.joints])
+    arm = manipulator_geometry(model.description.chain(group.base, group.tip))
+    standard = arm.from_urdf([positions[joint] for joint in group.joints])
     joint = carrier(robot, "arm_camera_link")
     frames = (link.frame(at) for link, at in list(zip(arm.links, standard, strict=True))[: joint.number])
     computed = reduce(matmul, frames, JAUS_FROM_REP_103 @ arm.base) @ joint.frame
@@ -75,10 +75,10 @@ def test_a_camera_on_a_mount_is_where_the_reported_numbers_say() -> None:
     pan, tilt = 0.7, 0.4  # to the right, and up
     native = dict(zip(model.groups["pan_tilt"].joints, (-pan, -tilt), strict=True))
     system = Transform(position=(0.35, 0.0, -0.24))
-    turned = system @ Transform(about(Z, pan)) @ Transform(about((0.0, 1.0, 0.0), tilt))
+    turned = system @ Transform(rotation_about(Z, pan)) @ Transform(rotation_about((0.0, 1.0, 0.0), tilt))
     computed = turned @ carrier("inc1", "chassis_camera_link").frame
     same(computed, jaus_frame(FrameTree(model.description).pose("chassis_camera_link", native)))
-    assert computed.turn(X) == pytest.approx(
+    assert computed.rotate(X) == pytest.approx(
         (math.cos(pan) * math.cos(tilt), math.sin(pan) * math.cos(tilt), -math.sin(tilt))
     )
 

@@ -12,6 +12,9 @@ import pytest
 from tests.modules.workcell import BACKENDS, OTHER, Workcell, told
 
 from jauspy.codec.base import Message
+from jauspy.geometry.kinematics import forward_kinematics
+from jauspy.geometry.poses import Transform, rotation_vector
+from jauspy.geometry.vectors import Vector, quaternion, rotation_from_quaternion
 from jauspy.messages import manipulator as m
 from jauspy.messages.core import (
     ConfirmElementRequest,
@@ -24,10 +27,7 @@ from jauspy.messages.core import (
     SetEmergency,
     Standby,
 )
-from jauspy.platform.vectors import Transform, Vector
 from jauspy.services.manipulator import Arm, EndEffectorVelocityStateDriver
-from jauspy.services.manipulator.kinematics import stance, turn_between
-from jauspy.services.manipulator.quaternion import quaternion, rotation
 
 MILLIMETRE, HALF_A_DEGREE = 0.001, math.radians(0.5)
 STARTS = {"inc1": (0.4, 1.2, -0.9, 0.3, -0.5), "inc1_pprm": (0.3, 0.2, -0.7, 0.4)}
@@ -52,7 +52,7 @@ class Handler(Workcell):
 
     def to(self, native: Sequence[float]) -> None:
         make, choice = m.JointPositionRec.JointPosition, m.JointPositionRec.JointPositionChoice
-        rows = zip(self.arm.geometry.standard(native), self.arm.geometry.links, strict=True)
+        rows = zip(self.arm.geometry.from_urdf(native), self.arm.geometry.links, strict=True)
         kinds = [(value, choice.RADIAN if link.is_revolute else choice.METER) for value, link in rows]
         self.tell(m.SetJointPositions([m.JointPositionRec(make(kind, value)) for value, kind in kinds]))
         self.run(5.0)
@@ -64,13 +64,13 @@ class Handler(Workcell):
         return transform(self.ask(m.QueryCommandedEndEffectorPose()))
 
     def pose_at(self, native: Sequence[float]) -> Transform:
-        return stance(self.arm.geometry.links, self.arm.geometry.standard(native), self.arm.tool).tool
+        return forward_kinematics(self.arm.geometry.links, self.arm.geometry.from_urdf(native), self.arm.tool).tool
 
     def random_pose(self, rng: random.Random) -> Transform:
         """One that the arm reaches without touching robot or ground: at least 0.45 m above it, in front."""
         while True:
             positions = [rng.uniform(0.9 * low + 0.1 * high, 0.1 * low + 0.9 * high) for low, high in self.arm.limits]
-            tool = stance(self.arm.geometry.links, positions, self.arm.tool).tool
+            tool = forward_kinematics(self.arm.geometry.links, positions, self.arm.tool).tool
             x, _, z = (self.arm.geometry.base @ tool).position
             if x > 0.35 and z > 0.45:
                 return tool
@@ -78,7 +78,7 @@ class Handler(Workcell):
 
 def transform(msg) -> Transform:
     x, y, z, *parts = (getattr(msg, name) for name in msg.__dataclass_fields__)
-    return Transform(rotation(*parts), (x, y, z))
+    return Transform(rotation_from_quaternion(*parts), (x, y, z))
 
 
 def command(goal: Transform) -> m.SetEndEffectorPose:
@@ -91,7 +91,7 @@ def moving(*values: float) -> m.SetEndEffectorVelocityState:
 
 
 def errors(there: Transform, goal: Transform) -> tuple[float, float]:
-    return math.dist(there.position, goal.position), math.hypot(*turn_between(there.rotation, goal.rotation))
+    return math.dist(there.position, goal.position), math.hypot(*rotation_vector(there.rotation, goal.rotation))
 
 
 @pytest.fixture(params=BACKENDS)
@@ -154,7 +154,7 @@ def test_the_tool_offset_counts(arm: Handler) -> None:
     arm.run(8.0)
     distance, _ = errors(arm.pose(), before)
     assert distance < MILLIMETRE
-    assert math.dist(arm.arm.stance().tool.position, before.position) == pytest.approx(0.05, abs=0.002)
+    assert math.dist(arm.arm.kinematic_state().tool.position, before.position) == pytest.approx(0.05, abs=0.002)
 
 
 def test_a_pose_out_of_reach_is_counted_and_the_arm_stays(arm: Handler) -> None:

@@ -11,6 +11,8 @@ import pytest
 from tests.modules.workcell import BACKENDS, OTHER, Workcell, told
 
 from jauspy.codec.base import Message
+from jauspy.geometry.poses import Transform
+from jauspy.geometry.vectors import Vector, X, Z, rotation_about, rotation_from_quaternion
 from jauspy.ids import JausID
 from jauspy.messages import manipulator as m
 from jauspy.messages.core import (
@@ -24,8 +26,6 @@ from jauspy.messages.core import (
     SetEmergency,
     Standby,
 )
-from jauspy.platform.vectors import Transform, Vector, X, Z, about
-from jauspy.services.manipulator.quaternion import rotation
 from jauspy.services.manipulator.values import percents
 
 GOAL = (0.4, 1.2, -0.9, 0.3, -0.5)
@@ -75,7 +75,7 @@ def forward(report: Any, positions: Sequence[float], tool: Vector) -> tuple[Vect
     """The standard's forward kinematics, from what was reported alone: the tool in the vehicle's frame, z down."""
     system = report.manipulator_coordinate_system_rec
     x, y, z, *q = (getattr(system, name) for name in system.__dataclass_fields__)
-    base = Transform(rotation(*q), (x, y, z))
+    base = Transform(rotation_from_quaternion(*q), (x, y, z))
     frame, first = base, report.first_joint_parameters
     links = [
         (0.0, 0.0, first),
@@ -85,7 +85,11 @@ def forward(report: Any, positions: Sequence[float], tool: Vector) -> tuple[Vect
         offset = getattr(joint, "joint_offset", getattr(joint, "joint1_offset", None))
         angle = getattr(joint, "joint_angle", getattr(joint, "joint1_angle", None))
         turn, along = (position, offset) if offset is not None else (angle, position)
-        frame = frame @ Transform(about(X, twist), (length, 0.0, 0.0)) @ Transform(about(Z, turn), (0.0, 0.0, along))
+        frame = (
+            frame
+            @ Transform(rotation_about(X, twist), (length, 0.0, 0.0))
+            @ Transform(rotation_about(Z, turn), (0.0, 0.0, along))
+        )
     return frame.apply(tool), base.inverse() @ frame
 
 

@@ -10,6 +10,9 @@ from tests.modules.workcell import BACKENDS, OTHER, Workcell
 
 from jauspy.codec.base import Message
 from jauspy.errors import ConfigError
+from jauspy.geometry.frames import FrameTree
+from jauspy.geometry.poses import Transform, jaus_frame
+from jauspy.geometry.vectors import X, rotation_from_quaternion
 from jauspy.messages import manipulator as m
 from jauspy.messages.core import (
     CommandEvent,
@@ -22,10 +25,7 @@ from jauspy.messages.core import (
 from jauspy.messages.environment_sensing import QueryVisualSensorConfiguration
 from jauspy.modules import robots
 from jauspy.modules.description import robot_model
-from jauspy.platform.transforms import FrameTree, joint_positions
-from jauspy.platform.vectors import Transform, X
-from jauspy.services.axes import jaus_frame
-from jauspy.services.manipulator.quaternion import rotation
+from jauspy.platform.joints import joint_positions
 
 
 class Head(Workcell):
@@ -45,7 +45,7 @@ class Head(Workcell):
     def line_of_sight(self) -> tuple[float, float, float]:
         """Where the camera looks, in the vehicle's frame: forward, right, down."""
         tree = FrameTree(self.model.description)
-        return jaus_frame(tree.pose("chassis_camera_link", joint_positions(self.robot.groups.values()))).turn(X)
+        return jaus_frame(tree.pose("chassis_camera_link", joint_positions(self.robot.groups.values()))).rotate(X)
 
 
 @pytest.fixture(params=BACKENDS)
@@ -88,10 +88,12 @@ def test_the_reported_numbers_alone_tell_where_the_camera_looks(head: Head) -> N
     head.tell(m.SetPanTiltJointPositions(-1.1, 0.6))
     head.run(3.0)
     system = head.ask(m.QueryPanTiltSpecifications(0xFF))
-    turn = Transform(rotation(*(getattr(system, f"{each}_component_of_unit_quaternion_q") for each in "dabc")))
+    turn = Transform(
+        rotation_from_quaternion(*(getattr(system, f"{each}_component_of_unit_quaternion_q") for each in "dabc"))
+    )
     pan, tilt = head.angles()
     ahead = (math.cos(pan) * math.cos(tilt), math.sin(pan) * math.cos(tilt), -math.sin(tilt))
-    assert turn.turn(ahead) == pytest.approx(head.line_of_sight(), abs=1e-3)
+    assert turn.rotate(ahead) == pytest.approx(head.line_of_sight(), abs=1e-3)
 
 
 def test_angles_beyond_the_limits_are_limited(head: Head) -> None:

@@ -3,11 +3,15 @@
 import threading
 
 import pytest
+from tests.helpers.robot import FakeJoints
 
 from jauspy.modules.description import robot_model
 from jauspy.modules.realtime import RealTime
 from jauspy.modules.robots import load
+from jauspy.platform.joints import ControlMode, Target
 from jauspy.platform.kinematic import KinematicBackend
+from jauspy.platform.ranging import LidarSetup, ScanSettings
+from jauspy.platform.scanner import Scanner
 
 
 @pytest.fixture
@@ -116,3 +120,28 @@ def test_stops_by_itself_when_nobody_is_alive(fake_robot):
         runner.drive.set_effort(0.5, 0.0)
         fake_robot.wait_for_steps(3)
         assert (0.5, 0.0) in fake_robot.drive.efforts
+
+
+def test_commands_to_a_joint_group_named_drive_do_not_replace_the_stop_of_the_chassis(fake_robot):
+    fake_robot.groups["drive"] = FakeJoints()
+    fake_robot.drive.set_effort(1.0, 0.0)
+    runner = RealTime(fake_robot, step=0.002)
+    runner.drive.stop()
+    runner.groups["drive"].command([Target(ControlMode.VELOCITY, 0.1)])
+    with runner:
+        fake_robot.wait_for_steps(1)
+        assert fake_robot.drive.efforts[:2] == [(1.0, 0.0), (0.0, 0.0)]
+        assert fake_robot.groups["drive"].targets == [(Target(ControlMode.VELOCITY, 0.1),)]
+
+
+def test_commands_to_a_joint_group_named_like_a_lidar_do_not_replace_its_settings(fake_robot):
+    setup = LidarSetup("front", "base_link")
+    fake_robot.lidars["front"] = Scanner(setup)
+    fake_robot.groups["lidar front"] = fake_robot.groups["front"] = FakeJoints()
+    runner = RealTime(fake_robot, step=0.002)
+    runner.lidars["front"].configure(ScanSettings(rate=2.0))
+    runner.groups["lidar front"].hold()
+    runner.groups["front"].hold()
+    with runner:
+        fake_robot.wait_for_steps(1)
+    assert fake_robot.lidars["front"].settings.rate == 2.0

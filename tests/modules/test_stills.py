@@ -8,12 +8,12 @@ from datetime import UTC, datetime
 import pytest
 from tests.modules.cameras import CLIENT, OTHER, FakeVideo, Module
 
+from jauspy.geometry.poses import Transform
 from jauspy.messages import environment_sensing as m, registry
 from jauspy.messages.core import CreateEvent, TimeStamp
 from jauspy.messages.environment_sensing.v1_0.types import SensorIdRec, StillImageSensorErrorRec
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.stills import Still, StillFormat, StillSettings
-from jauspy.platform.vectors import Transform
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.services.environment_sensing import StillImage, VideoCamera, VisualSensor
 from jauspy.services.host import Host

@@ -8,6 +8,7 @@ import pytest
 from tests.modules.world import CLIENT, ORIGIN, OTHER, World
 
 from jauspy.codec.base import Message
+from jauspy.geometry.geodesy import Geodetic, to_ned
 from jauspy.ids import JausID
 from jauspy.messages.core import (
     CommandEvent,
@@ -35,7 +36,6 @@ from jauspy.messages.mobility import (
     SetWrenchEffort,
     Speed,
 )
-from jauspy.services.mobility.guidance.geodesy import Geodetic, offset
 
 SQUARE = [(4.0, 0.0), (4.0, 4.0), (0.0, 4.0), (0.0, 0.0)]
 ALL = 0xFF
@@ -51,7 +51,7 @@ def metres(latitude: float, longitude: float, place) -> float:
         Geodetic(math.radians(a), math.radians(b))
         for a, b in ((latitude, longitude), (place.latitude, place.longitude))
     )
-    return math.hypot(*offset(here, there)[:2])
+    return math.hypot(*to_ned(here, there)[:2])
 
 
 class Watch:

@@ -7,7 +7,7 @@ import pytest
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.node import NodeConfig, addresses
-from jauspy.protocol.ports import SerialPort, TcpPort, UdpPort
+from jauspy.protocol.addressing import SerialPort, TcpPort, UdpPort
 
 TOML = """
 [addresses]

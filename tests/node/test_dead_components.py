@@ -3,7 +3,7 @@
 import asyncio
 import contextlib
 import socket
-from collections.abc import AsyncIterator, Callable
+from collections.abc import AsyncIterator
 from pathlib import Path
 
 import pytest
@@ -11,9 +11,10 @@ import pytest
 from jauspy.ids import JausID
 from jauspy.node import NodeConfig, NodeManager, sweep
 from jauspy.protocol import judp, junior
-from jauspy.protocol.directory import ComponentPort, Directory
+from jauspy.protocol.addressing import LocalPort
+from jauspy.protocol.directory import ComponentDirectory, ComponentPort
 from jauspy.protocol.header import Packet
-from jauspy.protocol.ports import LocalPort
+from jauspy.testing import until
 
 LIVING, DEAD = JausID.parse("126.1.11"), JausID.parse("126.1.20")
 
@@ -22,12 +23,6 @@ LIVING, DEAD = JausID.parse("126.1.11"), JausID.parse("126.1.20")
 def swept(monkeypatch: pytest.MonkeyPatch) -> None:
     """The node manager looks after its components all the time."""
     monkeypatch.setattr(sweep, "INTERVAL", 0.01)
-
-
-async def until(condition: Callable[[], bool]) -> None:
-    async with asyncio.timeout(20):
-        while not condition():
-            await asyncio.sleep(0.01)
 
 
 @pytest.fixture
@@ -127,7 +122,7 @@ async def test_a_component_that_came_by_udp_is_noticed_too(node: NodeManager) ->
 
 
 def test_many_components_are_looked_at_a_few_at_a_time() -> None:
-    components, asked = Directory(), []
+    components, asked = ComponentDirectory(), []
     for number in range(3 * sweep.PER_TURN):
         components.register(number + 1, LocalPort(f"/{number}"))
 

@@ -11,7 +11,7 @@ from jauspy.node import NodeConfig, NodeManager, ingress
 from jauspy.node.ingress import Ingress
 from jauspy.protocol import judp, junior
 from jauspy.protocol.counters import Counters
-from jauspy.protocol.header import Packet, Priority, peek_priority
+from jauspy.protocol.header import Packet, Priority
 
 HERE, FAR = JausID.parse("101.1.1"), JausID.parse("42.1.1")
 
@@ -77,7 +77,7 @@ async def test_among_too_many_the_lowest_go_first(counters: Counters) -> None:
     high = [packet(n, Priority.HIGH) for n in range(ingress.MAX_WAITING)]
     low = [packet(n, Priority.LOW) for n in range(ingress.MAX_WAITING)]
     routed = await run(Socket(*low, *high), counters)
-    assert [data for data in routed if peek_priority(data) == Priority.HIGH] == high
+    assert [data for data in routed if judp.peek_priority(data) == Priority.HIGH] == high
 
 
 async def test_the_kernel_drops_a_flood_until_what_was_read_is_routed(udp, counters: Counters) -> None:

@@ -2,7 +2,6 @@
 
 import asyncio
 import socket
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -11,16 +10,11 @@ from jauspy.ids import EVERYONE, JausID
 from jauspy.node import NodeConfig, NodeManager
 from jauspy.protocol import judp, junior
 from jauspy.protocol.header import Broadcast, Packet
+from jauspy.testing import until
 from jauspy.transport import memberships
 
 ABSENT = "192.0.2.1"  # for documentation (RFC 5737), so nobody's
 ID = JausID.parse("126.1.11")
-
-
-async def until(condition: Callable[[], bool]) -> None:
-    async with asyncio.timeout(20):
-        while not condition():
-            await asyncio.sleep(0.01)
 
 
 async def test_an_interface_that_is_not_there_is_told_and_tried_again(

@@ -10,9 +10,9 @@ from jauspy.ids import EVERYONE, JausID
 from jauspy.node import NodeConfig, NodeManager, shortcuts
 from jauspy.node.shortcuts import Shortcuts
 from jauspy.protocol import judp, junior
+from jauspy.protocol.addressing import LocalPort, Port, UdpPort
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet, Priority
-from jauspy.protocol.node import NodeCore
-from jauspy.protocol.ports import LocalPort, Port, UdpPort
+from jauspy.protocol.routing import Router
 
 HERE, THERE, FAR, AWAY = (JausID.parse(text) for text in ("101.1.1", "101.1.2", "42.1.1", "43.1.1"))
 IDS = (HERE, THERE, FAR, AWAY)
@@ -27,13 +27,13 @@ PORTS: tuple[Port, ...] = (
 )
 
 
-class Router:
+class CountingRouter:
     """A core, with shortcuts or without."""
 
     def __init__(self, *, short: bool) -> None:
         self.out: list[tuple[Port, bytes]] = []
         self.short_ways = 0
-        self.core = NodeCore("/tmp", changed=self._changed)
+        self.core = Router("/tmp", changed=self._changed)
         self.shortcuts = Shortcuts(self.core, self._open if short else lambda _: None)
 
     def _open(self, port: LocalPort | UdpPort) -> shortcuts.Send:
@@ -89,14 +89,14 @@ def any_datagram(chance: random.Random, number: int) -> bytes:
 @pytest.mark.parametrize("seed", range(5))
 async def test_nobody_can_tell_the_difference(seed: int) -> None:
     chance = random.Random(seed)
-    quick, whole = Router(short=True), Router(short=False)
+    quick, whole = CountingRouter(short=True), CountingRouter(short=False)
     now = asyncio.get_running_loop().time()
     for number in range(4000):
         datagram, port = any_datagram(chance, number), chance.choice(PORTS)
         gone = chance.choice(PORTS) if chance.random() < 0.01 else None
         for router in (quick, whole):
             if isinstance(gone, LocalPort | UdpPort):
-                router.core.unreachable(gone)
+                router.core.remove_dead(gone)
             router.take(datagram, port, now)
         assert quick.out == whole.out, f"datagram {number}: {datagram.hex()} from {port}"
         quick.out.clear()
@@ -108,7 +108,7 @@ async def test_nobody_can_tell_the_difference(seed: int) -> None:
 
 async def test_ways_are_looked_for_again_after_a_while(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(shortcuts, "LIFETIME", 0.0)
-    router = Router(short=True)
+    router = CountingRouter(short=True)
     now = asyncio.get_running_loop().time()
     port = LocalPort(f"/tmp/{int(HERE)}")
     for id in (HERE, THERE):
@@ -122,7 +122,7 @@ async def test_ways_are_looked_for_again_after_a_while(monkeypatch: pytest.Monke
 
 async def test_made_up_destinations_do_not_pile_up(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(shortcuts, "MAX_WAYS", 3)
-    router = Router(short=True)
+    router = CountingRouter(short=True)
     now = asyncio.get_running_loop().time()
     sender = JausID(101, 1, 1)
     for number in range(1, 20):

@@ -15,6 +15,7 @@ from jauspy.node import NodeConfig, NodeManager, tcp
 from jauspy.protocol import judp
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.header import Broadcast, Packet
+from jauspy.testing import until
 from jauspy.transport import LocalTransport, TcpTransport, stream
 
 HERE, FAR, OTHER = JausID.parse("100.1.2"), JausID.parse("200.1.1"), JausID.parse("200.1.2")
@@ -73,12 +74,6 @@ async def peer(node: NodeManager) -> AsyncIterator[Stream]:
     reader, writer = await asyncio.open_connection("127.0.0.1", node.tcp_port)
     yield Stream(reader, writer)
     writer.close()
-
-
-async def until(condition: object) -> None:
-    async with asyncio.timeout(20):
-        while not condition():  # type: ignore[operator]
-            await asyncio.sleep(0.005)
 
 
 async def test_the_streams_of_another_implementation(node: NodeManager, here: Inbox) -> None:

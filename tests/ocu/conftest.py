@@ -4,20 +4,18 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import AsyncIterator, Iterable
 from contextlib import AsyncExitStack
-from dataclasses import dataclass, field
 from typing import Any
 
 import pytest
+from tests.helpers.robot import FakeDrive
 
 from jauspy.codec.base import Message
 from jauspy.component import Component
 from jauspy.component.shell import loop_time
 from jauspy.ids import JausID
 from jauspy.ocu import OCU
-from jauspy.platform.contract import Pose, Twist
 from jauspy.protocol.judp import unpack_all
 from jauspy.services.core import AccessControl, Discovery, Events, Identity, Liveness
 from jauspy.services.mobility import LocalPoseSensor, PrimitiveDriver, Vehicle, VelocityStateSensor
@@ -26,47 +24,6 @@ from jauspy.testing import VirtualNetwork
 
 ROBOT = JausID(101, 1, 1)
 DRIVER = JausID(101, 1, 102)
-
-
-@dataclass
-class FakeDrive:
-    """A skid steer without mass; `speed` is how much faster than life it is."""
-
-    speed: float = 1.0
-    efforts: list[tuple[float, float]] = field(default_factory=list)
-    _x: float = 0.0
-    _y: float = 0.0
-    _yaw: float = 0.0
-    _at: float = field(default_factory=loop_time)
-
-    @property
-    def effort(self) -> tuple[float, float]:
-        return self.efforts[-1] if self.efforts else (0.0, 0.0)
-
-    def set_effort(self, linear_x: float, rotational_z: float) -> None:
-        self._advance()
-        self.efforts.append((linear_x, rotational_z))
-
-    def stop(self) -> None:
-        self.set_effort(0.0, 0.0)
-
-    def pose(self) -> Pose:
-        self._advance()
-        return Pose(x=self._x, y=self._y, yaw=math.remainder(self._yaw, math.tau))
-
-    def twist(self) -> Twist:
-        return Twist(vx=self.effort[0] * self.speed, wz=self.effort[1] * self.speed)
-
-    def _advance(self) -> None:
-        now = loop_time()
-        left, self._at = now - self._at, now
-        while left > 0:
-            dt = min(left, 0.002)
-            left -= dt
-            twist = self.twist()
-            self._yaw += twist.wz * dt
-            self._x += math.cos(self._yaw) * twist.vx * dt
-            self._y += math.sin(self._yaw) * twist.vx * dt
 
 
 class World:
@@ -83,7 +40,7 @@ class World:
 
     async def robot(self, id: JausID = ROBOT, *, drive: FakeDrive | None = None, timeout: int = 5) -> Component:
         """One component with everything, subsystem 101 unless told otherwise."""
-        drive = drive or FakeDrive()
+        drive = drive or FakeDrive(clock=loop_time)
         self.drives.append(drive)
         names = {2: Identity("test robot", 10001), 3: Identity("test node", 40001), 4: Identity("all in one", 60001)}
         vehicle = Vehicle(drive)

@@ -26,17 +26,11 @@ from jauspy.messages.core import (
 from jauspy.messages.mobility import SetWrenchEffort
 from jauspy.ocu import control as module
 from jauspy.services.core import AccessControl, Discovery, Events, Liveness, Management
-from jauspy.testing import VirtualNetwork
+from jauspy.testing import VirtualNetwork, until
 
 Status = ReportStatus.Status
 HOLDER = JausID(42, 1, 1)
 FULL = SetWrenchEffort(propulsive_linear_effort_x=40.0)
-
-
-async def until(condition, seconds: float = 3.0) -> None:
-    async with asyncio.timeout(seconds):
-        while not condition():
-            await asyncio.sleep(0.005)
 
 
 async def driver_of(ocu):

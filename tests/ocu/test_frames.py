@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import asyncio
 import math
-from collections.abc import Callable
 from contextlib import AsyncExitStack
 
 import pytest
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.frames import FrameTree
+from jauspy.geometry.poses import Transform
 from jauspy.messages.manipulator import (
     JointPositionRec,
     JointVelocityRec,
@@ -24,8 +24,7 @@ from jauspy.modules.robot import RobotRunner
 from jauspy.modules.robots import load
 from jauspy.ocu import OCU, Robot
 from jauspy.ocu.frames import RobotFrames
-from jauspy.platform.transforms import FrameTree
-from jauspy.platform.vectors import Transform
+from jauspy.testing import until
 
 CONFIG = load("inc1")
 MODEL = robot_model(CONFIG)
@@ -52,12 +51,6 @@ def stands(robot: RobotRunner) -> bool:
     )
 
 
-async def until(robot: RobotRunner, condition: Callable[[RobotRunner], bool]) -> None:
-    async with asyncio.timeout(20.0):
-        while not condition(robot):
-            await asyncio.sleep(0.02)
-
-
 async def move_everything(robot: RobotRunner, found: Robot) -> None:
     """Turn on the spot, and move all joints; then everything stands still."""
     driver = found.service("mobility:PrimitiveDriver")
@@ -74,8 +67,8 @@ async def move_everything(robot: RobotRunner, found: Robot) -> None:
         await gripper.send(SetEndEffectorEffort(-20.0))
         await flippers.send(SetJointPositions([JointPositionRec(joint_position=GOAL)]))
         await camera.send(SetPanTiltJointPositions(0.9, 0.4))
-        await until(robot, moved)
-    await until(robot, stands)
+        await until(lambda: moved(robot))
+    await until(lambda: stands(robot))
 
 
 async def test_all_frames_are_where_they_really_are(robot: RobotRunner, ocu: OCU) -> None:
@@ -90,7 +83,7 @@ async def test_all_frames_are_where_they_really_are(robot: RobotRunner, ocu: OCU
     for name, group in MODEL.groups.items():
         positions |= zip(group.joints, seen.joints[name].positions, strict=True)
     for link, pose in FrameTree(MODEL.description).poses(positions).items():
-        expected = Transform.of(seen.pose) @ pose
+        expected = Transform.from_pose(seen.pose) @ pose
         # as exact as fields of pose and positions are on the wire
         assert math.dist(frames.pose(link, "local").position, expected.position) < 1e-3, link
         for row, wanted in zip(frames.pose(link, "local").rotation, expected.rotation, strict=True):

@@ -12,15 +12,16 @@ import pytest
 
 from jauspy.component import Shell
 from jauspy.errors import TransportError
+from jauspy.geometry.poses import Pose, Twist
 from jauspy.ids import JausID
 from jauspy.messages.core import QueryHeartbeatPulse, QueryStatus, ReportStatus, Standby
 from jauspy.node import NodeManager
 from jauspy.node.config import NodeConfig
 from jauspy.ocu import OCU
-from jauspy.platform.contract import Pose, Twist
 from jauspy.services.core import AccessControl, Discovery, Liveness
 from jauspy.services.host import Host
 from jauspy.services.mobility import PrimitiveDriver, Vehicle
+from jauspy.testing import until
 from jauspy.transport import LocalTransport
 
 ROBOT = JausID(101, 1, 102)
@@ -41,12 +42,6 @@ class Drive:
 
     def twist(self) -> Twist:
         return Twist()
-
-
-async def until(condition, seconds: float) -> None:
-    async with asyncio.timeout(seconds):
-        while not condition():
-            await asyncio.sleep(0.01)
 
 
 class Site:

@@ -12,13 +12,13 @@ from tests.modules.cameras import FakeVideo
 
 from jauspy.component import Shell
 from jauspy.errors import ConfigError, ControlRejected, RequestError, ResponseTimeout
+from jauspy.geometry.poses import Transform
 from jauspy.ids import JausID
 from jauspy.messages import environment_sensing as m
 from jauspy.ocu import OCU
 from jauspy.ocu.stills import DELIVERY
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.stills import Still, StillFormat, StillSettings
-from jauspy.platform.vectors import Transform
 from jauspy.services.core import Discovery
 from jauspy.services.environment_sensing import StillImage, VideoCamera, VisualSensor
 from jauspy.services.host import Host

@@ -26,15 +26,10 @@ from jauspy.ocu.event_requests import EventRequests
 from jauspy.protocol.header import Packet
 from jauspy.protocol.judp import pack
 from jauspy.services.core import Discovery, Events, Liveness
+from jauspy.testing import until
 
 POSE = QueryLocalPose(presence_vector=0x43)
 Status = ReportStatus.Status
-
-
-async def until(condition, seconds: float = 3.0) -> None:
-    async with asyncio.timeout(seconds):
-        while not condition():
-            await asyncio.sleep(0.005)
 
 
 async def drain(subscription) -> None:

@@ -6,10 +6,11 @@ from collections.abc import Callable
 import pytest
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.poses import Pose, Twist
 from jauspy.modules.description import robot_model
 from jauspy.modules.robots import load
 from jauspy.platform.backends import find
-from jauspy.platform.contract import Pose, Robot, Twist
+from jauspy.platform.contract import Robot
 
 
 def speed(twist: Twist) -> float:

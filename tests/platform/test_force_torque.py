@@ -7,18 +7,18 @@ from dataclasses import replace
 
 import pytest
 
+from jauspy.geometry.frames import gravity_wrench
+from jauspy.geometry.urdf import parse_urdf
+from jauspy.geometry.vectors import Vector
 from jauspy.modules.description import robot_model
 from jauspy.modules.robots import load
 from jauspy.platform.backends import find
 from jauspy.platform.force_torque import ForceTorqueSetup, SampledForceTorque
 from jauspy.platform.joints import ControlMode, Target
-from jauspy.platform.static_weight import static_weight
-from jauspy.platform.urdf import parse
-from jauspy.platform.vectors import Vector
 
 SETUP = ForceTorqueSetup("wrist", "hand", rate=10.0, force=50.0, torque=5.0)
 
-CRANE = parse(
+CRANE = parse_urdf(
     """<robot name="crane">
   <link name="base"><inertial><mass value="9"/></inertial></link>
   <link name="arm"><inertial><origin xyz="0.2 0 0"/><mass value="2"/></inertial></link>
@@ -61,7 +61,7 @@ def test_what_is_too_strong_shows_as_the_most_it_can_measure() -> None:
     ],
 )
 def test_weight_of_all_that_a_link_carries_by_hand(angle: float, force: Vector, torque: Vector) -> None:
-    found = static_weight(CRANE, "arm", lambda: {"lift": angle})()
+    found = gravity_wrench(CRANE, "arm", lambda: {"lift": angle})()
     assert found == (pytest.approx(force, abs=1e-9), pytest.approx(torque, abs=1e-9))
 
 

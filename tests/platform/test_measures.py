@@ -8,12 +8,12 @@ from importlib.util import find_spec
 import pytest
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.urdf import RobotDescription, parse_urdf
 from jauspy.modules.description import robot_model
 from jauspy.modules.robots import load
 from jauspy.platform.chassis import chassis_of
-from jauspy.platform.description import Description, GroupSetup, RobotModel, TrackSetup
+from jauspy.platform.description import GroupSetup, RobotModel, TrackSetup
 from jauspy.platform.measures import measure
-from jauspy.platform.urdf import parse
 
 URDF = """
 <robot name="cart">
@@ -36,7 +36,7 @@ URDF = """
 
 def cart(lean: float) -> RobotModel:
     group = GroupSetup(("lean",), {}, "base", "mast", 100.0, (lean,))
-    return RobotModel(parse(URDF), TrackSetup((), (), 0.0), {"mast": group})
+    return RobotModel(parse_urdf(URDF), TrackSetup((), (), 0.0), {"mast": group})
 
 
 def test_mass_middle_and_size_by_hand() -> None:
@@ -54,7 +54,7 @@ def test_joints_are_where_they_start() -> None:
 
 
 def test_a_mass_that_is_no_number_names_its_link() -> None:
-    broken = Description("x", URDF.replace('value="3"', 'value="heavy"'), parse(URDF).joints)
+    broken = RobotDescription("x", URDF.replace('value="3"', 'value="heavy"'), parse_urdf(URDF).joints)
     with pytest.raises(ConfigError, match="'base': 'heavy' is not 1 finite number"):
         measure(RobotModel(broken, TrackSetup((), (), 0.0)))
 

@@ -4,7 +4,7 @@ from itertools import pairwise
 
 import pytest
 
-from jauspy.platform.description import Joint, JointKind
+from jauspy.geometry.urdf import Joint, JointKind
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.platform.motion import Motion
 

@@ -2,7 +2,7 @@
 
 from jauspy.ids import JausID
 from jauspy.protocol.address_book import AddressBook
-from jauspy.protocol.ports import TcpPort, UdpPort
+from jauspy.protocol.addressing import TcpPort, UdpPort
 
 HOME, AWAY, GATE = UdpPort("10.0.0.1", 1), UdpPort("10.0.0.2", 2), UdpPort("10.0.0.3", 3)
 ONE = int(JausID(101, 1, 1))

@@ -10,12 +10,12 @@ from hypothesis import given, strategies as st
 
 from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
-from jauspy.protocol import compression, judp, junior, templates
+from jauspy.protocol import compression, compression as templates, judp, junior
+from jauspy.protocol.addressing import LocalPort, Port, UdpPort
 from jauspy.protocol.compression import Compression
 from jauspy.protocol.counters import Counters
-from jauspy.protocol.header import Ack, Packet, Priority, peek_priority
-from jauspy.protocol.node import CompressionUse, NodeCore
-from jauspy.protocol.ports import LocalPort, Port, UdpPort
+from jauspy.protocol.header import Ack, Packet, Priority
+from jauspy.protocol.routing import CompressionUse, Router
 
 HERE, FAR = JausID.parse("100.1.2"), JausID.parse("101.1.1")
 OURS, PEER = LocalPort("/root/here"), UdpPort("10.77.0.2", 3794)
@@ -26,19 +26,19 @@ def plain(text: str) -> str:
     return bytes.fromhex(text).hex()
 
 
-def node(use: CompressionUse = "accept", id: JausID = HERE, port: LocalPort = OURS) -> NodeCore:
-    core = NodeCore("/root", compression=use)
+def node(use: CompressionUse = "accept", id: JausID = HERE, port: LocalPort = OURS) -> Router:
+    core = Router("/root", compression=use)
     core.receive(junior.connect(id), port, 0.0)
     core.poll_output()
     return core
 
 
-def receive(core: NodeCore, data: str | bytes, source: Port, now: float = 0.0) -> list[tuple[Port, str]]:
+def receive(core: Router, data: str | bytes, source: Port, now: float = 0.0) -> list[tuple[Port, str]]:
     core.receive(bytes.fromhex(data) if isinstance(data, str) else data, source, now)
     return [(port, out.hex()) for port, out in core.poll_output()]
 
 
-def known(core: NodeCore) -> NodeCore:
+def known(core: Router) -> Router:
     """The same node manager, which has heard FAR at PEER."""
     receive(core, judp.pack(Packet(FAR, HERE, b"\x02\x40", 1)), PEER)
     return core
@@ -77,7 +77,7 @@ def test_who_proposes_is_proposed_to_and_who_accepts_is_compressed_for() -> None
     assert core.counters["compression.sent"] == 1
 
 
-def agreed(*, use: CompressionUse = "accept") -> NodeCore:
+def agreed(*, use: CompressionUse = "accept") -> Router:
     core = known(node(use))
     receive(core, "02 401200 0509 01 02016400 01016500 0220 0700", PEER)
     receive(core, PLAIN, OURS)
@@ -127,7 +127,7 @@ def test_the_most_urgent_always_go_whole() -> None:
     urgent = judp.pack(Packet(HERE, FAR, b"\x06\x00\x00", 1, Priority.SAFETY_CRITICAL))
     for now in (0.1, 1.0, 6.0):
         assert receive(agreed(), urgent, OURS, now) == [(PEER, urgent.hex())]
-    assert peek_priority(bytes.fromhex("02 c00900 0109 ff20 0700")) == Priority.STANDARD
+    assert judp.peek_priority(bytes.fromhex("02 c00900 0109 ff20 0700")) == Priority.STANDARD
 
 
 def test_the_largest_packets_stay_within_4096_bytes() -> None:
@@ -142,7 +142,7 @@ def test_peers_are_asked_with_an_empty_packet_a_few_times_and_only_when_told_to(
     core = known(node("propose"))
     asked = (PEER, plain("02 401000 0009 01 01016500 02016400 0000"))
     sent = [receive(core, PLAIN, OURS, now / 2) for now in range(40)]
-    assert [len(each) for each in sent].count(2) == compression.PROBES
+    assert [len(each) for each in sent].count(2) == compression.MAX_PROBES
     assert sent[0] == [asked, (PEER, plain(PLAIN))]
     receive(core, "02 801000 0009 01 02016400 01016500 0000", PEER)
     assert receive(core, PLAIN, OURS)[0][1].startswith("0240")
@@ -162,7 +162,7 @@ def test_templates_of_broadcasts_and_too_long_ones_are_not_accepted() -> None:
     core = node()
     broadcast = "02 401200 0509 09 ffffffff 01016500 0220 0700"
     assert receive(core, broadcast, PEER) == [(OURS, plain("02 001000 09 ffffffff 01016500 0220 0700"))]
-    for length in (0, templates.MAX_LENGTH + 1, 255):
+    for length in (0, templates.MAX_TEMPLATE_LENGTH + 1, 255):
         data = bytes.fromhex("02 403900") + bytes([7, length]) + bytes.fromhex("01 02016400 01016500") + bytes(43)
         assert [port for port, _ in receive(core, data, PEER)] == [OURS]
     assert core.counters["compression.not_accepted"] == 4
@@ -175,7 +175,7 @@ def test_everything_is_bounded() -> None:
         peer = UdpPort(f"10.1.{number % 100}.1", 3794)
         head = bytes.fromhex("02 401200") + bytes([number & 0xFF, 9, 1]) + bytes.fromhex("02016400")
         receive(core, head + chance.randbytes(4) + b"\x02\x20\x07\x00", peer, number / 1000)
-    used = core._out.compression
+    used = core._egress.compression
     assert used is not None
     assert len(used._templates._known) == templates.MAX_TEMPLATES
     assert len(used._partners) == compression.MAX_PARTNERS
@@ -185,10 +185,10 @@ def test_numbers_are_used_again_only_after_a_silence() -> None:
     offers = templates.Offers()
     first = [offers.offer_for(bytes([n]) * 9, 0.0) for n in range(templates.MAX_OFFERS)]
     assert {each.number for each in first if each} == set(range(1, templates.MAX_OFFERS + 1))
-    assert offers.offer_for(b"x" * 9, templates.QUIET - 1) is None
-    again = offers.offer_for(b"x" * 9, templates.QUIET)
+    assert offers.offer_for(b"x" * 9, templates.REUSE_DELAY - 1) is None
+    again = offers.offer_for(b"x" * 9, templates.REUSE_DELAY)
     assert again is not None
-    assert (again.number, again.is_accepted(templates.QUIET)) == (1, False)
+    assert (again.number, again.is_accepted(templates.REUSE_DELAY)) == (1, False)
 
 
 @given(st.lists(st.binary(max_size=40), max_size=8), st.sampled_from([b"\x40", b"\x80", b"\xc0"]))
@@ -210,7 +210,7 @@ class Cable:
         self.chance = random.Random(seed)
         self.loss = loss
         self.now = 0.0
-        self.nodes: list[NodeCore] = []
+        self.nodes: list[Router] = []
         self.arrived: list[list[bytes]] = [[], []]
         self._air: list[tuple[float, int, int, bytes]] = []
         for _ in range(2):
@@ -222,7 +222,7 @@ class Cable:
     def restart(self, side: int, use: CompressionUse = "accept") -> None:
         id, other = ((HERE, FAR), (FAR, HERE))[side]
         static = {other: (UdpPort(f"10.0.0.{2 - side}", 3794),)}
-        self.nodes[side] = NodeCore("/root", compression=use, addresses=static)
+        self.nodes[side] = Router("/root", compression=use, addresses=static)
         self.nodes[side].receive(junior.connect(id), OURS, self.now)
         self.nodes[side].poll_output()
 

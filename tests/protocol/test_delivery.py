@@ -8,8 +8,8 @@ from hypothesis import given, settings, strategies as st
 
 from jauspy.errors import ConfigError, ProtocolError
 from jauspy.ids import EVERYONE, JausID
-from jauspy.protocol import judp, transfers
-from jauspy.protocol.delivery import LARGEST, Delivery
+from jauspy.protocol import delivery as transfers, judp
+from jauspy.protocol.delivery import MAX_MESSAGE_SIZE, Delivery
 from jauspy.protocol.endpoint import MAX_QUEUED, Endpoint
 from jauspy.protocol.header import MAX_PAYLOAD, Ack, DataFlag, Packet
 
@@ -213,7 +213,14 @@ def test_without_loss_everything_arrives_in_any_order_of_packets(
 
 
 @pytest.mark.parametrize(
-    "wrong", [{"ack_timeout": 0}, {"resends": -1}, {"window": 0}, {"max_message": LARGEST + 1}, {"patience": -1}]
+    "wrong",
+    [
+        {"ack_timeout": 0},
+        {"resends": -1},
+        {"window": 0},
+        {"max_message": MAX_MESSAGE_SIZE + 1},
+        {"fragment_timeout": -1},
+    ],
 )
 def test_settings_that_make_no_sense(wrong: dict[str, Any]) -> None:
     with pytest.raises(ConfigError, match="delivery"):

@@ -3,12 +3,11 @@
 import pytest
 
 from jauspy.ids import EVERYONE, JausID
-from jauspy.protocol import judp, junior, rules
-from jauspy.protocol.gateway import Gateway
+from jauspy.protocol import gateway as rules, judp, junior
+from jauspy.protocol.addressing import GroupPort, LocalPort, Port, UdpPort
+from jauspy.protocol.gateway import Gateway, GatewayRule, GatewayRules
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet
-from jauspy.protocol.node import NodeCore
-from jauspy.protocol.ports import GroupPort, LocalPort, Port, UdpPort
-from jauspy.protocol.rules import Rule, Rules
+from jauspy.protocol.routing import Router
 from jauspy.protocol.sources import SourceLimits
 
 OCU, MOB, MAN, LOCAL = (JausID.parse(text) for text in ("42.1.1", "101.1.102", "101.2.103", "101.3.1"))
@@ -17,23 +16,23 @@ LAN, VEHICLE = GroupPort("lan"), GroupPort("vehicle")
 HERE = LocalPort(f"/root/{int(LOCAL)}")
 
 
-def gateway(*rules: Rule, networks: tuple[str, ...] = ("lan", "vehicle"), subsystem: int = 101) -> NodeCore:
+def gateway(*rules: GatewayRule, networks: tuple[str, ...] = ("lan", "vehicle"), subsystem: int = 101) -> Router:
     inside = networks[1:]
-    told = Gateway(subsystem, networks, inside, Rules(rules, inside=inside))
-    return NodeCore("/root", networks=networks, gateway=told)
+    told = Gateway(subsystem, networks, inside, GatewayRules(rules, inside=inside))
+    return Router("/root", networks=networks, gateway=told)
 
 
 def message(source: JausID, destination: JausID, sequence: int = 1, code: int = 0x2002, **fields: object) -> bytes:
     return judp.pack(Packet(source, destination, code.to_bytes(2, "little"), sequence, **fields))  # type: ignore[arg-type]
 
 
-def after(core: NodeCore, data: bytes, source: Port, now: float = 0.0) -> list[tuple[Port, bytes]]:
+def after(core: Router, data: bytes, source: Port, now: float = 0.0) -> list[tuple[Port, bytes]]:
     core.receive(data, source, now)
     return core.poll_output()
 
 
 @pytest.fixture
-def core() -> NodeCore:
+def core() -> Router:
     """A gateway of subsystem 101 that has heard an OCU outside and a module inside."""
     core = gateway()
     after(core, message(OCU, EVERYONE, 100), OCU_PORT)
@@ -41,14 +40,14 @@ def core() -> NodeCore:
     return core
 
 
-def test_unicast_crosses_both_ways_as_it_came(core: NodeCore) -> None:
+def test_unicast_crosses_both_ways_as_it_came(core: Router) -> None:
     query, report = message(OCU, MOB), message(MOB, OCU)
     assert after(core, query, OCU_PORT) == [(MOB_PORT, query)]
     assert after(core, report, MOB_PORT) == [(OCU_PORT, report)]
     assert core.counters["relayed"] == 3
 
 
-def test_broadcasts_cross_both_ways(core: NodeCore) -> None:
+def test_broadcasts_cross_both_ways(core: Router) -> None:
     after(core, junior.connect(LOCAL), HERE)
     data = message(OCU, EVERYONE, broadcast=Broadcast.GLOBAL)
     assert after(core, data, OCU_PORT) == [(HERE, data), (VEHICLE, data)]
@@ -66,7 +65,7 @@ def test_broadcasts_cross_both_ways(core: NodeCore) -> None:
     ids=["for the subsystem itself", "local broadcast", "of another subsystem"],
 )
 def test_what_does_not_leave_the_subsystem(
-    core: NodeCore, source: JausID, destination: JausID, fields: dict[str, object]
+    core: Router, source: JausID, destination: JausID, fields: dict[str, object]
 ) -> None:
     assert after(core, message(source, destination, **fields), MOB_PORT) == []
 
@@ -79,18 +78,18 @@ def test_what_does_not_leave_the_subsystem(
         (MAN, EVERYONE, "own_id_outside"),
     ],
 )
-def test_what_does_not_enter(core: NodeCore, source: JausID, destination: JausID, reason: str) -> None:
+def test_what_does_not_enter(core: Router, source: JausID, destination: JausID, reason: str) -> None:
     assert after(core, message(source, destination), OCU_PORT) == []
     assert core.counters[f"dropped.gateway.{reason}"] == 1
 
 
-def test_an_id_that_is_known_inside_cannot_be_taken_from_outside(core: NodeCore) -> None:
+def test_an_id_that_is_known_inside_cannot_be_taken_from_outside(core: Router) -> None:
     assert after(core, message(MOB, EVERYONE, 2), OCU_PORT) == []
     assert after(core, message(OCU, MOB, 3), OCU_PORT) == [(MOB_PORT, message(OCU, MOB, 3))]
     assert core.counters["dropped.address_mismatch"] == 1
 
 
-def test_an_unknown_module_is_asked_for_inside_only(core: NodeCore) -> None:
+def test_an_unknown_module_is_asked_for_inside_only(core: Router) -> None:
     asking = message(OCU, MAN, ack=Ack.REQUIRED)
     assert after(core, message(OCU, MAN), OCU_PORT) == [(VEHICLE, asking)]
     assert after(core, message(OCU, MAN, 2), OCU_PORT) == []
@@ -102,33 +101,33 @@ def test_an_unknown_module_is_asked_for_inside_only(core: NodeCore) -> None:
     assert after(core, answer, there, 1.2) == [(there, message(OCU, MAN, 3)), (OCU_PORT, answer)]
 
 
-def test_an_unknown_ocu_is_asked_for_outside_only(core: NodeCore) -> None:
+def test_an_unknown_ocu_is_asked_for_outside_only(core: Router) -> None:
     far = JausID(43, 1, 1)
     asking = message(MOB, far, ack=Ack.REQUIRED)
     assert after(core, message(MOB, far), MOB_PORT) == [(LAN, asking)]
 
 
-def test_a_retransmission_while_the_module_is_unknown_is_no_echo(core: NodeCore) -> None:
+def test_a_retransmission_while_the_module_is_unknown_is_no_echo(core: Router) -> None:
     asking = message(OCU, MAN, ack=Ack.REQUIRED)
     assert after(core, asking, OCU_PORT) == [(VEHICLE, asking)]
     assert after(core, asking, OCU_PORT, 0.1) == []
     assert core.counters["echoes"] == 0
-    assert core.waiting_messages == 1
+    assert core.pending_messages == 1
 
 
-def test_a_module_that_asks_its_own_network_gets_no_echo(core: NodeCore) -> None:
+def test_a_module_that_asks_its_own_network_gets_no_echo(core: Router) -> None:
     """The destination is on the same network and answers by itself."""
     assert after(core, message(MOB, MAN, ack=Ack.REQUIRED), MOB_PORT) == []
 
 
 def test_without_a_gateway_nothing_crosses() -> None:
-    core = NodeCore("/root", networks=("lan", "vehicle"))
+    core = Router("/root", networks=("lan", "vehicle"))
     after(core, message(MOB, EVERYONE), MOB_PORT)
     assert after(core, message(OCU, MOB), OCU_PORT) == []
     assert after(core, message(OCU, EVERYONE), OCU_PORT) == []
 
 
-def test_local_components_reach_all_networks_of_their_node_manager(core: NodeCore) -> None:
+def test_local_components_reach_all_networks_of_their_node_manager(core: Router) -> None:
     data = message(LOCAL, EVERYONE)
     assert after(core, data, HERE) == [(LAN, data), (VEHICLE, data)]
     assert after(core, message(LOCAL, OCU), HERE) == [(OCU_PORT, message(LOCAL, OCU))]
@@ -139,8 +138,8 @@ def test_local_components_reach_all_networks_of_their_node_manager(core: NodeCor
 
 def test_the_first_rule_that_matches_decides_and_the_rest_is_refused() -> None:
     core = gateway(
-        Rule(allow=False, source=JausID(42, 255, 255), messages=(range(0x0405, 0x0406),)),
-        Rule(allow=True, source=JausID(42, 255, 255), destination=JausID(101, 255, 255)),
+        GatewayRule(allow=False, source=JausID(42, 255, 255), messages=(range(0x0405, 0x0406),)),
+        GatewayRule(allow=True, source=JausID(42, 255, 255), destination=JausID(101, 255, 255)),
     )
     after(core, message(MOB, OCU), MOB_PORT)
     assert len(after(core, message(OCU, MOB), OCU_PORT)) == 1
@@ -151,14 +150,14 @@ def test_the_first_rule_that_matches_decides_and_the_rest_is_refused() -> None:
 
 
 def test_rules_protect_the_components_of_the_same_machine() -> None:
-    core = gateway(Rule(allow=True, source=OCU))
+    core = gateway(GatewayRule(allow=True, source=OCU))
     after(core, junior.connect(LOCAL), HERE)
     assert after(core, message(JausID(43, 1, 1), LOCAL), UdpPort("10.0.0.43", 1)) == []
     assert after(core, message(OCU, LOCAL), OCU_PORT) == [(HERE, message(OCU, LOCAL))]
 
 
 def test_a_rule_allows_so_many_per_second_and_source() -> None:
-    core = gateway(Rule(allow=True, rate=10.0))
+    core = gateway(GatewayRule(allow=True, rate=10.0))
     after(core, message(MOB, OCU), MOB_PORT)
     passed = sum(len(after(core, message(OCU, MOB, n), OCU_PORT, n / 100)) for n in range(200))
     assert 28 <= passed <= 31
@@ -166,14 +165,14 @@ def test_a_rule_allows_so_many_per_second_and_source() -> None:
 
 
 def test_a_rule_for_a_network_inside_limits_what_leaves_it() -> None:
-    core = gateway(Rule(allow=False, network="vehicle", messages=(range(0x2002, 0x2003),)))
+    core = gateway(GatewayRule(allow=False, network="vehicle", messages=(range(0x2002, 0x2003),)))
     after(core, message(OCU, EVERYONE), OCU_PORT)
     assert after(core, message(MOB, OCU), MOB_PORT) == []
     assert len(after(core, message(MOB, OCU, code=0x4002), MOB_PORT)) == 1
 
 
 def test_fragments_follow_the_first_of_them() -> None:
-    core = gateway(Rule(allow=True, messages=(range(0x0405, 0x0406),)))
+    core = gateway(GatewayRule(allow=True, messages=(range(0x0405, 0x0406),)))
     after(core, message(MOB, OCU), MOB_PORT)
     for code, passes in ((0x0405, True), (0x2002, False)):
         for sequence, flag in enumerate((DataFlag.FIRST, DataFlag.MIDDLE, DataFlag.LAST)):
@@ -183,17 +182,17 @@ def test_fragments_follow_the_first_of_them() -> None:
 
 
 def test_the_first_fragment_opens_the_way_for_a_while_only() -> None:
-    core = gateway(Rule(allow=True, source=OCU, messages=(range(0x0405, 0x0406),)))
+    core = gateway(GatewayRule(allow=True, source=OCU, messages=(range(0x0405, 0x0406),)))
     after(core, message(MOB, OCU), MOB_PORT)
     assert after(core, message(OCU, MOB, 1, 0x0405, data_flag=DataFlag.FIRST), OCU_PORT)
-    late = rules.STREAM_PATIENCE - 1
+    late = rules.FRAGMENT_TIMEOUT - 1
     assert after(core, message(OCU, MOB, 2, data_flag=DataFlag.MIDDLE), OCU_PORT, late)
     assert after(core, message(OCU, MOB, 3, data_flag=DataFlag.MIDDLE), OCU_PORT, 2 * late)
-    assert not after(core, message(OCU, MOB, 4, data_flag=DataFlag.LAST), OCU_PORT, 2 * late + rules.STREAM_PATIENCE)
+    assert not after(core, message(OCU, MOB, 4, data_flag=DataFlag.LAST), OCU_PORT, 2 * late + rules.FRAGMENT_TIMEOUT)
 
 
 def test_acknowledgements_pass_where_a_message_may() -> None:
-    core = gateway(Rule(allow=True, source=OCU, messages=(range(0x0405, 0x0406),)))
+    core = gateway(GatewayRule(allow=True, source=OCU, messages=(range(0x0405, 0x0406),)))
     after(core, message(MOB, OCU), MOB_PORT)
     assert len(after(core, judp.pack(Packet(OCU, MOB, b"", 1, ack=Ack.ACK)), OCU_PORT)) == 1
 
@@ -239,7 +238,7 @@ def test_a_ring_of_three_networks_comes_to_rest() -> None:
     """With the address check off, so that only the memory of what was relayed stops it."""
     ring = Ring(("lan", "a", "b"), ("lan", "b", "c"), ("lan", "c", "a"))
     for core in ring.gateways.values():
-        core.sources.limit(SourceLimits(check_address=False))
+        core.sources.set_limits(SourceLimits(check_address=False))
     data = message(MOB, JausID(101, 255, 255), broadcast=Broadcast.GLOBAL)
     ring.hear(data, UdpPort("10.1.0.2", 3794, "a"))
     assert 2 <= len(ring.crossings) <= 4

@@ -7,19 +7,18 @@ from hypothesis import given, settings, strategies as st
 
 from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
-from jauspy.protocol import fragments, judp, reassembly
-from jauspy.protocol.delivery import Delivery
+from jauspy.protocol import delivery, judp, reassembly
+from jauspy.protocol.delivery import BURST_INTERVAL, FRAGMENTS_PER_BURST, Delivery
 from jauspy.protocol.endpoint import Endpoint
 from jauspy.protocol.header import MAX_PAYLOAD, Ack, DataFlag, Packet
-from jauspy.protocol.transfers import PIECES_PER_TURN, TURN
 
 A, B = JausID.parse("100.1.4"), JausID.parse("101.1.1")
 
 
 def pieces(payload: bytes, first: int = 1, source: JausID = A, ack: Ack = Ack.NONE) -> list[bytes]:
     made = []
-    for index in range(fragments.count(len(payload))):
-        part, flag = fragments.piece(payload, index)
+    for index in range(delivery.fragment_count(len(payload))):
+        part, flag = delivery.fragment_at(payload, index)
         made.append(judp.pack(Packet(source, B, part, (first + index) & 0xFFFF, ack=ack, data_flag=flag)))
     return made
 
@@ -43,10 +42,10 @@ def test_the_pieces_are_those_seen_on_the_wire(ack: Ack, controls: str) -> None:
 def test_pieces_wait_while_there_is_no_room_for_them() -> None:
     endpoint = Endpoint(A, first_sequence=1)
     endpoint.send(B, bytes(40 * MAX_PAYLOAD), now=0.0)
-    assert len(endpoint.poll_output()) == PIECES_PER_TURN
+    assert len(endpoint.poll_output()) == FRAGMENTS_PER_BURST
     now = 0.0
-    for room, count in ((False, 0), (False, 0), (True, PIECES_PER_TURN)):
-        assert endpoint.next_timeout() == pytest.approx(now + TURN)
+    for room, count in ((False, 0), (False, 0), (True, FRAGMENTS_PER_BURST)):
+        assert endpoint.next_timeout() == pytest.approx(now + BURST_INTERVAL)
         now = endpoint.next_timeout() or 0.0
         endpoint.handle_timeout(now, room=room)
         assert len(endpoint.poll_output()) == count
@@ -57,11 +56,11 @@ def test_while_nothing_gets_out_the_oldest_give_way_to_what_is_newer() -> None:
     endpoint.send(B, bytes(80_000), now=0.0)
     with pytest.raises(ProtocolError, match="too_much_under_way"):
         endpoint.send(B, bytes(80_000), now=0.0)
-    endpoint.handle_timeout(TURN, room=False)
+    endpoint.handle_timeout(BURST_INTERVAL, room=False)
     endpoint.poll_output()
     for number in range(50):
-        endpoint.send(B, bytes([number]) * 80_000, now=TURN)
-    endpoint.send(B, b"stop", now=TURN, ack=Ack.REQUIRED)
+        endpoint.send(B, bytes([number]) * 80_000, now=BURST_INTERVAL)
+    endpoint.send(B, b"stop", now=BURST_INTERVAL, ack=Ack.REQUIRED)
     assert endpoint.counters["dropped.large_message.stuck"] == 50
     assert len(endpoint.poll_output()) == 1
 
@@ -199,12 +198,12 @@ def test_unacknowledged_large_messages_are_paced() -> None:
     endpoint = Endpoint(A, first_sequence=1)
     for _ in range(3):
         endpoint.send(B, bytes(20 * MAX_PAYLOAD), now=0.0)
-    assert len(endpoint.poll_output()) == PIECES_PER_TURN
-    sent = PIECES_PER_TURN
+    assert len(endpoint.poll_output()) == FRAGMENTS_PER_BURST
+    sent = FRAGMENTS_PER_BURST
     while (at := endpoint.next_timeout()) is not None:
         endpoint.handle_timeout(at)
         burst = len(endpoint.poll_output())
-        assert burst <= PIECES_PER_TURN
+        assert burst <= FRAGMENTS_PER_BURST
         sent += burst
     assert sent == 60
     assert endpoint.next_outcome() is None

@@ -1,4 +1,4 @@
-"""Old headers: examples from the wire, both dialects, and what is malformed."""
+"""Old headers: examples from the wire, both versions, and what is malformed."""
 
 import pytest
 from hypothesis import given, strategies as st
@@ -7,7 +7,7 @@ from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
 from jauspy.protocol import judp, legacy
 from jauspy.protocol.header import Ack, DataFlag, Packet, Priority
-from jauspy.protocol.legacy import Dialect
+from jauspy.protocol.legacy import LegacyVersion
 
 V1 = bytes.fromhex("010000001a06023412010165000801640 00a00010000010203040506070809".replace(" ", ""))
 OPC = bytes.fromhex("4a41555330312e30 06023412 0101c800 01016400 0200 2300 0102")
@@ -25,17 +25,17 @@ def v1(body: bytes) -> bytes:
 
 def test_version_1_from_the_wire() -> None:
     (packet,) = legacy.parse(V1)
-    assert (packet.dialect, packet.code) == (Dialect.V1, 0x1234)
+    assert (packet.version, packet.code) == (LegacyVersion.V1, 0x1234)
     assert (packet.raw.destination, packet.raw.source) == (0x00650101, 0x00640108)
     assert packet.payload == bytes(range(10))
-    assert packet.as_datagram(Dialect.V1) == V1
+    assert packet.as_datagram(LegacyVersion.V1) == V1
 
 
 def test_opc_from_the_wire_and_over_to_version_1() -> None:
     (packet,) = legacy.parse(OPC)
-    assert (packet.dialect, packet.payload.hex()) == (Dialect.OPC, "0102")
-    assert packet.as_datagram(Dialect.OPC) == OPC
-    assert legacy.parse(packet.as_datagram(Dialect.V1))[0]._replace(dialect=Dialect.OPC) == packet
+    assert (packet.version, packet.payload.hex()) == (LegacyVersion.OPC, "0102")
+    assert packet.as_datagram(LegacyVersion.OPC) == OPC
+    assert legacy.parse(packet.as_datagram(LegacyVersion.V1))[0]._replace(version=LegacyVersion.OPC) == packet
     (heartbeat,) = legacy.parse(HEARTBEAT)
     assert (heartbeat.code, heartbeat.raw.source) == (0x4202, 0x82010101)
 

@@ -1,31 +1,39 @@
-"""Rates, addresses of known ids, and seals, on virtual time."""
+"""Rates, addresses of known ids, and authentication, on virtual time."""
 
 import pytest
 
 from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
-from jauspy.protocol import buckets, directory, heard, judp, junior, reports, seal, sources
-from jauspy.protocol.buckets import TokenBuckets
-from jauspy.protocol.header import Packet, Priority, peek_priority
-from jauspy.protocol.heard import Heard
-from jauspy.protocol.node import NodeCore
-from jauspy.protocol.ports import LocalPort, UdpPort
-from jauspy.protocol.seal import Seal
-from jauspy.protocol.sources import SourceLimits, Sources
+from jauspy.protocol import (
+    address_book,
+    authentication,
+    directory,
+    judp,
+    junior,
+    registrar,
+    sources,
+    sources as buckets,
+)
+from jauspy.protocol.address_book import LearnedAddresses
+from jauspy.protocol.addressing import LocalPort, UdpPort
+from jauspy.protocol.authentication import Authenticator
+from jauspy.protocol.header import Packet, Priority
+from jauspy.protocol.routing import Router
+from jauspy.protocol.sources import SourceChecks, SourceLimits, TokenBuckets
 
 HERE, FAR = JausID.parse("101.1.1"), JausID.parse("42.1.1")
 PORT = LocalPort(f"/root/{int(HERE)}")
 KEY = b"sixteen bytes or more"
 
 
-def core(**limits: object) -> NodeCore:
-    node = NodeCore("/root", sources=Sources(SourceLimits(**limits)))  # type: ignore[arg-type]
+def core(**limits: object) -> Router:
+    node = Router("/root", sources=SourceChecks(SourceLimits(**limits)))  # type: ignore[arg-type]
     node.receive(junior.connect(HERE), PORT, 0.0)
     node.poll_output()
     return node
 
 
-def received(node: NodeCore, data: bytes, host: str = "10.0.0.1", now: float = 0.0) -> int:
+def received(node: Router, data: bytes, host: str = "10.0.0.1", now: float = 0.0) -> int:
     node.receive(data, UdpPort(host, 3794), now)
     return len(node.poll_output())
 
@@ -43,9 +51,9 @@ def test_a_bucket_gives_a_burst_and_then_its_rate() -> None:
 
 def test_the_number_of_buckets_is_bounded() -> None:
     bucket = TokenBuckets(1.0, 1.0)
-    for key in range(buckets.MAX_BUCKETS + 10):
+    for key in range(buckets.MAX_TOKEN_BUCKETS + 10):
         bucket.take(key, 0.0)
-    assert len(bucket) == buckets.MAX_BUCKETS
+    assert len(bucket) == buckets.MAX_TOKEN_BUCKETS
 
 
 def test_a_flood_of_one_source_leaves_its_safety_critical_messages_and_others_alone() -> None:
@@ -69,19 +77,19 @@ def test_an_id_keeps_its_host_until_it_was_silent() -> None:
     assert received(node, query(2), "10.0.0.66", 5.0) == 0
     assert node.counters["dropped.address_mismatch"] == 1
     assert received(node, query(3), now=10.0) == 1
-    assert received(node, query(4), "10.0.0.66", 10.0 + sources.SILENCE) == 1
+    assert received(node, query(4), "10.0.0.66", 10.0 + sources.MOVE_TIMEOUT) == 1
 
 
 def test_a_host_that_makes_up_ids_makes_nobody_elses_be_forgotten() -> None:
     """Neither where they are to be heard, nor where they are reached."""
     node = core()
     node.receive(query(1), UdpPort("10.0.0.1", 3794), 0.0)
-    for number in range(2 * heard.MAX_IDS):
+    for number in range(2 * address_book.MAX_IDS):
         made_up = JausID.from_int(0x02000101 + (number << 8 & 0xFF0000) + (number & 0x7F))
         other = judp.pack(Packet(made_up, FAR, b"", number & 0xFFFF))
         node.receive(other, UdpPort("10.0.0.66", 3794), number * 1e-4)
     node.poll_output()
-    assert len(node.address_book) <= heard.MAX_OF_HOST + 1
+    assert len(node.address_book) <= address_book.MAX_IDS_PER_HOST + 1
     assert received(node, query(2), "10.0.0.66", 2.0) == 0
     answer = judp.pack(Packet(HERE, FAR, b"\x02\x40", 3))
     node.receive(answer, PORT, 2.0)
@@ -89,15 +97,15 @@ def test_a_host_that_makes_up_ids_makes_nobody_elses_be_forgotten() -> None:
 
 
 def test_ids_of_one_host_are_bounded_the_one_heard_longest_ago_goes_first() -> None:
-    places, port, other = Heard(limit=4, of_host=2), UdpPort("10.0.0.1", 3794), UdpPort("10.0.0.2", 3794)
+    places, port, other = LearnedAddresses(limit=4, per_host=2), UdpPort("10.0.0.1", 3794), UdpPort("10.0.0.2", 3794)
     for now, id in enumerate((1, 2, 1, 3)):
-        places.note(id, port, float(now))
-    places.note(4, other, 9.0)
+        places.set(id, port, float(now))
+    places.set(4, other, 9.0)
     assert [id for id, _, _ in places] == [1, 3, 4]
-    places.drop_older(3.0)
+    places.remove_older(3.0)
     assert [id for id, _, _ in places] == [4]
     for number, id in enumerate((5, 6, 7, 8)):
-        places.note(id, UdpPort(f"10.0.1.{number}", 1), 10.0)
+        places.set(id, UdpPort(f"10.0.1.{number}", 1), 10.0)
     assert len(places) == 4
     assert places.get(4) is None
 
@@ -112,16 +120,16 @@ def test_whoever_uses_an_id_twice_is_told_once_and_a_flood_of_them_is_only_count
     assert len(caplog.records) == 1
     for number in range(1000):
         node.receive(stolen, UdpPort(f"10.0.{number >> 8}.{number & 255}", 3794), 1.0)
-    assert len(caplog.records) <= reports.BURST + 1
+    assert len(caplog.records) <= registrar.LOG_BURST + 1
     assert node.counters["dropped.hijack"] == 2000
 
 
 def test_components_by_udp_leave_places_for_those_with_a_socket() -> None:
-    node = NodeCore("/root")
-    for number in range(directory.MAX_BY_UDP + 10):
+    node = Router("/root")
+    for number in range(directory.MAX_UDP_COMPONENTS + 10):
         id = JausID(7, 1 + number // 200, 1 + number % 200)
         node.receive(junior.connect(id), UdpPort("127.0.0.1", 5000 + number), 0.0)
-    assert len(node.components) == directory.MAX_BY_UDP
+    assert len(node.components) == directory.MAX_UDP_COMPONENTS
     assert node.counters["dropped.component_refused"] == 10
     node.receive(junior.connect(HERE), PORT, 0.0)
     assert int(HERE) in node.components
@@ -137,46 +145,46 @@ def test_the_check_of_addresses_can_be_switched_off() -> None:
 
 @pytest.mark.parametrize("priority", list(Priority))
 def test_the_priority_is_seen_before_the_packet_is_checked(priority: Priority) -> None:
-    assert peek_priority(query(1, priority)) == priority
-    assert peek_priority(b"12" + query(1, priority), 2) == priority
+    assert judp.peek_priority(query(1, priority)) == priority
+    assert judp.peek_priority(b"12" + query(1, priority), 2) == priority
 
 
 def test_what_is_no_packet_has_no_priority() -> None:
-    assert [peek_priority(data) for data in (b"", b"\x02", b"\x02\x00\xff\xff\xff", bytes(100))] == [0] * 4
+    assert [judp.peek_priority(data) for data in (b"", b"\x02", b"\x02\x00\xff\xff\xff", bytes(100))] == [0] * 4
 
 
-# --- seals -----------------------------------------------------------------------------------------------------------
+# --- authentication --------------------------------------------------------------------------------------------------
 
 
-def opened(receiver: Seal, data: bytes, utc: float = 1000.0) -> str:
+def verified(receiver: Authenticator, data: bytes, utc: float = 1000.0) -> str:
     try:
-        receiver.open(data, utc)
+        receiver.verify(data, utc)
     except ProtocolError as error:
         return error.reason
     return "good"
 
 
-def test_the_sealed_form_is_as_documented() -> None:
-    sealed = Seal(KEY, 0x0102030405060708).seal(query(1), 1.5)
-    assert sealed.hex(" ", 1).startswith("a5 01 02 03 04 05 06 07 08 00 00 00 00 00 00 00 01 00 00 00 00 00 00 05 dc")
-    assert sealed[seal.OVERHEAD :] == query(1)
-    assert len(sealed) == len(query(1)) + 41
+def test_the_signed_form_is_as_documented() -> None:
+    signed = Authenticator(KEY, 0x0102030405060708).sign(query(1), 1.5)
+    assert signed.hex(" ", 1).startswith("a5 01 02 03 04 05 06 07 08 00 00 00 00 00 00 00 01 00 00 00 00 00 00 05 dc")
+    assert signed[authentication.OVERHEAD :] == query(1)
+    assert len(signed) == len(query(1)) + 41
 
 
-def test_a_seal_is_opened_once() -> None:
-    sender, receiver = Seal(KEY, 1), Seal(KEY, 2)
-    data = sender.seal(query(1), 1000.0)
-    assert receiver.open(data, 1000.0) == query(1)
-    assert opened(receiver, data) == "replayed"
+def test_a_signature_is_accepted_once() -> None:
+    sender, receiver = Authenticator(KEY, 1), Authenticator(KEY, 2)
+    data = sender.sign(query(1), 1000.0)
+    assert receiver.verify(data, 1000.0) == query(1)
+    assert verified(receiver, data) == "replayed"
 
 
 def test_datagrams_may_overtake_each_other_within_the_window() -> None:
-    sender, receiver = Seal(KEY, 1), Seal(KEY, 2)
-    sent = [sender.seal(query(n), 1000.0) for n in range(seal.WINDOW + 2)]
-    assert opened(receiver, sent[5]) == "good"
-    assert opened(receiver, sent[3]) == "good"
-    assert opened(receiver, sent[-1]) == "good"
-    assert [opened(receiver, sent[n]) for n in (0, 1, 2, 3, 4, 5)] == ["replayed"] * 2 + [
+    sender, receiver = Authenticator(KEY, 1), Authenticator(KEY, 2)
+    sent = [sender.sign(query(n), 1000.0) for n in range(authentication.REPLAY_WINDOW + 2)]
+    assert verified(receiver, sent[5]) == "good"
+    assert verified(receiver, sent[3]) == "good"
+    assert verified(receiver, sent[-1]) == "good"
+    assert [verified(receiver, sent[n]) for n in (0, 1, 2, 3, 4, 5)] == ["replayed"] * 2 + [
         "good",
         "replayed",
         "good",
@@ -185,16 +193,16 @@ def test_datagrams_may_overtake_each_other_within_the_window() -> None:
 
 
 def test_whatever_is_changed_is_noticed() -> None:
-    data = Seal(KEY, 1).seal(query(1), 1000.0)
+    data = Authenticator(KEY, 1).sign(query(1), 1000.0)
     for at in range(len(data)):
         changed = data[:at] + bytes([data[at] ^ 1]) + data[at + 1 :]
-        assert opened(Seal(KEY, 2), changed) in ("forged", "unauthenticated")
+        assert verified(Authenticator(KEY, 2), changed) in ("forged", "unauthenticated")
 
 
 def test_other_keys_plain_packets_old_ones_and_our_own_are_refused() -> None:
-    sender, receiver = Seal(KEY, 1), Seal(KEY, 2)
-    assert opened(receiver, Seal(KEY + b"!", 1).seal(query(1), 1000.0)) == "forged"
-    assert opened(receiver, query(1)) == "unauthenticated"
-    assert opened(receiver, b"") == "unauthenticated"
-    assert opened(receiver, sender.seal(query(1), 1000.0 - seal.MAX_AGE - 1)) == "stale"
-    assert opened(sender, sender.seal(query(1), 1000.0)) == "own"
+    sender, receiver = Authenticator(KEY, 1), Authenticator(KEY, 2)
+    assert verified(receiver, Authenticator(KEY + b"!", 1).sign(query(1), 1000.0)) == "forged"
+    assert verified(receiver, query(1)) == "unauthenticated"
+    assert verified(receiver, b"") == "unauthenticated"
+    assert verified(receiver, sender.sign(query(1), 1000.0 - authentication.MAX_AGE - 1)) == "stale"
+    assert verified(sender, sender.sign(query(1), 1000.0)) == "own"

@@ -5,11 +5,11 @@ import logging
 import pytest
 
 from jauspy.ids import EVERYONE, JausID
-from jauspy.protocol import judp, junior, reports
-from jauspy.protocol.address_book import LIFETIME
+from jauspy.protocol import judp, junior, registrar
+from jauspy.protocol.address_book import ADDRESS_LIFETIME
+from jauspy.protocol.addressing import GROUP, LocalPort, Port, SerialPort, TcpPort, UdpPort
 from jauspy.protocol.header import Ack, Broadcast, Packet
-from jauspy.protocol.node import NodeCore
-from jauspy.protocol.ports import GROUP, LocalPort, Port, SerialPort, TcpPort, UdpPort
+from jauspy.protocol.routing import Router
 
 OURS, THEIRS = JausID.parse("100.1.1"), JausID.parse("200.1.1")
 OUR_PORT, PEER = LocalPort("/root/ours"), UdpPort("10.0.0.9", 3794)
@@ -18,14 +18,14 @@ V1_HERE = "010000 0012 06023412 01016400 0101c800 0200 2300 0102"
 V1_REPLY = "010000 0012 06023412 0101c800 01016400 0200 2300 0102"
 
 
-def node(**settings: object) -> NodeCore:
-    core = NodeCore("/root", **settings)  # type: ignore[arg-type]
+def node(**settings: object) -> Router:
+    core = Router("/root", **settings)  # type: ignore[arg-type]
     core.receive(junior.connect(OURS), OUR_PORT, 0.0)
     core.poll_output()
     return core
 
 
-def receive(core: NodeCore, data: str | bytes, source: Port, now: float = 0.0) -> list[tuple[Port, str]]:
+def receive(core: Router, data: str | bytes, source: Port, now: float = 0.0) -> list[tuple[Port, str]]:
     core.receive(bytes.fromhex(data) if isinstance(data, str) else data, source, now)
     return [(port, out.hex()) for port, out in core.poll_output()]
 
@@ -102,10 +102,10 @@ def test_ids_that_are_used_twice_are_reported_once_each(caplog: pytest.LogCaptur
     told = [record.getMessage() for record in caplog.records if record.levelno == logging.WARNING]
     assert ["/root/thief" in told[0], "10.0.0.9:3794" in told[1], len(told)] == [True, True, 2]
     assert (core.counters["dropped.duplicate_id"], core.counters["dropped.hijack"]) == (2, 2)
-    for number in range(reports.MEMORY + 5):
+    for number in range(registrar.MAX_LOGGED_CASES + 5):
         stolen = judp.pack(Packet(OURS, THEIRS, b"\x02\x20"))
         core.receive(stolen, UdpPort(f"10.0.{number >> 8}.{number & 255}", 3794), 100.0 * number)
-    assert len(core._reports._told) == reports.MEMORY
+    assert len(core._duplicate_ids._logged) == registrar.MAX_LOGGED_CASES
 
 
 def test_tcp_and_serial_addresses_are_learned_and_forgotten_with_their_connection() -> None:
@@ -139,9 +139,9 @@ def test_a_learned_address_expires_and_is_asked_for_again() -> None:
     core = node()
     receive(core, judp.pack(Packet(THEIRS, OURS, b"\x02\x20")), PEER)
     data = judp.pack(Packet(OURS, THEIRS, b"\x02\x20"))
-    assert receive(core, data, OUR_PORT, LIFETIME - 1) == [(PEER, data.hex())]
+    assert receive(core, data, OUR_PORT, ADDRESS_LIFETIME - 1) == [(PEER, data.hex())]
     asking = judp.pack(Packet(OURS, THEIRS, b"\x02\x20", ack=Ack.REQUIRED))
-    assert receive(core, data, OUR_PORT, LIFETIME) == [(GROUP, asking.hex())]
+    assert receive(core, data, OUR_PORT, ADDRESS_LIFETIME) == [(GROUP, asking.hex())]
 
 
 def test_a_connect_by_udp_does_not_take_the_id_of_a_socket() -> None:

@@ -4,12 +4,11 @@ import pytest
 
 from jauspy.ids import EVERYONE, JausID
 from jauspy.protocol import judp, junior
-from jauspy.protocol.gateway import Gateway
+from jauspy.protocol.addressing import GROUP, LocalPort, Port, UdpPort
+from jauspy.protocol.gateway import Gateway, GatewayRules
 from jauspy.protocol.header import Packet
-from jauspy.protocol.node import NodeCore
-from jauspy.protocol.ports import GROUP, LocalPort, Port, UdpPort
-from jauspy.protocol.rules import Rules
-from jauspy.protocol.sources import SourceLimits, Sources
+from jauspy.protocol.routing import Router
+from jauspy.protocol.sources import SourceChecks, SourceLimits
 
 A, B, FAR, NOBODY = (JausID.parse(text) for text in ("101.1.1", "101.1.2", "42.1.1", "77.1.1"))
 PEER, OTHER = UdpPort("10.0.0.2", 3794), UdpPort("10.0.0.3", 3794)
@@ -24,7 +23,7 @@ class Node:
 
     def __init__(self, **options: object) -> None:
         self.changed: list[int | None] = []
-        self.core = NodeCore("/tmp", changed=self.changed.append, **options)  # type: ignore[arg-type]
+        self.core = Router("/tmp", changed=self.changed.append, **options)  # type: ignore[arg-type]
         for id in (A, B):
             self.core.receive(junior.connect(id), home(id), 0.0)
         self.hear(FAR, PEER)
@@ -33,15 +32,15 @@ class Node:
     def hear(self, source: JausID, port: Port, now: float = 0.0) -> None:
         self.core.receive(judp.pack(Packet(source, A, b"\x02\x20")), port, now)
 
-    def shortcut(self, source: JausID, destination: JausID, port: Port, now: float = 0.0) -> Port | None:
-        return self.core.shortcut(int(source), int(destination), port, now)
+    def cacheable_route(self, source: JausID, destination: JausID, port: Port, now: float = 0.0) -> Port | None:
+        return self.core.cacheable_route(int(source), int(destination), port, now)
 
 
 def test_between_components_to_a_peer_and_from_it() -> None:
     node = Node()
-    assert node.shortcut(A, B, home(A)) == home(B)
-    assert node.shortcut(A, FAR, home(A)) == PEER
-    assert node.shortcut(FAR, B, PEER) == home(B)
+    assert node.cacheable_route(A, B, home(A)) == home(B)
+    assert node.cacheable_route(A, FAR, home(A)) == PEER
+    assert node.cacheable_route(FAR, B, PEER) == home(B)
 
 
 @pytest.mark.parametrize(
@@ -61,30 +60,30 @@ def test_between_components_to_a_peer_and_from_it() -> None:
     ],
 )
 def test_all_else_is_looked_at(source: JausID, destination: JausID, port: Port) -> None:
-    assert Node().shortcut(source, destination, port) is None
+    assert Node().cacheable_route(source, destination, port) is None
 
 
 def test_what_was_heard_is_checked_again_after_a_second() -> None:
     node = Node()
-    assert node.shortcut(FAR, B, PEER, 0.9) is not None
-    assert node.shortcut(FAR, B, PEER, 1.0) is None
-    assert node.shortcut(A, FAR, home(A), 600.0) is None
+    assert node.cacheable_route(FAR, B, PEER, 0.9) is not None
+    assert node.cacheable_route(FAR, B, PEER, 1.0) is None
+    assert node.cacheable_route(A, FAR, home(A), 600.0) is None
 
 
 def test_rules_and_rates_want_to_see_every_packet() -> None:
-    limited = Node(sources=Sources(SourceLimits(rate=10.0)))
-    assert limited.shortcut(A, B, home(A)) is None
+    limited = Node(sources=SourceChecks(SourceLimits(rate=10.0)))
+    assert limited.cacheable_route(A, B, home(A)) is None
     node = Node()
-    node.core.gateway = Gateway(101, ["lan"], ["lan"], Rules([]))
-    assert node.shortcut(A, B, home(A)) is None
+    node.core.gateway = Gateway(101, ["lan"], ["lan"], GatewayRules([]))
+    assert node.cacheable_route(A, B, home(A)) is None
 
 
 def test_components_that_speak_udp_go_the_whole_way() -> None:
     node = Node()
     here = UdpPort("127.0.0.1", 4000)
     node.core.receive(junior.connect(NOBODY), here, 0.0)
-    assert node.shortcut(NOBODY, B, here) is None
-    assert node.shortcut(A, NOBODY, home(A)) is None
+    assert node.cacheable_route(NOBODY, B, here) is None
+    assert node.cacheable_route(A, NOBODY, home(A)) is None
 
 
 def test_peers_that_compress_headers_go_the_whole_way() -> None:
@@ -93,8 +92,8 @@ def test_peers_that_compress_headers_go_the_whole_way() -> None:
     proposal = plain[:1] + b"\x40" + (len(plain) + 1).to_bytes(2, "little") + b"\x01\x09" + plain[4:]
     node.core.receive(proposal, PEER, 0.0)
     assert node.changed == [None]
-    assert node.shortcut(A, FAR, home(A)) is None
-    assert node.shortcut(FAR, B, PEER) == home(B)
+    assert node.cacheable_route(A, FAR, home(A)) is None
+    assert node.cacheable_route(FAR, B, PEER) == home(B)
     node.core.receive(proposal, PEER, 0.0)
     assert node.changed == [None]
 
@@ -108,7 +107,7 @@ def test_every_change_is_told() -> None:
     assert node.changed == [int(FAR)]
     node.core.receive(junior.cancel(B), home(B), 3.0)
     assert node.changed == [int(FAR), int(B)]
-    node.core.unreachable(home(A))
+    node.core.remove_dead(home(A))
     assert node.changed == [int(FAR), int(B), int(A)]
     node.core.receive(junior.connect(FAR), home(FAR), 3.0)
     assert node.changed[-1] == int(FAR)

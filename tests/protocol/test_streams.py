@@ -7,9 +7,8 @@ from hypothesis import given, strategies as st
 
 from jauspy.ids import JausID
 from jauspy.protocol import jserial, judp
-from jauspy.protocol.crc import crc16
 from jauspy.protocol.header import Packet
-from jauspy.protocol.jserial import FrameDecoder
+from jauspy.protocol.jserial import FrameDecoder, crc16
 from jauspy.protocol.jtcp import StreamDecoder
 
 SERIAL = {

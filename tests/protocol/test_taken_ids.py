@@ -2,9 +2,9 @@
 
 from jauspy.ids import JausID
 from jauspy.protocol import judp, junior
+from jauspy.protocol.addressing import LocalPort, UdpPort
 from jauspy.protocol.header import Packet
-from jauspy.protocol.node import NodeCore
-from jauspy.protocol.ports import LocalPort, UdpPort
+from jauspy.protocol.routing import Router
 
 A, B = JausID.parse("100.1.1"), JausID.parse("100.1.2")
 PATH_A, PATH_B, ELSEWHERE = (LocalPort(f"/root/{name}") for name in (int(A), int(B), "elsewhere"))
@@ -13,9 +13,9 @@ FROM_B = judp.pack(Packet(B, A, b"\x02\x20", 1))
 TO_B = judp.pack(Packet(A, B, b"\x02\x20", 1))
 
 
-def core(*dead: LocalPort) -> NodeCore:
+def core(*dead: LocalPort) -> Router:
     """A node manager with the components A and B; it has not noticed yet who of them is dead."""
-    core = NodeCore("/root", is_dead=lambda path: LocalPort(path) in dead)
+    core = Router("/root", is_dead=lambda path: LocalPort(path) in dead)
     for id, port in ((A, PATH_A), (B, PATH_B)):
         core.receive(junior.connect(id), port, 0.0)
     core.poll_output()
@@ -54,7 +54,7 @@ def test_nobody_is_looked_after_while_everybody_speaks_for_himself() -> None:
         asked.append(path)
         return False
 
-    node = NodeCore("/root", is_dead=is_dead)
+    node = Router("/root", is_dead=is_dead)
     node.receive(junior.connect(B), PATH_B, 0.0)
     node.receive(FROM_B, PATH_B, 0.0)
     node.receive(judp.pack(Packet(A, B, b"\x02\x20", 1)), REMOTE, 0.0)

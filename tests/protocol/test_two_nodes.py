@@ -9,11 +9,11 @@ import pytest
 
 from jauspy.ids import EVERYONE, JausID
 from jauspy.protocol import junior
+from jauspy.protocol.addressing import GroupPort, LocalPort, UdpPort
 from jauspy.protocol.delivery import Delivery
 from jauspy.protocol.endpoint import Endpoint
 from jauspy.protocol.header import Ack, Broadcast, Packet
-from jauspy.protocol.node import CompressionUse, NodeCore
-from jauspy.protocol.ports import GroupPort, LocalPort, UdpPort
+from jauspy.protocol.routing import CompressionUse, Router
 
 A, B, C = (JausID.parse(text) for text in ("101.1.1", "102.1.1", "103.1.1"))
 
@@ -23,7 +23,7 @@ class Host:
 
     def __init__(self, number: int, id: JausID, delivery: Delivery, use: CompressionUse) -> None:
         self.port = UdpPort(f"10.0.0.{number}", 3794)
-        self.node = NodeCore("/root", compression=use)
+        self.node = Router("/root", compression=use)
         self.local = LocalPort(f"/root/{int(id)}")
         self.endpoint = Endpoint(id, first_sequence=1000 * number, delivery=delivery)
         self.node.receive(junior.connect(id), self.local, 0.0)

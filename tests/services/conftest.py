@@ -6,48 +6,17 @@ from collections.abc import Callable
 from datetime import UTC, datetime, timedelta
 
 import pytest
+from tests.helpers.robot import FakeDrive
 
 from jauspy.codec.base import Message
 from jauspy.ids import JausID
 from jauspy.messages import registry
-from jauspy.platform.contract import Acceleration, Pose, Twist
 from jauspy.services.core import AccessControl, Discovery, Events, Liveness, Management, Time
 from jauspy.services.host import Host
 from jauspy.services.mobility import LocalPoseSensor, PrimitiveDriver, Vehicle, VelocityStateSensor
 from jauspy.services.service import Service
 
 START = datetime(2026, 3, 14, 15, 9, 26, 535000, tzinfo=UTC)
-
-
-class FakeDrive:
-    """Remembers what it was told."""
-
-    def __init__(self) -> None:
-        self.efforts: list[tuple[float, float]] = []
-        self.stops = 0
-        self.now_at = Pose()
-        self.moving = Twist()
-        self.changing = Acceleration()
-
-    @property
-    def effort(self) -> tuple[float, float]:
-        return self.efforts[-1] if self.efforts else (0.0, 0.0)
-
-    def set_effort(self, linear_x: float, rotational_z: float) -> None:
-        self.efforts.append((linear_x, rotational_z))
-
-    def stop(self) -> None:
-        self.stops += 1
-        self.efforts.append((0.0, 0.0))
-
-    def pose(self) -> Pose:
-        return self.now_at
-
-    def twist(self) -> Twist:
-        return self.moving
-
-    def acceleration(self) -> Acceleration:
-        return self.changing
 
 
 class Rig:

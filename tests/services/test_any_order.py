@@ -6,8 +6,7 @@ from random import Random
 
 import pytest
 
-from jauspy.fuzz.making import Maker, Style
-from jauspy.fuzz.targets import targets
+from jauspy.fuzz.messages import Maker, Style, targets
 from jauspy.messages import registry
 from jauspy.messages.core import (
     ClearEmergency,

@@ -7,6 +7,7 @@ import math
 import pytest
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.poses import Acceleration, Pose, Twist
 from jauspy.messages.core import (
     ConfirmElementRequest,
     ElementRec,
@@ -63,7 +64,6 @@ from jauspy.messages.ugv import (
     ReportPlatformSpecifications,
     SetSkidSteerEffort,
 )
-from jauspy.platform.contract import Acceleration, Pose, Twist
 from jauspy.services.mobility import (
     AccelerationStateSensor,
     GlobalPose,
@@ -252,7 +252,7 @@ def test_acceleration_limits(ready) -> None:
 
 
 def test_acceleration_in_jaus_axes(rig, drive) -> None:
-    drive.changing = Acceleration(1.0, 2.0, 3.0, 0.1, 0.2, 0.3)
+    drive.present_acceleration = Acceleration(1.0, 2.0, 3.0, 0.1, 0.2, 0.3)
     report = rig.ask(B, QueryAccelerationState(0xFFFF))
     assert (report.acceleration_x, report.acceleration_y, report.acceleration_z) == (near(1), near(-2), near(-3))
     assert (report.roll_acceleration, report.pitch_acceleration, report.yaw_acceleration) == (
@@ -382,8 +382,8 @@ def test_a_list_takes_waypoints_of_both_frames_and_nothing_else(rig) -> None:
 
 
 def test_global_pose_in_jaus_terms(rig, drive) -> None:
-    drive.now_at = Pose(x=100.0, y=-50.0, z=5.0, roll=0.1, pitch=0.2, yaw=-0.5)
-    drive.moving = Twist(vx=1.0, vy=1.0)
+    drive.present_pose = Pose(x=100.0, y=-50.0, z=5.0, roll=0.1, pitch=0.2, yaw=-0.5)
+    drive.present_twist = Twist(vx=1.0, vy=1.0)
     report = rig.ask(B, QueryGlobalPose(0xFFFF))
     assert report.latitude == near(60.0 + 100.0 / 111412.0, 2e-7)
     assert report.longitude == near(25.0 + 50.0 / 55800.0, 2e-6)
@@ -398,12 +398,12 @@ def test_global_pose_in_jaus_terms(rig, drive) -> None:
     wide = rig.ask(B, QueryGlobalPoseExt(0xFFFF))
     assert (wide.heading, wide.course) == (near(0.5), near(0.5 - math.pi / 4))
     assert wide.altitude_msl is None
-    drive.moving = Twist()
+    drive.present_twist = Twist()
     assert rig.ask(B, QueryGlobalPoseExt(0xFFFF)).course is None
 
 
 def test_set_global_pose_needs_control_and_moves_the_globe_only(rig, drive) -> None:
-    drive.now_at = Pose(x=10.0, y=0.0)
+    drive.present_pose = Pose(x=10.0, y=0.0)
     rig.tell(B, SetGlobalPose(latitude=10.0, longitude=20.0))
     assert rig.ask(B, QueryGlobalPose(ALL)).latitude == near(60.0, 1e-3)
     rig.tell(A, RequestControl(100))
@@ -411,7 +411,7 @@ def test_set_global_pose_needs_control_and_moves_the_globe_only(rig, drive) -> N
     report = rig.ask(B, QueryGlobalPose(0xFFFF))
     assert (report.latitude, report.longitude, report.yaw) == (near(10, 1e-6), near(179.9999, 1e-6), near(math.pi / 2))
     assert report.altitude == near(10.0, 0.01)
-    drive.now_at = Pose(x=110.0, y=0.0)
+    drive.present_pose = Pose(x=110.0, y=0.0)
     east = 100.0 / 109639.0
     assert rig.ask(B, QueryGlobalPose(0xFFFF)).longitude == near(179.9999 + east - 360.0, 1e-5), "over the date line"
 
@@ -461,9 +461,9 @@ def test_what_is_too_far_away_for_a_message_is_left_out(rig) -> None:
 
 def test_an_altitude_at_the_limit_is_reported_and_one_beyond_it_left_out(rig, drive) -> None:
     rig.tell(A, RequestControl(100))
-    drive.now_at = Pose(x=3.3, z=0.1)
+    drive.present_pose = Pose(x=3.3, z=0.1)
     rig.tell(A, SetGlobalPose(latitude=10.0, longitude=20.0, altitude=-10_000.0))
     assert rig.ask(B, QueryGlobalPose(0xFFFF)).altitude == near(-10_000.0)
-    drive.now_at = Pose(x=3.3, z=0.05)
+    drive.present_pose = Pose(x=3.3, z=0.05)
     report = rig.ask(B, QueryGlobalPose(0xFFFF))
     assert (report.altitude, report.latitude) == (None, near(10.0))

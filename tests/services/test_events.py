@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.poses import Pose
 from jauspy.messages.core import (
     AllEventsRec,
     CancelEvent,
@@ -28,7 +29,6 @@ from jauspy.messages.core import (
     UpdateEvent,
 )
 from jauspy.messages.mobility import QueryLocalPose, ReportLocalPose
-from jauspy.platform.contract import Pose
 from jauspy.services.core import AccessControl, Events, Liveness, Management
 
 A, B = "42.1.1", "42.2.1"
@@ -137,11 +137,11 @@ def test_every_change_reports_at_once_and_then_what_is_new(robot, drive) -> None
     ((when, to, first),) = robot.run(1.0)
     assert (when, to) == (0.0, A)
     assert (first.report_message.x, first.report_message.y) == pytest.approx((0.0, 0.0), abs=1e-4)
-    drive.now_at = Pose(x=1.0)
+    drive.present_pose = Pose(x=1.0)
     ((when, _, second),) = robot.run(1.0)
     assert 1.0 <= when <= 1.0 + 1 / 25
     assert second.report_message.x == pytest.approx(1.0, abs=1e-4)
-    drive.now_at = replace(drive.now_at, yaw=1.0)
+    drive.present_pose = replace(drive.present_pose, yaw=1.0)
     assert robot.run(1.0) == [], "yaw was not asked for"
 
 
@@ -149,7 +149,7 @@ def test_every_change_is_bounded_by_the_rate_asked_for(robot, drive) -> None:
     def moving(seconds: float) -> int:
         count = 0
         for _ in range(int(seconds * 1000)):
-            drive.now_at = replace(drive.now_at, x=drive.now_at.x + 0.01)
+            drive.present_pose = replace(drive.present_pose, x=drive.present_pose.x + 0.01)
             count += len(robot.run(0.001))
         return count
 

@@ -9,8 +9,7 @@ import pytest
 
 from jauspy.codec.names import snake
 from jauspy.errors import ConfigError
-from jauspy.fuzz.making import Maker, Style
-from jauspy.fuzz.targets import targets
+from jauspy.fuzz.messages import Maker, Style, targets
 from jauspy.messages import registry
 from jauspy.schema import guards, load_builtin, model
 from jauspy.services.service import Service

@@ -17,12 +17,12 @@ import pytest
 
 from jauspy.codec.names import snake
 from jauspy.schema import guards, load_builtin, model
+from jauspy.schema.state_tree import merge_machines, short_name
 from jauspy.services.bind import Binder
 from jauspy.services.isolation import Bugs
 from jauspy.services.lineage import definitions_of
 from jauspy.services.machine import Machine
 from jauspy.services.service import Service
-from jauspy.services.tree import machine_name, merge, start_of
 from jauspy.services.trigger import Trigger
 
 DEEPEST = 2
@@ -82,7 +82,7 @@ class Plain:
     def states(self, path: str) -> list[model.State]:
         """What each definition says about one state, most derived first."""
         if path not in self._states:
-            machines = [m for d in self.definitions for m in d.behavior.machines if machine_name(m.name) == self.name]
+            machines = [m for d in self.definitions for m in d.behavior.machines if short_name(m.name) == self.name]
             self._states[path] = [state for m in machines for state in _at(m.states, path.split("."))]
         return self._states[path]
 
@@ -185,10 +185,10 @@ class Pair:
         found = definitions_of(services.values(), SCHEMA)
         assert [each.id for each in found.values()] == [each.id for each in definitions]
         binder = Binder(found, services, lambda *_: None)
-        roots = merge(list(found.values()))
-        bound = {each: binder.states(root) for each, root in roots.items()}
+        merged = merge_machines(found.values())
+        bound = {each: binder.states(machine.root) for each, machine in merged.items()}
         binder.raise_problems()
-        start = start_of(roots[name], name, list(found.values()))
+        start = merged[name].start()
         self.plain = Plain(definitions, name, self.plain_script)
         self.machine = Machine(bound[name], start, Bugs(Counter()))
         self.plain.active = str(start)
@@ -200,7 +200,7 @@ class Pair:
             state
             for definition in self.plain.definitions
             for machine in definition.behavior.machines
-            if machine_name(machine.name) == self.plain.name
+            if short_name(machine.name) == self.plain.name
             for state in machine.states
         ]
         while waiting:

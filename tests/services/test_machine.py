@@ -11,11 +11,11 @@ from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages.core import ReportTime
 from jauspy.schema import model
+from jauspy.schema.state_tree import merge_machines
 from jauspy.services.bind import Binder
 from jauspy.services.isolation import Bugs
 from jauspy.services.machine import MAX_PUSHED, Machine, Outcome
 from jauspy.services.service import Service
-from jauspy.services.tree import merge, start_of
 from jauspy.services.trigger import STAY, Trigger
 
 CLIENT = JausID(42, 1, 1)
@@ -92,12 +92,13 @@ class Rig:
             by_urn,
             lambda result, trigger, to_source: self.sent.append((result, to_source)),
         )
-        root = merge(definitions)["ReceiveFSM"]
-        bound = binder.states(root)
+        merged = merge_machines(definitions)["ReceiveFSM"]
+        merged.check_initials()
+        bound = binder.states(merged.root)
         binder.raise_problems()
         self.machine = Machine(
             bound,
-            start_of(root, "ReceiveFSM", definitions),
+            merged.start(),
             Bugs(self.counters),
         )
 
@@ -320,7 +321,7 @@ def test_what_every_service_has_is_no_action_unless_it_is_written() -> None:
     one = definition("Machine", state("A", transitions=(on("Go", do="leaving"),)), start="A")
     for kind, problems in ((Actions, 1), (Written, 0)):
         binder = Binder({one.id: one}, {one.id: kind()}, lambda *_: None)
-        binder.states(merge([one])["ReceiveFSM"])
+        binder.states(merge_machines([one])["ReceiveFSM"].root)
         assert len(binder.problems) == problems
 
 

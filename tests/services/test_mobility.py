@@ -6,6 +6,7 @@ import math
 
 import pytest
 
+from jauspy.geometry.poses import Pose, Twist
 from jauspy.messages.core import (
     ClearEmergency,
     ReleaseControl,
@@ -32,7 +33,6 @@ from jauspy.messages.mobility import (
     VelocityVehicleXYZRec,
     ZPosition,
 )
-from jauspy.platform.contract import Pose, Twist
 
 A, B = "42.1.1", "42.2.1"
 FORWARD = SetWrenchEffort(propulsive_linear_effort_x=40.0)
@@ -168,7 +168,7 @@ def test_wrench_report_is_masked(driving) -> None:
 
 
 def test_velocity_in_jaus_axes(robot, drive) -> None:
-    drive.moving = Twist(1.0, 0.5, 0.25, 0.1, 0.2, 0.3)
+    drive.present_twist = Twist(1.0, 0.5, 0.25, 0.1, 0.2, 0.3)
     report = robot.ask(A, QueryVelocityState(EVERYTHING))
     assert values(report) == near(
         {
@@ -188,7 +188,7 @@ def test_velocity_in_jaus_axes(robot, drive) -> None:
 
 
 def test_extended_velocity_has_two_presence_vectors(robot, drive) -> None:
-    drive.moving = Twist(vx=3.0, vy=4.0)
+    drive.present_twist = Twist(vx=3.0, vy=4.0)
     full = robot.ask(A, QueryVelocityStateExt(0xFF, 0xFFFF))
     assert values(full.velocity_var) == near({"velocity_x": 3.0, "velocity_y": -4.0, "velocity_z": 0.0})
     assert full.report_velocity_state_ext_rec.speed_over_ground == pytest.approx(5.0, abs=0.01)
@@ -199,7 +199,7 @@ def test_extended_velocity_has_two_presence_vectors(robot, drive) -> None:
 
 
 def test_pose_in_jaus_axes(robot, drive) -> None:
-    drive.now_at = Pose(1.0, 2.0, 3.0, 0.1, 0.2, 0.3)
+    drive.present_pose = Pose(1.0, 2.0, 3.0, 0.1, 0.2, 0.3)
     report = robot.ask(A, QueryLocalPose(EVERYTHING))
     assert values(report) == near({"x": 1.0, "y": -2.0, "z": -3.0, "roll": 0.1, "pitch": -0.2, "yaw": -0.3})
     assert report.time_stamp == NOW
@@ -212,18 +212,18 @@ def test_pose_in_jaus_axes(robot, drive) -> None:
 
 @pytest.mark.parametrize("yaw", [math.pi, -math.pi, 3 * math.pi, 7.0, -100.0])
 def test_any_angle_can_be_reported(robot, drive, yaw) -> None:
-    drive.now_at = Pose(yaw=yaw)
+    drive.present_pose = Pose(yaw=yaw)
     reported = robot.ask(A, QueryLocalPose(EVERYTHING)).yaw
     assert math.remainder(reported + yaw, math.tau) == pytest.approx(0.0, abs=1e-3)
 
 
 def test_set_local_pose_moves_and_turns_the_frame(robot, drive) -> None:
-    drive.now_at = Pose(x=5.0, y=1.0, z=0.5, yaw=0.0)
+    drive.present_pose = Pose(x=5.0, y=1.0, z=0.5, yaw=0.0)
     robot.tell(A, RequestControl(100))
     robot.tell(A, SetLocalPose(x=100.0, y=-200.0, yaw=math.pi / 2))
     report = robot.ask(A, QueryLocalPose(EVERYTHING))
     assert values(report) == near({"x": 100, "y": -200, "z": -0.5, "roll": 0, "pitch": 0, "yaw": math.pi / 2})
-    drive.now_at = Pose(x=7.0, y=1.0, z=0.5, yaw=0.0)
+    drive.present_pose = Pose(x=7.0, y=1.0, z=0.5, yaw=0.0)
     report = robot.ask(A, QueryLocalPose(EVERYTHING))
     assert (report.x, report.y) == pytest.approx((100.0, -198.0), abs=1e-3), "forward is +y of the frame now"
     robot.tell(A, SetLocalPoseExt(x=0.0, z_position=ZPosition(ZPosition.Choice.Z_LOCAL, 9.0)))

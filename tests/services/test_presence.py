@@ -9,8 +9,7 @@ from hypothesis import given, strategies as st
 
 from jauspy.codec.base import Message
 from jauspy.codec.layout import Composite, Repeat, Slot
-from jauspy.fuzz.making import Maker, Style
-from jauspy.fuzz.targets import Target, targets
+from jauspy.fuzz.messages import Maker, Style, Target, targets
 from jauspy.messages import registry
 from jauspy.messages.core import QueryStatus, ReportStatus
 from jauspy.messages.mobility import (

@@ -6,9 +6,11 @@ from typing import Any
 
 import pytest
 from hypothesis import given, settings, strategies as st
-from tests.services.conftest import FakeDrive, Rig
+from tests.helpers.robot import FakeDrive
+from tests.services.conftest import Rig
 
 from jauspy.errors import EncodeError
+from jauspy.geometry.poses import Pose, Twist
 from jauspy.messages.core import (
     CancelEvent,
     ClearEmergency,
@@ -35,7 +37,6 @@ from jauspy.messages.core import (
     UpdateEvent,
 )
 from jauspy.messages.mobility import QueryLocalPose, QueryVelocityState, QueryWrenchEffort, SetWrenchEffort
-from jauspy.platform.contract import Pose, Twist
 from jauspy.services.core import AccessControl, Events, Liveness, Management, Time
 from jauspy.services.machine import Machine
 from jauspy.services.mobility import LocalPoseSensor, PrimitiveDriver, Vehicle, VelocityStateSensor
@@ -144,7 +145,7 @@ class Life:
             self.moody.mood = value
             self.said += rig.run(0.3)
         elif what == "move":
-            self.drive.now_at, self.drive.moving = Pose(x=value), Twist(vx=value)
+            self.drive.present_pose, self.drive.present_twist = Pose(x=value), Twist(vx=value)
         else:
             rig.host.unreachable(rig.ID.parse(value), rig.now)
             self.said += rig.sent()

@@ -2,7 +2,6 @@
 
 import asyncio
 import socket
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -12,15 +11,10 @@ from jauspy.ids import JausID
 from jauspy.node import NodeConfig, NodeManager
 from jauspy.protocol import judp, junior
 from jauspy.protocol.header import Packet
+from jauspy.testing import until
 from jauspy.transport import LocalTransport, local
 
 A, B = JausID.parse("101.1.1"), JausID.parse("101.1.2")
-
-
-async def until(condition: Callable[[], bool]) -> None:
-    async with asyncio.timeout(20):
-        while not condition():
-            await asyncio.sleep(0.01)
 
 
 def manager(root: Path) -> NodeManager:

@@ -11,7 +11,7 @@ import pytest
 
 from jauspy.errors import TransportError
 from jauspy.node.sweep import nobody_has
-from jauspy.protocol.ports import UdpPort
+from jauspy.protocol.addressing import UdpPort
 from jauspy.transport import local_socket
 
 

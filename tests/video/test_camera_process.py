@@ -11,6 +11,8 @@ from pathlib import Path
 
 import pytest
 
+from jauspy.testing import until
+
 pytest.importorskip("av", reason="the extra 'video' is not installed")
 pytest.importorskip("cv2", reason="the extra 'video' is not installed")
 
@@ -75,16 +77,10 @@ async def images(receiver, count, decoder=None):
     return found
 
 
-async def until(condition):
-    async with asyncio.timeout(PATIENCE):
-        while not condition():
-            await asyncio.sleep(0.01)
-
-
 async def test_it_starts_when_it_is_first_wanted(camera):
     assert camera.pid is None
     camera.watch(("127.0.0.1", 2000), playing=False)
-    await until(lambda: camera.description)
+    await until(lambda: camera.description, PATIENCE)
     assert camera.counters["started"] == 1
 
 
@@ -96,11 +92,11 @@ async def test_rays_instead_of_gl_are_said_once(monkeypatch, caplog):
     robot = sim.SimulatedRobot.open(dataclasses.replace(robot_model(load("inc1")), cameras=(setup,)), "empty")
     async with CameraProcess(robot.cameras["front"], SMALL) as camera:
         camera.watch(("127.0.0.1", 2000), playing=False)
-        await until(lambda: camera.description)
+        await until(lambda: camera.description, PATIENCE)
         os.kill(camera.pid, signal.SIGKILL)
         camera.take(TINY, (again := asyncio.get_running_loop().create_future()).set_result)
         await asyncio.wait_for(again, PATIENCE)
-        await until(lambda: camera.counters["started"] == 2)
+        await until(lambda: camera.counters["started"] == 2, PATIENCE)
     robot.close()
     said = [record for record in caplog.records if "casts rays" in record.message]
     assert [record.levelname for record in said] == ["WARNING"]
@@ -108,7 +104,7 @@ async def test_rays_instead_of_gl_are_said_once(monkeypatch, caplog):
 
 async def test_its_process_leaves_the_processor_to_the_robots(camera):
     camera.watch(("127.0.0.1", 2000), playing=False)
-    await until(lambda: camera.description)
+    await until(lambda: camera.description, PATIENCE)
     nice = os.getpriority(os.PRIO_PROCESS, camera.pid) - os.getpriority(os.PRIO_PROCESS, 0)
     assert nice == min(POLITENESS, 19 - os.getpriority(os.PRIO_PROCESS, 0))
     assert os.getsid(camera.pid) == os.getsid(0), "sessions get shares of their own"
@@ -126,7 +122,7 @@ async def test_two_receivers_see_the_same_pictures(camera, receiver):
     assert numbers == list(range(numbers[0], numbers[0] + len(numbers)))
     assert read(second[0])[0] > numbers[2]
     assert camera.counters["started"] == 1
-    await until(lambda: camera.description.startswith("draws sky and floor"))
+    await until(lambda: camera.description.startswith("draws sky and floor"), PATIENCE)
 
 
 async def test_the_size_changes_while_it_runs(camera, receiver):
@@ -203,7 +199,7 @@ async def test_a_process_that_dies_is_started_again_and_goes_on(camera, receiver
     camera.take(TINY, lost.set_result)
     os.kill(killed, signal.SIGKILL)
     assert await asyncio.wait_for(lost, PATIENCE) is None
-    await until(lambda: receiver.take() == [] and camera.pid not in {killed, None})
+    await until(lambda: receiver.take() == [] and camera.pid not in {killed, None}, PATIENCE)
     assert (await images(receiver, 2))[0].shape == (120, 160, 3)
     assert camera.counters["started"] == 2
     assert camera.counters["stills_lost"] == 1
@@ -213,19 +209,19 @@ async def test_a_process_that_dies_is_started_again_and_goes_on(camera, receiver
 async def test_a_process_that_hangs_is_ended(camera, monkeypatch):
     monkeypatch.setattr(worker_process, "BACKLOG", 1000)
     camera.watch(("127.0.0.1", 2000))
-    await until(lambda: camera.description)
+    await until(lambda: camera.description, PATIENCE)
     os.kill(camera.pid, signal.SIGSTOP)
     hanging = camera.pid
     for number in range(20_000):
         camera.settings = dataclasses.replace(SMALL, gop=1 + number % 200)
         if camera.counters["hung"]:
             break
-    await until(lambda: camera.pid not in {hanging, None})
+    await until(lambda: camera.pid not in {hanging, None}, PATIENCE)
 
 
 async def test_a_process_that_does_not_take_a_picture_is_ended(camera, monkeypatch):
     camera.watch(("127.0.0.1", 2000))
-    await until(lambda: camera.description)
+    await until(lambda: camera.description, PATIENCE)
     hanging = camera.pid
     os.kill(hanging, signal.SIGSTOP)
     monkeypatch.setattr(camera_process, "STILL_TIMEOUT", 0.1)
@@ -233,7 +229,7 @@ async def test_a_process_that_does_not_take_a_picture_is_ended(camera, monkeypat
     camera.take(TINY, lost.set_result)
     assert await asyncio.wait_for(lost, PATIENCE) is None
     assert camera.counters["hung"] == 1
-    await until(lambda: camera.pid not in {hanging, None})
+    await until(lambda: camera.pid not in {hanging, None}, PATIENCE)
     monkeypatch.undo()
     taken = asyncio.get_running_loop().create_future()
     camera.take(TINY, taken.set_result)
@@ -244,7 +240,7 @@ async def test_a_process_that_is_still_starting_does_not_hang(camera, monkeypatc
     monkeypatch.setattr(camera_process, "STILL_TIMEOUT", 0.01)
     taken = asyncio.get_running_loop().create_future()
     camera.take(TINY, taken.set_result)
-    await until(lambda: camera.description)
+    await until(lambda: camera.description, PATIENCE)
     monkeypatch.undo()
     assert (await asyncio.wait_for(taken, PATIENCE)).content
     assert camera.counters["hung"] == 0
@@ -280,7 +276,7 @@ asyncio.run(main())
     assert Path(f"/proc/{child}").exists()
     parent.kill()
     await parent.communicate()
-    await until(lambda: is_over(child))
+    await until(lambda: is_over(child), PATIENCE)
 
 
 def is_over(pid):

@@ -1,4 +1,4 @@
-"""The robot `inc1` in a process of its own, which remembers when its drive was told, obeyed and read.
+"""The robot `inc1` in a process of its own, which remembers when efforts were sent, applied and their effect read.
 
 python tools/bench/_watched_robot.py BACKEND ROOT STEP
 """
@@ -10,24 +10,27 @@ import gc
 import json
 import sys
 import time
+from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
 
+from jauspy.geometry.poses import Twist
 from jauspy.ids import JausID
 from jauspy.modules import robots
+from jauspy.modules.proxies import DriveProxy
 from jauspy.modules.realtime import RealTime
 from jauspy.modules.robot import RobotRunner
-from jauspy.modules.shared import Order, SharedDrive
-from jauspy.platform.contract import Robot, Twist
+from jauspy.platform.commands import DriveEffort
+from jauspy.platform.contract import Command, PartId, Robot
 from jauspy.transport import LocalTransport
 
 
-class Command(NamedTuple):
-    """The effort along x; when the drive was told, began to obey and had moved; and how fast it moved then (m/s)."""
+class Sample(NamedTuple):
+    """The effort along x; when it was sent, applied and followed by a step; and the speed then, in m/s."""
 
     effort: float
-    told: float
-    begun: float
+    sent: float
+    applied: float
     moved: float
     speed: float
 
@@ -35,45 +38,54 @@ class Command(NamedTuple):
 class Watch(RealTime):
     """A robot in real time that remembers when what happened."""
 
-    commands: list[Command]
+    commands: list[Sample]
     reads: list[tuple[float, float]]
 
     def __init__(self, robot: Robot, step: float) -> None:
         super().__init__(robot, step=step)
         self.commands, self.reads = [], []
-        self._obeyed: list[tuple[float, float, float]] = []
+
+        self._applied: list[tuple[float, float, float]] = []
 
     @property
-    def drive(self) -> SharedDrive:
+    def drive(self) -> DriveProxy:
         """The chassis, watched."""
         return _WatchedDrive(self)
 
     def _make_step(self) -> None:
         super()._make_step()
         moved, speed = time.monotonic(), self.snapshot.twist.vx
-        self.commands += (Command(*each, moved, speed) for each in self._obeyed)
-        self._obeyed.clear()
+        self.commands += (Sample(*each, moved, speed) for each in self._applied)
+        self._applied.clear()
 
-    def told(self, effort: float, order: Order) -> Order:
-        """The order, with a note of when it was given and is obeyed."""
-        told = time.monotonic()
+    def submit(self, command: Command) -> None:
+        """Submit it, with a note of when, if it is an effort."""
+        super().submit(_WatchedEffort(command, time.monotonic(), self) if isinstance(command, DriveEffort) else command)
 
-        def obey(robot: Robot) -> None:
-            self._obeyed.append((effort, told, time.monotonic()))
-            order(robot)
-
-        return obey
+    def note(self, effort: float, sent: float) -> None:
+        """An effort is applied now."""
+        self._applied.append((effort, sent, time.monotonic()))
 
 
-class _WatchedDrive(SharedDrive):
+@dataclass(frozen=True)
+class _WatchedEffort(Command):
+    command: DriveEffort
+    sent: float
+    watch: Watch
+
+    @property
+    def part(self) -> PartId:
+        return self.command.part
+
+    def apply(self, robot: Robot) -> None:
+        self.watch.note(self.command.linear_x, self.sent)
+        self.command.apply(robot)
+
+
+class _WatchedDrive(DriveProxy):
     def __init__(self, watch: Watch) -> None:
-        super().__init__(watch.order, lambda: watch.snapshot)
+        super().__init__(watch)
         self._watch = watch
-
-    def set_effort(self, linear_x: float, rotational_z: float) -> None:
-        """As it is, with a note."""
-        order = self._watch.told(linear_x, lambda robot: robot.drive.set_effort(linear_x, rotational_z))
-        self._watch.order("drive", order)
 
     def twist(self) -> Twist:
         """As it is, with a note."""

@@ -10,23 +10,22 @@ import random
 import time
 from statistics import mean
 
+from jauspy.geometry.kinematics import InverseKinematics, Solution, forward_kinematics
 from jauspy.modules.description import robot_model
 from jauspy.modules.robots import load
 from jauspy.platform.kinematic_joints import KinematicJoints
 from jauspy.services.manipulator.arm import Arm
 from jauspy.services.manipulator.end_effector_velocity_state_driver import PERIOD
-from jauspy.services.manipulator.kinematics import stance
-from jauspy.services.manipulator.pose_search import Found, PoseSearch
 from jauspy.services.manipulator.tool_motion import ToolMotion
 from jauspy.services.manipulator.tool_pose_driver import STEPS_AT_ONCE
 
 
-def timed(search: PoseSearch) -> tuple[Found, list[float]]:
+def timed(search: InverseKinematics) -> tuple[Solution, list[float]]:
     """What a search found, and processor seconds of each of its turns."""
     turns: list[float] = []
     while True:
         start = time.process_time()
-        found = search.work(STEPS_AT_ONCE)
+        found = search.advance(STEPS_AT_ONCE)
         turns.append(time.process_time() - start)
         if found is not None:
             return found, turns
@@ -39,10 +38,10 @@ def measure(robot: str, poses: int) -> None:
     links, limits = arm.geometry.links, arm.limits
     searches, exact = [], 0
     for _ in range(poses):
-        goal = stance(links, [rng.uniform(*limit) for limit in limits], arm.tool).tool
-        search = PoseSearch(links, arm.tool, goal, arm.state().positions, limits)
+        goal = forward_kinematics(links, [rng.uniform(*limit) for limit in limits], arm.tool).tool
+        search = InverseKinematics(links, arm.tool, goal, arm.state().positions, limits)
         found, turns = timed(search)
-        exact += found.is_exact
+        exact += found.reaches_pose
         searches.append(turns)
     motion, looks = ToolMotion(arm), 200
     motion.follow((0.0, 0.0, 0.0), (0.03, 0.0, 0.0))

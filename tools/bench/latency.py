@@ -39,7 +39,7 @@ from typing import TypeVar
 
 import psutil
 from _processes import free_port, node_manager, ready
-from _watched_robot import Command
+from _watched_robot import Sample
 
 from jauspy.messages.mobility import QueryVelocityState, SetWrenchEffort
 from jauspy.modules.realtime import STEP
@@ -89,7 +89,7 @@ async def drive(port: int, samples: int) -> Seen:
     return seen
 
 
-def split(seen: Seen, commands: list[Command], reads: list[tuple[float, float]]) -> tuple[list[list[float]], int]:
+def split(seen: Seen, commands: list[Sample], reads: list[tuple[float, float]]) -> tuple[list[list[float]], int]:
     """The parts of each command's way, in seconds; how many had no visible effect in time."""
     rows, unseen = [], 0
     for sent, effort in seen.sent:
@@ -101,7 +101,7 @@ def split(seen: Seen, commands: list[Command], reads: list[tuple[float, float]])
             continue
         if abs(reply[1] - read[1]) > 0.001:
             raise SystemExit(f"a report says {reply[1]} m/s where {read[1]} was read: the parts cannot be told apart")
-        times = [sent, command.told, command.begun, command.moved, read[0], reply[0]]
+        times = [sent, command.sent, command.applied, command.moved, read[0], reply[0]]
         parts = [after - before for before, after in pairwise(times)]
         rows.append([*parts, sum(parts), parts[0] + parts[-1]])
     return rows, unseen
@@ -146,7 +146,7 @@ def measure(backend: str, options: argparse.Namespace) -> Run:
         driven, seen = _cores(robot, lambda: asyncio.run(drive(port, options.samples)))
         pictures = "" if viewer is None else f"; pictures {viewer.communicate()[0].decode().strip()}"
         told = json.loads(robot.communicate()[0])
-    commands = [Command(*each) for each in told["commands"]]
+    commands = [Sample(*each) for each in told["commands"]]
     rows, unseen = split(seen, commands, [(at, speed) for at, speed in told["reads"]])
     counters = told["counters"]
     return Run(rows, unseen, idle, driven, counters["late"], counters["steps"], pictures)

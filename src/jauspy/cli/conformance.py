@@ -20,15 +20,13 @@ from rich.text import Text
 from jauspy.cli import console
 from jauspy.cli.options import Json
 from jauspy.cli.processes import stoppable
-from jauspy.conformance.as_json import result_json, summary_json
-from jauspy.conformance.html import summary
-from jauspy.conformance.junit import transcript
-from jauspy.conformance.links import open_wire
+from jauspy.conformance import reports
 from jauspy.conformance.offers import Offers
 from jauspy.conformance.profile import Profile, Step, find, known
+from jauspy.conformance.reports import result_json, summary, summary_json, transcript
 from jauspy.conformance.results import Report, Result, Verdict, transitions_sum
 from jauspy.conformance.runner import Interrupted, Settings, Watch, planned, run
-from jauspy.conformance.wire import Wire
+from jauspy.conformance.wire import Wire, open_wire
 from jauspy.errors import ConfigError, JausError
 from jauspy.ids import JausID
 
@@ -180,14 +178,10 @@ class ReportFiles:
 
     def write(self, report: Report) -> list[str]:
         """Write the files; returns an error message for each that cannot be written."""
-        from jauspy.conformance.html import page
-        from jauspy.conformance.junit import junit
-        from jauspy.conformance.pcap import capture
-
         problems = (
-            _write(self.junit, lambda: junit(report)),
-            _write(self.html, lambda: page(report).encode()),
-            _write(self.pcapng, lambda: capture(report)),
+            _write(self.junit, lambda: reports.junit(report)),
+            _write(self.html, lambda: reports.page(report).encode()),
+            _write(self.pcapng, lambda: reports.capture(report)),
         )
         return [each for each in problems if each]
 

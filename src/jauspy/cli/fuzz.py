@@ -16,7 +16,7 @@ from jauspy.codec.base import counted
 from jauspy.errors import ConfigError, SchemaError
 from jauspy.fuzz.campaign import Outcome, Plan, fuzzer, run
 from jauspy.fuzz.findings import Finding, load_finding
-from jauspy.fuzz.seeds import file_payloads
+from jauspy.fuzz.mutation import file_payloads
 
 SchemasOption = Annotated[
     list[str] | None,

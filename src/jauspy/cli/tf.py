@@ -12,13 +12,13 @@ from jauspy.cli import client
 from jauspy.cli.options import Connect, Json, OwnId, Timeout
 from jauspy.cli.processes import run
 from jauspy.errors import ConfigError
+from jauspy.geometry.frames import Frames
+from jauspy.geometry.poses import Transform
+from jauspy.geometry.vectors import quaternion
 from jauspy.modules import robots
 from jauspy.modules.config import RobotConfig
 from jauspy.modules.description import robot_model
 from jauspy.ocu.frames import RobotFrames
-from jauspy.platform.transforms import Frames
-from jauspy.platform.vectors import Transform
-from jauspy.services.manipulator.quaternion import quaternion
 
 
 def tf(
@@ -71,7 +71,7 @@ async def _query_frames(
 
 def _row(frame: str, parent: str, pose: Transform) -> dict[str, Any]:
 
-    angles = pose.pose()
+    angles = pose.to_pose()
     return {
         "frame": frame,
         "in": parent,

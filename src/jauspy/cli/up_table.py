@@ -23,8 +23,8 @@ from jauspy.component import Shell
 from jauspy.errors import TransportError
 from jauspy.modules.config import ModuleConfig, RobotConfig
 from jauspy.modules.robot import RobotRunner
-from jauspy.modules.snapshot import Snapshot
 from jauspy.node import status
+from jauspy.platform.contract import Snapshot
 from jauspy.services.core import AccessControl, Events
 from jauspy.services.core.subscriptions import Subscription
 from jauspy.video.camera_process import CameraProcess

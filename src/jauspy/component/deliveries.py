@@ -53,8 +53,8 @@ class Deliveries:
                 future.set_result(outcome.delivered)
             if (told := self._told.pop(outcome.ticket, None)) is not None:
                 told(outcome.delivered)
-            elif outcome.silent is not None:
-                self._lost(outcome.silent)
+            elif outcome.unresponsive is not None:
+                self._lost(outcome.unresponsive)
 
     def fail(self, error: JausError) -> None:
         """End all waiting with this error."""

@@ -243,7 +243,7 @@ class Shell:
             self.host.ask_for_id(self.id)
             self._errors["move_failed"] += 1
             return error
-        self._endpoint.move(wanted)
+        self._endpoint.change_id(wanted)
         self.host.take_id(wanted, self._clock())
         self._flush_output()
         return None

@@ -2,13 +2,11 @@
 
 from jauspy.conformance.bench import Bench, Part
 from jauspy.conformance.checks import Check, carries, carries_only, has, near, that
-from jauspy.conformance.client import Client
-from jauspy.conformance.outcome import Failed, Late, Malformed, Outcome, Silent, Skipped
 from jauspy.conformance.profile import Profile, Step, ask, find, known, tell
 from jauspy.conformance.pytest_steps import offers_of, pytest_steps
-from jauspy.conformance.results import Report, Result, Verdict
+from jauspy.conformance.results import Failed, Late, Malformed, Outcome, Report, Result, Silent, Skipped, Verdict
 from jauspy.conformance.runner import Settings, run
-from jauspy.conformance.tester import Tester
+from jauspy.conformance.tester import Client, Tester
 from jauspy.conformance.wire import Wire
 
 __all__ = [

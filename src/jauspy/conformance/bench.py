@@ -14,10 +14,10 @@ from typing import Final
 from jauspy.conformance.wire import PORTS, RAW, Arrival
 from jauspy.ids import JausID
 from jauspy.protocol import judp
+from jauspy.protocol.addressing import GroupPort, LocalPort, Port, UdpPort
 from jauspy.protocol.endpoint import Endpoint
 from jauspy.protocol.header import Ack, Packet
-from jauspy.protocol.node import NodeCore
-from jauspy.protocol.ports import GroupPort, LocalPort, Port, UdpPort
+from jauspy.protocol.routing import Router
 from jauspy.services.host import Host
 from jauspy.services.outbox import Outgoing
 
@@ -101,7 +101,7 @@ class Bench:
         now: float = 0.0,
     ) -> None:
         self.parts = {each.host.id: each for each in parts}
-        self.node = NodeCore(ROOT)
+        self.node = Router(ROOT)
         self._delay = delay
         self._tick = tick
         self._step = step

@@ -7,9 +7,8 @@ from dataclasses import dataclass, replace
 from typing import Final, TypeAlias
 
 from jauspy.conformance.checks import that
-from jauspy.conformance.outcome import Outcome
-from jauspy.conformance.packets import PINGS
-from jauspy.conformance.tester import Tester
+from jauspy.conformance.results import Outcome
+from jauspy.conformance.tester import HARMLESS_QUERIES, Tester
 from jauspy.errors import RequestError
 from jauspy.ids import JausID
 from jauspy.messages.core import QueriedComponentRec, QueriedNodeRec, QueryServices, ReportServices, ServiceRec
@@ -71,7 +70,7 @@ def _told_by_others(tester: Tester) -> list[tuple[JausID, ReportServices]]:
 
 def _wake(tester: Tester) -> None:
     """Whether the target answers anything at all, which decides about what the report says."""
-    for ping in PINGS:
+    for ping in HARMLESS_QUERIES:
         tester.client(ASKER).send(ping)
     tester.pump(tester.now + tester.timeout, lambda: tester.answered)
 

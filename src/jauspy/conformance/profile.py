@@ -20,14 +20,14 @@ GROUP: Final = "jauspy.conformance"
 """Entry points of profiles: a name, and where the `Profile` is."""
 
 BUILT_IN: Final = {
-    "core-1.1": "service_sets:CORE",
-    "mobility-1.1": "service_sets:MOBILITY",
-    "manipulator-2.0": "service_sets:MANIPULATOR",
-    "sensing-2.0": "service_sets:SENSING",
-    "ugv-1.0": "service_sets:UGV",
-    "transport": "transport.table:PROFILE",
-    "igvc-2011": "igvc_2011:PROFILE",
-    "igvc-2015": "igvc_2015.table:PROFILE",
+    "core-1.1": "jauspy.conformance.state_tests.plan:CORE",
+    "mobility-1.1": "jauspy.conformance.state_tests.plan:MOBILITY",
+    "manipulator-2.0": "jauspy.conformance.state_tests.plan:MANIPULATOR",
+    "sensing-2.0": "jauspy.conformance.state_tests.plan:SENSING",
+    "ugv-1.0": "jauspy.conformance.state_tests.plan:UGV",
+    "transport": "jauspy.conformance.profiles.transport:PROFILE",
+    "igvc-2011": "jauspy.conformance.profiles.igvc_2011:PROFILE",
+    "igvc-2015": "jauspy.conformance.profiles.igvc_2015:PROFILE",
 }
 """Where the shipped ones are; loaded when they are run."""
 
@@ -119,7 +119,7 @@ def find(name: str) -> Profile:
     if re.fullmatch(r"[\w.]+:\w+", name):
         return _loaded(EntryPoint(name, name, GROUP))
     if name in BUILT_IN:
-        return _loaded(EntryPoint(name, f"jauspy.conformance.profiles.{BUILT_IN[name]}", GROUP))
+        return _loaded(EntryPoint(name, BUILT_IN[name], GROUP))
     for entry in entry_points(group=GROUP, name=name):
         return _loaded(entry)
     raise ConfigError(f"no conformance profile {name!r}; there are: {', '.join(known())}; MODULE:NAME is one of yours")

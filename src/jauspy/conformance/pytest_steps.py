@@ -9,10 +9,9 @@ from typing import TYPE_CHECKING
 
 from jauspy.conformance.bench import Bench
 from jauspy.conformance.offers import Offers
-from jauspy.conformance.parting import part
 from jauspy.conformance.profile import Profile, Step, find
 from jauspy.conformance.results import Result, Verdict
-from jauspy.conformance.runner import Settings, results
+from jauspy.conformance.runner import Settings, part, results
 from jauspy.conformance.tester import Tester
 from jauspy.conformance.wire import Wire
 from jauspy.errors import ConfigError, JausError

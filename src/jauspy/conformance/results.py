@@ -9,6 +9,7 @@ from enum import StrEnum
 from typing import Final
 
 from jauspy.conformance.trace import Entry
+from jauspy.errors import JausError
 
 
 class Verdict(StrEnum):
@@ -154,3 +155,37 @@ def worst(reports: Iterable[Report]) -> int:
     """The status of several runs together: a failure counts more than a run that was not possible."""
     statuses = {report.status for report in reports}
     return 1 if 1 in statuses else max(statuses, default=2)
+
+
+class Outcome(JausError):
+    """Ends a step with a verdict; the text is the reason."""
+
+    verdict = Verdict.FAIL
+
+
+class Failed(Outcome):
+    """What came is wrong."""
+
+
+class Silent(Outcome):
+    """Nothing came."""
+
+    verdict = Verdict.SILENT
+
+
+class Late(Outcome):
+    """It came after the deadline."""
+
+    verdict = Verdict.LATE
+
+
+class Malformed(Outcome):
+    """Its bytes are not those of the message."""
+
+    verdict = Verdict.MALFORMED
+
+
+class Skipped(Outcome):
+    """The step cannot be tried."""
+
+    verdict = Verdict.SKIPPED

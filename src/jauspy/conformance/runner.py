@@ -4,21 +4,112 @@ from __future__ import annotations
 
 import traceback
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
+from contextlib import suppress
+from dataclasses import dataclass, replace
 from typing import Final
 
+from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
 from jauspy.conformance.offers import Offers, discover
-from jauspy.conformance.outcome import Outcome
-from jauspy.conformance.parting import part
 from jauspy.conformance.profile import Profile, Step
-from jauspy.conformance.pulse import Pulse, silent_since
-from jauspy.conformance.results import Report, Result, Verdict
-from jauspy.conformance.tester import TIMEOUT, Tester
+from jauspy.conformance.results import Outcome, Report, Result, Verdict
+from jauspy.conformance.tester import HARMLESS_QUERIES, TIMEOUT, Tester
 from jauspy.conformance.wire import Wire
 from jauspy.errors import ConfigError, RequestError, TransportError
 from jauspy.ids import JausID
 from jauspy.messages import registry as known_messages
+from jauspy.messages.core import ClearEmergency, ReleaseControl, RequestControl, SetEmergency, Standby
+
+PATIENCE: Final = 3
+"""Steps in a row without a sign of life after which no more are tried."""
+BYSTANDERS: Final = 64
+"""Who asks, one after the other: what was asked long ago is not answered to the one who asks now."""
+
+
+class Pulse:
+    """Looks at each result of a run."""
+
+    def __init__(self, tester: Tester) -> None:
+        self._tester = tester
+        self._asked = 0
+        self._silent = 0
+
+    @property
+    def stopped(self) -> bool:
+        """True when nothing more needs to be tried."""
+        return self._silent >= PATIENCE
+
+    @property
+    def reason(self) -> str:
+        """Why nobody waits for it."""
+        return silent_since(self._tester.lost)
+
+    def judged(self, result: Result) -> Result:
+        """The result; a step that passed because nothing came is silent when nobody is there to say anything."""
+        if self._lives(result):
+            self._silent, self._tester.lost = 0, ""
+            return result
+        self._silent += 1
+        self._tester.lost = self._tester.lost or result.id
+        if result.verdict is Verdict.PASS or (self.stopped and result.verdict is Verdict.SKIPPED):
+            return replace(result, verdict=Verdict.SILENT, reason=self.reason)
+        return result
+
+    def _lives(self, result: Result) -> bool:
+        """The target was not spoken to, said something, had no reason to speak, or answers now.
+
+        Once it was silent, only an answer to a new question counts: what it says then may be an old answer.
+        """
+        content = result.verdict is Verdict.PASS or self._tester.heard
+        return not self._tester.spoke or (content and not self._tester.lost) or self._answers()
+
+    def _answers(self) -> bool:
+        tester = self._tester
+        self._asked = self._asked % BYSTANDERS + 1
+        asking = tester.client(f"42.9.{self._asked}")
+        asking.pending.clear()
+        for to in {tester.target, tester.memory.get("component", tester.target)}:
+            for ping in HARMLESS_QUERIES:
+                asking.send(ping, to=to)
+        return tester.pump(
+            tester.now + tester.timeout,
+            lambda: any(tester.target.matches(heard.source) for heard in asking.pending),
+        )
+
+
+def silent_since(step: str) -> str:
+    """What a report says of a target that died."""
+    return f"the target is silent since step {step}"
+
+
+STOP: Final = SetEmergency.EmergencyCode.STOP
+UNDOING: Final[tuple[tuple[type[Message], tuple[Message, ...]], ...]] = (
+    (SetEmergency, (ClearEmergency(STOP),)),
+    (RequestControl, (Standby(), ReleaseControl())),
+)
+"""What a client has sent, and what takes it back; control cannot be released during an emergency."""
+SETTLE: Final = 0.1
+"""Timeouts that the target has to hear of it."""
+
+
+def part(tester: Tester) -> str:
+    """Take back what the clients have asked for; says what prevented it, if anything did."""
+    undone = [
+        (client, message)
+        for kind, undoing in UNDOING
+        for client in tester.clients
+        if kind.CODE in client.sent
+        for message in undoing
+    ]
+    try:
+        for client, message in undone:
+            client.send(message)
+    except TransportError as error:
+        return f"the target could not be left in order: {error}"
+    with suppress(TransportError):  # what comes now is not looked at
+        tester.wait(SETTLE * tester.timeout if undone else 0.0)
+    return ""
+
 
 Watch = Callable[[Result], None]
 """Hears of each step as it ends."""

@@ -2,23 +2,306 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any, Final, TypeAlias, TypeVar
+from collections import deque
+from collections.abc import Callable, Collection, Iterable, Sequence
+from typing import Any, Final, Generic, TypeAlias, TypeVar
 
 from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
-from jauspy.conformance.client import Client
-from jauspy.conformance.outcome import Failed, Skipped
-from jauspy.conformance.record import Record
-from jauspy.conformance.results import Looked
-from jauspy.conformance.trace import Direction, Entry
+from jauspy.conformance.checks import Check
+from jauspy.conformance.results import Failed, Late, Looked, Malformed, Outcome, Silent, Skipped
+from jauspy.conformance.trace import Direction, Entry, Heard, Record, named
 from jauspy.conformance.wire import Arrival, Wire
-from jauspy.errors import ConfigError, TransportError
-from jauspy.ids import JausID
+from jauspy.errors import ConfigError, DecodeError, TransportError
+from jauspy.ids import EVERYONE, JausID
+from jauspy.messages.core import (
+    AllEventsRec,
+    CommandEvent,
+    ConfirmControl,
+    ConfirmEventRequest,
+    Event,
+    QueryControl,
+    QueryEvents,
+    QueryHeartbeatPulse,
+    QueryIdentification,
+    QueryStatus,
+    RejectControl,
+)
+from jauspy.messages.environment_sensing.v2_0.range_sensor import ConfirmSensorConfiguration
 from jauspy.protocol import judp
-from jauspy.protocol.header import Packet
+from jauspy.protocol.endpoint import Endpoint
+from jauspy.protocol.header import Ack, Packet
 
 M = TypeVar("M", bound=Message)
+
+HARMLESS_QUERIES: Final[tuple[Message, ...]] = (
+    QueryEvents(AllEventsRec(0)),
+    QueryHeartbeatPulse(),
+    QueryStatus(),
+    QueryControl(),
+    QueryIdentification(4),
+)
+"""Queries that change nothing, to find out whether a target answers. Nearly every component has Events."""
+
+
+class Expectation(Generic[M]):
+    """One message of a kind that passes all checks.
+
+    With a wildcard as source one component that answers right is enough; else the first answer decides. `source` is
+    the target, unless one component of it was asked.
+    """
+
+    def __init__(
+        self,
+        client: Client,
+        kind: type[M],
+        checks: Sequence[Check],
+        where: Callable[[M], bool],
+        source: JausID | None = None,
+    ) -> None:
+        self._client = client
+        self._tester = client.tester
+        self._kind = kind
+        self._checks = checks
+        self._where = where
+        self._source = source or client.tester.target
+        self._seconds = 0.0
+        self._outcome: Outcome | None = None
+        self._looked: list[Looked] = []
+        self._found: tuple[Heard, M] | None = None
+
+    def wait(self, seconds: float) -> M:
+        """The message; raises how it ended otherwise. One that comes in twice the time is late."""
+        self._seconds = seconds
+        tester, deadline = self._tester, self._tester.now + seconds
+        tester.expected.append(" and ".join((named(self._kind), *(each.name for each in self._checks))))
+        tester.pump(deadline, self._look)
+        if self._found is None and (self._outcome is None or self._source.is_wildcard):
+            tester.pump(deadline + seconds, self._look)
+        comes = f"{named(self._kind)} comes"
+        if self._found is None and self._outcome is None:
+            self._outcome = self._absence()
+            tester.look(comes, str(self._outcome))
+            raise self._outcome
+        tester.look(comes)
+        tester.looked += self._looked
+        if self._found is None:
+            assert self._outcome is not None
+            raise self._outcome
+        heard, message = self._found
+        late = heard.at - deadline
+        tester.look(f"{comes} in time", f"{late:.2f} s late" if late > 0 else "")
+        if late > 0:
+            raise Late(f"{named(self._kind)} came {late:.2f} s after the deadline of {seconds:g} s")
+        return message
+
+    def readable(self, heard: Heard) -> M | None:
+        """The message, when it is one of this kind, from the target, strictly as defined."""
+        if heard.code != self._kind.CODE or not self._source.matches(heard.source):
+            return None
+        try:
+            message = self._tester.registry.decode_as(self._kind, heard.payload)
+        except DecodeError:
+            return None
+        return message if self._where(message) else None
+
+    def _look(self) -> bool:
+        """Take the messages of this kind that wait; true when one of them settles it."""
+        for heard in list(self._client.pending):
+            if heard.code == self._kind.CODE and self._source.matches(heard.source):
+                self._judge(heard)
+                if self._found is not None:
+                    return True
+        return self._outcome is not None and not self._source.is_wildcard
+
+    def _judge(self, heard: Heard) -> None:
+        reads = f"{named(self._kind)} is as its definition says"
+        try:
+            message = self._tester.registry.decode_as(self._kind, heard.payload)
+        except DecodeError as error:
+            self._client.pending.remove(heard)
+            problem = f"{named(self._kind)} from {heard.source} is malformed: {error}"
+            self._settle(Malformed(problem), [Looked(reads, problem)])
+            return
+        if not self._where(message):
+            return
+        self._client.pending.remove(heard)
+        looked = [Looked(f"{named(self._kind)} {each.name}", each.problem(message)) for each in self._checks]
+        problems = [each.problem for each in looked if each.problem]
+        outcome = Failed(f"{named(self._kind)} from {heard.source}: {'; '.join(problems)}") if problems else None
+        self._settle(outcome, [Looked(reads), *looked])
+        if outcome is None:
+            self._found = heard, message
+
+    def _settle(self, outcome: Outcome | None, looked: list[Looked]) -> None:
+        """The first wrong answer is kept, a right one counts more."""
+        if outcome is None or self._outcome is None:
+            self._outcome, self._looked = outcome, looked
+
+    def _absence(self) -> Outcome:
+        wanted = named(self._kind)
+        if astray := self._astray():
+            return Silent(f"no {wanted} came from {self._source} to {self._client.id}, but {astray}")
+        # Control that ends by itself is told to the client at any time.
+        others = self._client.unasked(() if self._kind is ConfirmControl else (RejectControl.CODE,))
+        if others:
+            return Failed(f"no {wanted} came, but {', '.join(others[:4])}")
+        return Silent(f"no {wanted} came in {2 * self._seconds:g} s")
+
+    def _astray(self) -> str:
+        """Where the message came from or went to instead."""
+        for client in self._tester.clients:
+            for heard in client.pending:
+                ours = self._source.matches(heard.source)
+                if heard.code == self._kind.CODE and (not ours or client is not self._client):
+                    return f"one from {heard.source} to {client.id}"
+        return ""
+
+
+EVENTS: Final = frozenset({Event.CODE, CommandEvent.CODE})
+"""These come whenever they like."""
+MAX_PENDING: Final = 1024
+"""Messages of one client that nobody has looked at; the oldest go first."""
+CONFIRMATIONS: Final = frozenset({ConfirmEventRequest.CODE, ConfirmSensorConfiguration.CODE})
+MAX_CONFIRMED: Final = 64
+"""Confirmations of one client in one step."""
+
+
+class Client:
+    """One client of the target: a JAUS id that sends and expects."""
+
+    def __init__(self, tester: Tester, id: JausID) -> None:
+        self.tester = tester
+        self.id = id
+        self.pending: deque[Heard] = deque(maxlen=MAX_PENDING)
+        self.confirmed: deque[Heard] = deque(maxlen=MAX_CONFIRMED)
+        """Every confirmation in this step, also those that were looked at."""
+        self.strange_port = False
+        """Speak from another UDP port from now on."""
+        self.sent: set[int] = set()
+        """The ids of all messages that it has sent."""
+        self._endpoint = Endpoint(id, first_sequence=int(id) % 251)
+
+    def begin(self) -> None:
+        """A new step."""
+        self.pending.clear()
+        self.confirmed.clear()
+
+    def send(self, message: Message | bytes, *, to: JausID | None = None, ack: Ack = Ack.NONE) -> None:
+        """Send a message, to the target unless told otherwise."""
+        payload = message if isinstance(message, bytes) else message.encode()
+        self.sent.add(int.from_bytes(payload[:2], "little"))
+        if isinstance(message, Message):
+            self.tester.why.append(f"{message.SERVICE} {message.VERSION}: {named(type(message))}")
+        self._endpoint.send(to or self.tester.target, payload, now=self.tester.now, ack=ack)
+        self._flush()
+
+    def broadcast(self, message: Message) -> None:
+        """Send a message to all components of all subsystems."""
+        self.send(message, to=EVERYONE)
+
+    def raw(self, datagram: bytes) -> None:
+        """Send a datagram as it is."""
+        self.tester.transmit(datagram, self.id, strange_port=self.strange_port)
+
+    def ask(
+        self,
+        message: Message | bytes,
+        answer: type[M],
+        *checks: Check | Iterable[Check],
+        to: JausID | None = None,
+        within: float = 1.0,
+    ) -> M:
+        """Send, and expect this answer; earlier ones of the same kind do not count."""
+        self.forget(answer)
+        self.send(message, to=to)
+        asked = None if to is None or to.is_wildcard else to
+        return self.expect(answer, *checks, within=within, source=asked)
+
+    def expect(
+        self,
+        answer: type[M],
+        *checks: Check | Iterable[Check],
+        where: Callable[[M], bool] = lambda _: True,
+        within: float = 1.0,
+        source: JausID | None = None,
+    ) -> M:
+        """A message of this kind that passes all checks, within so many timeouts; ends the step if there is none.
+
+        Messages for which `where` is false are others, and stay. `source` is the target, or one component of it.
+        """
+        flat = [one for each in checks for one in ((each,) if isinstance(each, Check) else each)]
+        return Expectation(self, answer, flat, where, source).wait(within * self.tester.timeout)
+
+    def collect(
+        self, kind: type[M], seconds: float, where: Callable[[M], bool] = lambda _: True
+    ) -> list[tuple[float, M]]:
+        """All messages of this kind within a time, with when they came."""
+        expectation = Expectation(self, kind, [], where)
+        return [(heard.at, message) for heard, message in self._collected(expectation, seconds)]
+
+    def answers(
+        self, message: Message, answer: type[M], seconds: float, *, of: JausID | None = None
+    ) -> list[tuple[JausID, M]]:
+        """Send, and take all answers within a time, with who has sent them; `of` others than the target if need be."""
+        self.forget(answer)
+        self.send(message, to=of)
+        expectation = Expectation(self, answer, [], lambda _: True, of)
+        return [(heard.source, found) for heard, found in self._collected(expectation, seconds)]
+
+    def _collected(self, expectation: Expectation[M], seconds: float) -> list[tuple[Heard, M]]:
+        self.tester.wait(seconds)
+        read = [(heard, expectation.readable(heard)) for heard in list(self.pending)]
+        taken = [(heard, message) for heard, message in read if message is not None]
+        for heard, _ in taken:
+            self.pending.remove(heard)
+        return taken
+
+    def silence(self, within: float = 0.1, *, besides: tuple[type[Message], ...] = ()) -> None:
+        """Nothing comes to this client from the target for this part of the timeout, besides these and events."""
+        allowed = {kind.CODE for kind in besides}
+        end = self.tester.now + within * self.tester.timeout
+        self.tester.pump(end, lambda: bool(self.unasked(allowed)))
+        came = ", ".join(self.unasked(allowed))
+        self.tester.expected.append("no answer")
+        self.tester.check("there is no answer", f"{came} came, where nothing should" if came else "")
+
+    def unasked(self, besides: Collection[int] = ()) -> list[str]:
+        """The names of what waits to be looked at; events, queries of the target and these ids left aside."""
+        waiting = [each for each in self.pending if self.tester.target.matches(each.source)]
+        return [self.name_of(each) for each in waiting if is_answer(each.code) and each.code not in besides]
+
+    def name_of(self, heard: Heard) -> str:
+        """`ReportStatus 4002h`."""
+        kinds = self.tester.registry.by_code(heard.code)
+        return named(kinds[0]) if kinds else f"{heard.code:04X}h"
+
+    def forget(self, kind: type[Message]) -> None:
+        """Do not look at messages of this kind that have come already."""
+        self.pending = deque((each for each in self.pending if each.code != kind.CODE), maxlen=MAX_PENDING)
+
+    def take(self, datagram: bytes) -> None:
+        """A datagram for this client; acknowledges what wants to be."""
+        self._endpoint.receive(datagram, self.tester.now)
+        while (packet := self._endpoint.next_event()) is not None:
+            self._keep(Heard(self.tester.now, self.id, packet.source, packet.payload))
+        self._flush()
+
+    def _keep(self, heard: Heard) -> None:
+        self.tester.unread += len(self.pending) == MAX_PENDING
+        self.pending.append(heard)
+        if heard.code in CONFIRMATIONS:
+            self.confirmed.append(heard)
+
+    def _flush(self) -> None:
+        for datagram in self._endpoint.poll_output():
+            self.raw(datagram)
+
+
+def is_answer(code: int) -> bool:
+    """True for what comes because something was sent: no event, and no query (2000h to 3FFFh)."""
+    return code not in EVENTS and not 0x2000 <= code < 0x4000
+
 
 TIMEOUT: Final = 1.5
 """Seconds that a judge of the public tests waits for an answer."""

@@ -3,18 +3,140 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field
 from multiprocessing import get_context
+from random import Random
 from typing import Final
 
 from jauspy.codec.dynamic import load_schema
-from jauspy.fuzz.cases import Fuzzer
-from jauspy.fuzz.findings import Finding
+from jauspy.codec.registry import Registry
+from jauspy.errors import ConfigError
+from jauspy.fuzz.checks import MEMORY_EVERY, Checks, Effort
+from jauspy.fuzz.findings import MOST_TRIES, Finding, Problem, minimise
+from jauspy.fuzz.messages import Maker, Style, Target, targets
+from jauspy.fuzz.mutation import Seed, from_payloads, from_schemas, mutate
+from jauspy.fuzz.offsets import spots_of
 from jauspy.messages import registry
 from jauspy.schema import load_builtin
+from jauspy.schema.model import Schema
 from jauspy.schema.own import load_own
+
+SLOW_TRIES: Final = 60
+"""Tries to minimise what takes long by its nature."""
+
+
+@dataclass(frozen=True, slots=True)
+class Case:
+    """Bytes to test; `valid` when they are a message by construction."""
+
+    number: int
+    target: Target
+    data: bytes
+    valid: bool
+
+
+class Fuzzer:
+    """Everything a campaign needs, in one process. A case depends on nothing but the seeds, `seed` and its number."""
+
+    def __init__(
+        self,
+        registry: Registry,
+        schema: Schema,
+        payloads: Iterable[bytes] = (),
+        *,
+        seed: int = 0,
+        only: Iterable[str] = (),
+    ) -> None:
+        self.targets = targets(registry, schema, only)
+        made = list(from_schemas(self.targets))
+        self._seeds = [*from_payloads(self.targets, payloads), *made]
+        self._seed = seed
+        self.checks = Checks(Effort((self.targets[one.target], one) for one in made))
+        self._known: set[str] = set()
+
+    @property
+    def seeds(self) -> Sequence[Seed]:
+        """All messages to start from."""
+        return self._seeds
+
+    def case(self, number: int) -> Case:
+        """Even numbers are valid random messages, all kinds in turn; odd ones are mutated."""
+        rng = Random(self._seed << 40 | number)  # noqa: S311 - chance, not secrets
+        if number % 2 == 0:
+            target = self.targets[number // 2 % len(self.targets)]
+            return Case(number, target, Maker(rng, Style.ANY, self.targets).message(target), valid=True)
+        seed = self._start(rng, number)
+        target, data = self.targets[seed.target], mutate(rng, seed, self._seeds)
+        if rng.random() < 0.02:  # the body of another message
+            target = rng.choice(self.targets)
+            data = target.id + data[2:]
+        return Case(number, target, data, valid=False)
+
+    def _start(self, rng: Random, number: int) -> Seed:
+        """A seed, or now and then a message that is as new as those of the even cases."""
+        if rng.random() < 0.7:
+            return rng.choice(self._seeds)
+        place = number // 2 % len(self.targets)
+        data = Maker(rng, Style.ANY, self.targets).message(self.targets[place])
+        return Seed(place, data, spots_of(self.targets[place].layout, data))
+
+    def run(self, numbers: range) -> Iterator[Finding]:
+        """Check these cases; of every cause the first finding, minimised."""
+        for number in numbers:
+            case = self.case(number)
+            memory = number % MEMORY_EVERY == 0
+            problem = self.checks.problem(case.target, case.data, valid=case.valid, memory=memory)
+            if problem is None:
+                continue
+            finding = self._finding(case, problem)
+            if finding.cause not in self._known:
+                self._known.add(finding.cause)
+                yield self._smallest(case.target, finding)
+
+    def replay(self, finding: Finding) -> Finding | None:
+        """What the bytes of a finding show now; `None` when nothing is wrong with them any more."""
+        wanted = (finding.message, finding.service, finding.version)
+        for target in self.targets:
+            if wanted == (target.cls.NAME, target.cls.SERVICE, target.cls.VERSION):
+                case = Case(finding.case, target, finding.data, valid=finding.check == "valid")
+                problem = self.checks.problem(target, case.data, valid=case.valid)
+                return self._finding(case, problem) if problem else None
+        raise ConfigError(f"there is no {finding.message} of {finding.service} {finding.version}")
+
+    def _finding(self, case: Case, problem: Problem) -> Finding:
+        cls = case.target.cls
+        return Finding(
+            problem.check,
+            cls.NAME,
+            cls.SERVICE,
+            cls.VERSION,
+            problem.what,
+            problem.seen,
+            case.data.hex(),
+            self._seed,
+            case.number,
+        )
+
+    def _smallest(self, target: Target, finding: Finding) -> Finding:
+        if finding.check == "valid":
+            return finding  # fewer bytes are no longer a message by construction
+        slow = finding.check in ("time", "memory")
+        found, accepted = finding, self.checks.accepted
+
+        def shows(data: bytes) -> bool:
+            nonlocal found
+            problem = self.checks.problem(target, data, memory=slow)
+            same = problem is not None and (problem.check, problem.what) == (finding.check, finding.what)
+            if same and problem is not None:
+                found = finding.smaller(data, problem.seen)
+            return same
+
+        minimise(finding.data, shows, target.layout, SLOW_TRIES if slow else MOST_TRIES)
+        self.checks.accepted = accepted
+        return found
+
 
 CHUNK: Final = 500
 """Cases that a process does before it reports."""

@@ -5,14 +5,13 @@ from __future__ import annotations
 from functools import reduce
 from operator import matmul
 
+from jauspy.geometry.denavit_hartenberg import manipulator_geometry, pan_tilt_frame
+from jauspy.geometry.frames import FrameTree
+from jauspy.geometry.poses import JAUS_FROM_REP_103, Transform
+from jauspy.geometry.urdf import JointKind
 from jauspy.modules.config import ModuleConfig, RobotConfig
-from jauspy.platform.description import GroupSetup, JointKind, RobotModel
-from jauspy.platform.transforms import FrameTree
-from jauspy.platform.vectors import Transform
-from jauspy.services.axes import JAUS_FROM_REP_103
+from jauspy.platform.description import GroupSetup, RobotModel
 from jauspy.services.environment_sensing import OnJoint
-from jauspy.services.manipulator.denavit_hartenberg import geometry
-from jauspy.services.manipulator.pan_tilt import frame_at_zero
 
 
 def carrier_of(config: RobotConfig, model: RobotModel, link: str) -> OnJoint | None:
@@ -32,9 +31,9 @@ def _joint_frame(module: ModuleConfig, model: RobotModel, group: GroupSetup, num
     """In the group's base link, with all joints at zero: as the specification of the arm or the unit has it."""
     chain = model.description.chain(group.base, group.tip)
     if module.type == "CM-VIS":
-        return frame_at_zero(chain)
-    found = geometry(chain)
-    return reduce(matmul, (link.frame(link.zero) for link in found.links[:number]), found.base)
+        return pan_tilt_frame(chain)
+    found = manipulator_geometry(chain)
+    return reduce(matmul, (link.frame(link.zero_position) for link in found.links[:number]), found.base)
 
 
 def _at_zero(model: RobotModel, base: str, link: str) -> Transform:

@@ -8,11 +8,12 @@ from typing import Final
 import xacro
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.poses import Transform
+from jauspy.geometry.urdf import JointKind, RobotDescription, parse_urdf
+from jauspy.geometry.vectors import dot
 from jauspy.modules.config import RobotConfig
 from jauspy.modules.config_joints import GroupConfig, JointConfig
-from jauspy.platform.description import Description, JointKind, RobotModel
-from jauspy.platform.urdf import parse
-from jauspy.platform.vectors import Transform, dot
+from jauspy.platform.description import RobotModel
 
 SQUARE: Final = 1e-3
 """Cosine of an angle that counts as a right one."""
@@ -41,10 +42,10 @@ def robot_model(config: RobotConfig) -> RobotModel:
     return RobotModel(description, config.tracks.setup(), groups, lidars, cameras, force_torque)
 
 
-def _read(path: str) -> Description:
+def _read(path: str) -> RobotDescription:
     text = _expanded(path)
     try:
-        return parse(text)
+        return parse_urdf(text)
     except ConfigError as error:
         raise ConfigError(f"urdf: {path}: {error}") from error
 
@@ -58,7 +59,7 @@ def _expanded(path: str) -> str:
         raise ConfigError(f"urdf: {path}: xacro cannot expand it: {error}") from error
 
 
-def _check_tracks(config: RobotConfig, description: Description) -> None:
+def _check_tracks(config: RobotConfig, description: RobotDescription) -> None:
     sides = (("left", config.tracks.left), ("right", config.tracks.right))
     for key, name in ((key, name) for key, names in sides for name in names):
         joint = description.joints.get(name)
@@ -69,12 +70,12 @@ def _check_tracks(config: RobotConfig, description: Description) -> None:
             )
 
 
-def _check_link(key: str, link: str, description: Description) -> None:
+def _check_link(key: str, link: str, description: RobotDescription) -> None:
     if link not in description.links():
         raise ConfigError(f"{key}: the URDF has no link {link!r}; it has: {', '.join(sorted(description.links()))}")
 
 
-def _check_pan_tilt(key: str, group: GroupConfig, camera: str, description: Description) -> None:
+def _check_pan_tilt(key: str, group: GroupConfig, camera: str, description: RobotDescription) -> None:
     """Two revolute joints at right angles that carry the camera."""
     moving = [description.joint(joint.name) for joint in group.joints]
     if [joint.kind for joint in moving] != [JointKind.REVOLUTE] * 2:
@@ -83,18 +84,18 @@ def _check_pan_tilt(key: str, group: GroupConfig, camera: str, description: Desc
         raise ConfigError(f"{key}: the camera is on {camera!r}, which {moving[1].name!r} does not move")
     frame = Transform()
     for joint in description.chain(moving[0].child, moving[1].child):
-        frame = frame @ Transform.of(joint.origin)
-    if abs(dot(moving[0].axis, frame.turn(moving[1].axis))) > SQUARE:
+        frame = frame @ Transform.from_pose(joint.origin)
+    if abs(dot(moving[0].axis, frame.rotate(moving[1].axis))) > SQUARE:
         raise ConfigError(f"{key}.joints: their axes are not at right angles; one pans, the other one tilts")
 
 
-def _check_carried(key: str, link: str, description: Description) -> None:
+def _check_carried(key: str, link: str, description: RobotDescription) -> None:
     _check_link(key, link, description)
     if link == description.root():
         raise ConfigError(f"{key}: nothing carries {link!r}; a sensor is between a link and the link that carries it")
 
 
-def _check_group(key: str, group: GroupConfig, description: Description) -> None:
+def _check_group(key: str, group: GroupConfig, description: RobotDescription) -> None:
     for link in (group.base, group.tip):
         _check_link(key, link, description)
     for number, joint in enumerate(group.joints):
@@ -106,7 +107,7 @@ def _check_group(key: str, group: GroupConfig, description: Description) -> None
         )
 
 
-def _check_joint(key: str, config: JointConfig, description: Description) -> None:
+def _check_joint(key: str, config: JointConfig, description: RobotDescription) -> None:
     try:
         joint = description.joint(config.name)
     except ConfigError as error:

@@ -6,11 +6,11 @@ from collections.abc import Callable, Mapping
 from typing import Final
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.frames import FrameTree
 from jauspy.modules.config import ModuleConfig
 from jauspy.modules.sensors import frame_of
 from jauspy.platform.description import RobotModel
 from jauspy.platform.joints import JointGroup
-from jauspy.platform.transforms import FrameTree
 from jauspy.services.manipulator import (
     PanTilt,
     PanTiltJointPositionDriver,

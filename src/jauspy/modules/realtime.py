@@ -1,4 +1,4 @@
-"""Lets any robot live in real time: one thread owns it, everybody else talks to that thread."""
+"""Runs a robot in real time: one thread owns it; other threads send commands and read snapshots."""
 
 from __future__ import annotations
 
@@ -11,28 +11,57 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from types import TracebackType
 from typing import Final, Self
 
-from jauspy.modules.pace import Pace
-from jauspy.modules.shared import Order, SharedDrive, SharedForceTorque, SharedJoints, SharedLidar
-from jauspy.modules.snapshot import Snapshot, look
+from jauspy.modules.proxies import DriveProxy, ForceTorqueProxy, JointGroupProxy, LidarProxy
 from jauspy.platform.camera import Camera
-from jauspy.platform.contract import Robot
+from jauspy.platform.contract import Command, PartId, Robot, Snapshot
 
 STEP: Final = 0.002
-"""Seconds between two looks at commands and two snapshots of the state: a command waits this long at most. It is
-MuJoCo's step here, too."""
+"""Seconds of one step, and so the longest that a command waits. It is MuJoCo's step, too."""
 
-PATIENCE: Final = 0.1
-"""Seconds that the robot may be late before time is left out."""
+MAX_DELAY: Final = 0.1
+"""Seconds that the robot may fall behind the clock before missed steps are skipped."""
+
+
+class StepTimer:
+    """When the next of many steps of `step` seconds is due.
+
+    A step that starts more than one `step` after its time is counted as `late`. When the delay exceeds `max_delay`
+    seconds, the steps that were missed are left out and counted as `skipped`: the robot's time then stands still for a
+    moment, instead of rushing.
+    """
+
+    def __init__(self, step: float, max_delay: float, *, start: float) -> None:
+        self.step = step
+        self.max_delay = max_delay
+        self.counters: Counter[str] = Counter(steps=0, late=0, skipped=0, abandoned=0)
+        self._due = start + step
+
+    def wait(self, now: float) -> float:
+        """Seconds until the next step is due; 0 when it is, or should have been."""
+        return max(0.0, self._due - now)
+
+    def begin(self, now: float) -> None:
+        """Count a step that starts now."""
+        delay = now - self._due
+        if delay > self.step:
+            self.counters["late"] += 1
+        if delay > self.max_delay:
+            missed = int(delay / self.step)
+            self.counters["skipped"] += missed
+            self._due += missed * self.step
+        self.counters["steps"] += 1
+        self._due += self.step
 
 
 class RealTime:
-    """Advances `robot` in real time, in a thread of its own, between `open` and `close`.
+    """Advances `robot` in real time, in a thread of its own, between `open` and `close`; a `RobotLink` to it.
 
-    Between the two only that thread touches the robot. Others command `drive` and `groups` and read `snapshot` at any
-    time: all go through a lock that is never held while the robot moves, so an event loop is not held up by physics.
+    Between the two only that thread touches the robot. Other threads use `drive`, `groups` and the other proxies, or
+    `submit` and `snapshot`, at any time: all go through a lock that is never held while the robot moves, so an event
+    loop is not held up by physics.
 
     `lapse`: seconds after which the robot is stopped unless somebody calls `alive`, so that a program that hangs does
-    not leave a robot driving; endless when not given.
+    not leave a robot driving; infinite when not given.
     """
 
     def __init__(
@@ -40,48 +69,46 @@ class RealTime:
         robot: Robot,
         *,
         step: float = STEP,
-        patience: float = PATIENCE,
+        max_delay: float = MAX_DELAY,
         lapse: float = math.inf,
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
         self._robot = robot
         self._step = step
-        self._patience = patience
+        self._max_delay = max_delay
         self._lapse = lapse
         self._clock = clock
         self._alive = clock()
         self._lock = threading.Lock()
-        self._orders: dict[str, Order] = {}
+        self._pending: dict[PartId, Command] = {}
         self._abandoned = False
-        self._snapshot = look(robot)
-        self._ending = threading.Event()
+        self._snapshot = Snapshot.of(robot)
+        self._closing = threading.Event()
         self._executor: ThreadPoolExecutor | None = None
         self._ended: Future[None] = Future()
-        self._pace = Pace(step, patience, start=clock())
-        self._drive = SharedDrive(self.order, self._sight)
-        self._groups = {
-            name: SharedJoints(name, group, self.order, self._sight) for name, group in robot.groups.items()
-        }
-        self._lidars = {name: SharedLidar(lidar, self.order, self._sight) for name, lidar in robot.lidars.items()}
-        self._force_torque = {name: SharedForceTorque(each, self._sight) for name, each in robot.force_torque.items()}
+        self._timer = StepTimer(step, max_delay, start=clock())
+        self._drive = DriveProxy(self)
+        self._groups = {name: JointGroupProxy(name, group, self) for name, group in robot.groups.items()}
+        self._lidars = {name: LidarProxy(name, lidar, self) for name, lidar in robot.lidars.items()}
+        self._force_torque = {name: ForceTorqueProxy(name, each, self) for name, each in robot.force_torque.items()}
 
     @property
-    def drive(self) -> SharedDrive:
+    def drive(self) -> DriveProxy:
         """The robot's chassis, for any thread."""
         return self._drive
 
     @property
-    def groups(self) -> Mapping[str, SharedJoints]:
+    def groups(self) -> Mapping[str, JointGroupProxy]:
         """The robot's other joints, for any thread."""
         return self._groups
 
     @property
-    def lidars(self) -> Mapping[str, SharedLidar]:
+    def lidars(self) -> Mapping[str, LidarProxy]:
         """The robot's lidars, for any thread."""
         return self._lidars
 
     @property
-    def force_torque(self) -> Mapping[str, SharedForceTorque]:
+    def force_torque(self) -> Mapping[str, ForceTorqueProxy]:
         """The robot's sensors of force and torque, for any thread."""
         return self._force_torque
 
@@ -93,42 +120,40 @@ class RealTime:
     @property
     def snapshot(self) -> Snapshot:
         """The state after the last step."""
-        return self._sight()
+        with self._lock:
+            return self._snapshot
 
     @property
     def counters(self) -> Mapping[str, int]:
         """`steps` made; those `late`; those `skipped` as too late; those `abandoned`, made after a `lapse`."""
-        return Counter(self._pace.counters)
+        return Counter(self._timer.counters)
 
     @property
     def ended(self) -> Future[None]:
         """Done when the thread is: with None after `close`, with the error when the robot raised one."""
         return self._ended
 
-    def order(self, key: str, order: Order) -> None:
-        """Something that the robot's thread does before its next step, instead of what was ordered as `key` before."""
+    def submit(self, command: Command) -> None:
+        """Have a command applied before the next step; it is merged with one to the same part that is pending."""
         with self._lock:
-            self._orders[key] = order
-
-    def _sight(self) -> Snapshot:
-        with self._lock:
-            return self._snapshot
+            pending = self._pending.pop(command.part, None)  # the order of application is that of the last commands
+            self._pending[command.part] = command if pending is None else command.merged(pending)
 
     def alive(self) -> None:
-        """Who commands the robot is still there."""
+        """Report that whoever commands the robot still runs."""
         self._alive = self._clock()
 
     def open(self) -> None:
         """Start the thread; twice is fine."""
         if self._executor is None:
             self.alive()
-            self._pace = Pace(self._step, self._patience, start=self._clock())
+            self._timer = StepTimer(self._step, self._max_delay, start=self._clock())
             self._executor = ThreadPoolExecutor(1, thread_name_prefix="robot")
-            self._ended = self._executor.submit(self._live)
+            self._ended = self._executor.submit(self._run)
 
     def close(self) -> None:
         """Stop the robot and end the thread; the robot itself stays open. Twice is fine."""
-        self._ending.set()
+        self._closing.set()
         if self._executor is not None:
             self._executor.shutdown()
 
@@ -143,30 +168,29 @@ class RealTime:
 
     # --- in the thread --------------------------------------------------------------------------------------------
 
-    def _live(self) -> None:
+    def _run(self) -> None:
         try:
-            while not self._ending.wait(self._pace.wait(self._clock())):
-                self._pace.begin(self._clock())
+            while not self._closing.wait(self._timer.wait(self._clock())):
+                self._timer.begin(self._clock())
                 self._make_step()
         finally:
             stop(self._robot)
 
     def _make_step(self) -> None:
         with self._lock:
-            orders, self._orders = self._orders, {}
-        for order in orders.values():
-            order(self._robot)
-        self._look_after()
+            commands, self._pending = self._pending, {}
+        for command in commands.values():
+            command.apply(self._robot)
+        self._stop_if_abandoned()
         self._robot.advance(self._step)
-        snapshot = look(self._robot)
+        snapshot = Snapshot.of(self._robot)
         with self._lock:
             self._snapshot = snapshot
 
-    def _look_after(self) -> None:
-        """Stop the robot when those who command it do not live any more."""
+    def _stop_if_abandoned(self) -> None:
         abandoned = self._clock() - self._alive > self._lapse
         if abandoned:
-            self._pace.counters["abandoned"] += 1
+            self._timer.counters["abandoned"] += 1
             self._robot.drive.stop()
             if not self._abandoned:  # holding again and again would follow joints that sag
                 stop(self._robot)

@@ -18,10 +18,9 @@ from jauspy.modules.config import ModuleConfig, RobotConfig
 from jauspy.modules.description import robot_model
 from jauspy.modules.hosts import host_of
 from jauspy.modules.realtime import RealTime
-from jauspy.modules.snapshot import Snapshot
 from jauspy.platform import backends
 from jauspy.platform.camera import Camera
-from jauspy.platform.contract import Robot
+from jauspy.platform.contract import Robot, Snapshot
 from jauspy.platform.description import RobotModel
 from jauspy.platform.ranging import RangeFinder
 from jauspy.platform.stills import MAX_REPORT

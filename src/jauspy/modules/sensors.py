@@ -7,16 +7,16 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import Protocol, Self
 
+from jauspy.geometry.frames import FrameTree
+from jauspy.geometry.poses import Transform
 from jauspy.ids import JausID
 from jauspy.modules.capability import capability
 from jauspy.modules.carriers import carrier_of
 from jauspy.modules.config import ModuleConfig, RobotConfig
 from jauspy.platform.description import RobotModel
 from jauspy.platform.force_torque import ForceTorqueSensor as Gauge
-from jauspy.platform.joints import JointGroup
+from jauspy.platform.joints import JointGroup, joint_positions
 from jauspy.platform.ranging import RangeFinder
-from jauspy.platform.transforms import FrameTree, joint_positions
-from jauspy.platform.vectors import Transform
 from jauspy.services.core import Identity
 from jauspy.services.environment_sensing import ForceTorqueSensor, Mounted, MountedGauge, RangeSensor
 from jauspy.services.host import Host

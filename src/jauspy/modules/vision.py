@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from datetime import datetime
 from typing import Final
 
+from jauspy.geometry.frames import FrameTree
 from jauspy.ids import JausID
 from jauspy.modules.capability import capability
 from jauspy.modules.carriers import carrier_of
@@ -14,7 +15,6 @@ from jauspy.modules.pan_tilt import services_of
 from jauspy.modules.sensors import frame_of
 from jauspy.platform.description import RobotModel
 from jauspy.platform.joints import JointGroup
-from jauspy.platform.transforms import FrameTree
 from jauspy.services.core import Identity
 from jauspy.services.environment_sensing import (
     DigitalResourceDiscovery,

@@ -15,7 +15,7 @@ from lxml import etree
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.protocol import judp
-from jauspy.protocol.ports import NetworkPort, SerialPort, TcpPort, UdpPort
+from jauspy.protocol.addressing import NetworkPort, SerialPort, TcpPort, UdpPort
 
 Entries = dict[JausID, tuple[NetworkPort, ...]]
 _Pairs = Iterator[tuple[JausID, NetworkPort]]

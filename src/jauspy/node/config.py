@@ -30,8 +30,8 @@ from jauspy.node.settings import (
     Settings,
 )
 from jauspy.protocol import judp
-from jauspy.protocol.address_book import LIFETIME
-from jauspy.protocol.ports import LAN
+from jauspy.protocol.address_book import ADDRESS_LIFETIME
+from jauspy.protocol.addressing import DEFAULT_NETWORK
 from jauspy.transport.multicast import ANY, RECEIVE_BUFFER
 from jauspy.transport.serial_link import SerialLine
 
@@ -39,7 +39,7 @@ from jauspy.transport.serial_link import SerialLine
 class NetworkConfig(Settings):
     """A network that the node manager is on."""
 
-    name: Name = LAN
+    name: Name = DEFAULT_NETWORK
     """What rules, counters and the status call this network."""
     address: IPv4 = ANY
     """Local address to receive on; 0.0.0.0 is all. With several networks each needs an address of its own."""
@@ -168,7 +168,7 @@ class NodeConfig(NetworkConfig):
     wildcards, tcp:// and serial: are other ways, and a list is several. They get copies of broadcasts, too."""
     address_books: tuple[Path, ...] = Field(default=(), examples=[("/etc/jauspy/nm.cfg",)])
     """Files with more addresses: TOML with a table [addresses], nm.cfg of the JAUS Toolset, or FKIE's YAML."""
-    address_lifetime: float = Field(default=LIFETIME, gt=0)
+    address_lifetime: float = Field(default=ADDRESS_LIFETIME, gt=0)
     """Seconds of silence after which a learned address is forgotten, and asked for again."""
     receive_buffer: int = Field(default=RECEIVE_BUFFER, ge=4096, le=1 << 30)
     """Bytes of each UDP receive buffer; the kernel gives at most net.core.rmem_max."""

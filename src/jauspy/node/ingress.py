@@ -9,10 +9,10 @@ from collections.abc import Callable, Iterable
 from typing import Any, Final
 
 from jauspy.node import sieve
-from jauspy.protocol import wire
+from jauspy.protocol import judp
+from jauspy.protocol.addressing import UdpPort
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.header import Priority
-from jauspy.protocol.ports import UdpPort
 
 READ_BURST: Final = 384
 """Datagrams read from one socket per wake-up: three times what is routed, so that a flood piles up here, where the
@@ -91,7 +91,7 @@ class Ingress:
                     if len(ports) > MAX_WAITING:
                         ports.clear()
                     port = ports[sender] = _port(sender, network)
-                self._queues[wire.peek_priority(data, skip)].append((data, port))
+                self._queues[judp.peek_priority(data, skip)].append((data, port))
             count = READ_BURST
         except (BlockingIOError, InterruptedError) as error:
             if not count:

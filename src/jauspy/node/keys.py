@@ -7,11 +7,11 @@ import stat
 from pathlib import Path
 
 from jauspy.errors import ConfigError
-from jauspy.protocol import seal
-from jauspy.protocol.seal import Seal
+from jauspy.protocol import authentication
+from jauspy.protocol.authentication import Authenticator
 
 
-def load(path: Path | None) -> Seal | None:
+def load(path: Path | None) -> Authenticator | None:
     """A seal with the key in this file, without white space around it; None without a file.
 
     Raises `ConfigError` when the key is short, or when everybody may read it.
@@ -25,8 +25,9 @@ def load(path: Path | None) -> Seal | None:
         raise ConfigError(f"key_file {path}: {error.strerror}") from error
     if mode & stat.S_IROTH:
         raise ConfigError(f"key_file {path}: everybody may read it; do: chmod o-rwx {path}")
-    if len(key) < seal.MIN_KEY:
+    if len(key) < authentication.MIN_KEY_LENGTH:
         raise ConfigError(
-            f"key_file {path}: has {len(key)} bytes, needs {seal.MIN_KEY}; make one with: openssl rand -hex 32"
+            f"key_file {path}: has {len(key)} bytes, needs {authentication.MIN_KEY_LENGTH}; "
+            "make one with: openssl rand -hex 32"
         )
-    return Seal(key, secrets.randbits(64))
+    return Authenticator(key, secrets.randbits(64))

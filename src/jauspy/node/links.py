@@ -7,8 +7,8 @@ from collections.abc import Callable, Iterable
 from jauspy.errors import ConfigError
 from jauspy.node.config import NodeConfig
 from jauspy.node.tcp import TcpPeers
+from jauspy.protocol.addressing import NetworkPort, SerialPort, TcpPort
 from jauspy.protocol.counters import Counters
-from jauspy.protocol.ports import NetworkPort, SerialPort, TcpPort
 from jauspy.transport.serial_link import SerialLine, SerialLink
 
 

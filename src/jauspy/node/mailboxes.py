@@ -8,18 +8,18 @@ from typing import TYPE_CHECKING
 
 from jauspy.node.mailbox import Mailbox
 from jauspy.protocol import junior
-from jauspy.protocol.ports import LocalPort
+from jauspy.protocol.addressing import LocalPort
 from jauspy.transport import local_socket
 
 if TYPE_CHECKING:
     from jauspy.protocol.directory import ComponentPort
-    from jauspy.protocol.node import NodeCore
+    from jauspy.protocol.routing import Router
 
 
 class Mailboxes:
     """By the path of the component's socket. The core is told of components that nobody listens for any more."""
 
-    def __init__(self, root: Path, core: NodeCore) -> None:
+    def __init__(self, root: Path, core: Router) -> None:
         self._root = root
         self._core = core
         self._by_path: dict[str, Mailbox] = {}
@@ -32,7 +32,7 @@ class Mailboxes:
     def send(self, path: str, datagram: bytes) -> None:
         """To this component; a message of Junior itself goes to a socket that may be a new one."""
         mailbox = self.of(path)
-        if datagram[0] == junior.VERSION:
+        if junior.parse(datagram) is not None:
             mailbox.refresh()
         mailbox.send(datagram)
 
@@ -48,7 +48,7 @@ class Mailboxes:
         """The component is dead, and its socket gone."""
         if isinstance(port, LocalPort) and (mailbox := self._by_path.pop(port.path, None)) is not None:
             mailbox.close()
-        self._core.unreachable(port)
+        self._core.remove_dead(port)
 
     def close(self) -> None:
         """Close all; twice is fine."""
@@ -58,7 +58,7 @@ class Mailboxes:
 
     def _gone(self, path: str) -> None:
         self._by_path.pop(path, None)
-        self._core.unreachable(LocalPort(path))
+        self._core.remove_dead(LocalPort(path))
         bury(self._root, path)
 
     def _forget_cancelled(self) -> None:

@@ -22,9 +22,9 @@ from jauspy.node.shortcuts import Send, Shortcuts
 from jauspy.node.state import NodeState
 from jauspy.node.sweep import Sweep
 from jauspy.protocol import junior
-from jauspy.protocol.node import NodeCore
-from jauspy.protocol.ports import GroupPort, LocalPort, Port, SerialPort, TcpPort, UdpPort
-from jauspy.protocol.sources import Sources
+from jauspy.protocol.addressing import GroupPort, LocalPort, Port, SerialPort, TcpPort, UdpPort
+from jauspy.protocol.routing import Router
+from jauspy.protocol.sources import SourceChecks
 from jauspy.transport import draining, local_socket, memberships
 
 if TYPE_CHECKING:
@@ -48,7 +48,7 @@ class NodeManager:
         self.config = config or NodeConfig()
         self._known = self.config.known_addresses()
         dead = partial(is_dead, self.config.local_root)
-        self._core = NodeCore(
+        self._core = Router(
             str(self.config.local_root),
             addresses=self._known,
             address_lifetime=self.config.address_lifetime,
@@ -57,7 +57,7 @@ class NodeManager:
             is_dead=dead,
             networks=[network.name for network in self.config.all_networks],
             gateway=policy.gateway(self.config),
-            sources=Sources(policy.limits(self.config)),
+            sources=SourceChecks(policy.limits(self.config)),
             changed=self._changed,
         )
         self._shortcuts = Shortcuts(self._core, self._way_to)
@@ -132,7 +132,7 @@ class NodeManager:
             for each in config.all_networks:
                 seal = keys.load(each.key_file)
                 self._networks[each.name] = Network(
-                    each, self._core.counters, config.receive_buffer, seal, self._core.unreachable
+                    each, self._core.counters, config.receive_buffer, seal, self._core.remove_dead
                 )
             await self._links.open(config, self.port, (port for ports in self._known.values() for port in ports))
             self._mirror = await operations.open_all(self._extras, config, lambda: self.state)
@@ -179,8 +179,8 @@ class NodeManager:
         """
         gateway, known = policy.gateway(config), config.known_addresses()
         self._core.gateway = gateway
-        self._core.address_book.tell({int(id): ports for id, ports in known.items()})
-        self._core.sources.limit(policy.limits(config))
+        self._core.address_book.set_static({int(id): ports for id, ports in known.items()})
+        self._core.sources.set_limits(policy.limits(config))
         self._shortcuts.clear()
         names = type(config).model_fields
         changed = [name for name in names if getattr(config, name) != getattr(self.config, name)]

@@ -15,7 +15,7 @@ from prometheus_client.registry import Collector
 from jauspy.errors import TransportError
 from jauspy.ids import JausID
 from jauspy.node.state import NodeState
-from jauspy.protocol.reports import place
+from jauspy.protocol.addressing import format_port
 
 PATIENCE: Final = 5.0
 """Seconds for a request and its answer."""
@@ -43,7 +43,7 @@ class NodeCollector(Collector):
         yield GaugeMetricFamily("jauspy_node_peers", "Known network addresses.", value=len(state.core.address_book))
         queue = GaugeMetricFamily("jauspy_node_queue", "Packets waiting for a component.", labels=["component"])
         for id, port in state.core.components:
-            queue.add_metric([str(JausID.from_int(id))], state.waiting.get(place(port), 0))
+            queue.add_metric([str(JausID.from_int(id))], state.waiting.get(format_port(port), 0))
         yield queue
         yield GaugeMetricFamily("jauspy_node_ingress", "Packets read and not yet routed.", value=state.ingress)
         kernel = CounterMetricFamily("jauspy_node_kernel_dropped", "Packets the kernel dropped.", labels=["network"])

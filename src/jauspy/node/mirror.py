@@ -21,8 +21,8 @@ from typing import Final, Self
 from jauspy.errors import TransportError
 from jauspy.node import pcapng
 from jauspy.protocol import judp
+from jauspy.protocol.addressing import GroupPort, LocalPort, Port
 from jauspy.protocol.counters import Counters
-from jauspy.protocol.ports import GroupPort, LocalPort, Port
 
 _LOGGER = logging.getLogger(__name__)
 

@@ -14,10 +14,10 @@ from jauspy.node import udp_errors
 from jauspy.node.binding import bind
 from jauspy.node.config import NetworkConfig
 from jauspy.node.network6 import Network6
-from jauspy.protocol import seal as seal_format
+from jauspy.protocol import authentication as seal_format
+from jauspy.protocol.addressing import UdpPort
+from jauspy.protocol.authentication import Authenticator
 from jauspy.protocol.counters import Counters
-from jauspy.protocol.ports import UdpPort
-from jauspy.protocol.seal import Seal
 from jauspy.transport import multicast
 from jauspy.transport.memberships import Memberships
 
@@ -49,7 +49,7 @@ class Network:
         config: NetworkConfig,
         counters: Counters,
         receive_buffer: int,
-        seal: Seal | None,
+        seal: Authenticator | None,
         lost: Callable[[UdpPort], None],
     ) -> None:
         self._lost = lost
@@ -102,7 +102,7 @@ class Network:
         if self.seal is None:
             return data
         try:
-            return self.seal.open(data, time.time())
+            return self.seal.verify(data, time.time())
         except ProtocolError as error:
             if error.reason == "own":
                 self._counters["echoes"] += 1
@@ -113,7 +113,7 @@ class Network:
     def send(self, datagram: bytes, host: str, port: int) -> None:
         """Send now; what cannot be sent is dropped and counted."""
         if self.seal is not None:
-            datagram = self.seal.seal(datagram, time.time())
+            datagram = self.seal.sign(datagram, time.time())
         sock = self._unicast
         if ":" in host:
             if self._six is None:

@@ -6,8 +6,7 @@ from jauspy.errors import ConfigError
 from jauspy.messages import registry
 from jauspy.node.config import NodeConfig, RuleConfig
 from jauspy.node.settings import parse_codes, parse_pattern
-from jauspy.protocol.gateway import Gateway
-from jauspy.protocol.rules import Rule, Rules
+from jauspy.protocol.gateway import Gateway, GatewayRule, GatewayRules
 from jauspy.protocol.sources import SourceLimits
 
 
@@ -21,12 +20,12 @@ def gateway(config: NodeConfig) -> Gateway | None:
     told = config.gateway
     if told is None:
         return None
-    rules = Rules([_rule(number, rule) for number, rule in enumerate(told.rules)], inside=told.inside)
+    rules = GatewayRules([_rule(number, rule) for number, rule in enumerate(told.rules)], inside=told.inside)
     return Gateway(told.subsystem, [network.name for network in config.all_networks], told.inside, rules)
 
 
-def _rule(number: int, config: RuleConfig) -> Rule:
-    return Rule(
+def _rule(number: int, config: RuleConfig) -> GatewayRule:
+    return GatewayRule(
         allow=config.action == "allow",
         source=parse_pattern(config.source),
         destination=parse_pattern(config.destination),

@@ -8,9 +8,9 @@ from collections.abc import Callable
 from typing import Final, TypeAlias
 
 from jauspy.protocol import header
-from jauspy.protocol.node import RECEIVED, NodeCore
-from jauspy.protocol.outward import ROUTED
-from jauspy.protocol.ports import LocalPort, Port, UdpPort
+from jauspy.protocol.addressing import LocalPort, Port, UdpPort
+from jauspy.protocol.egress import ROUTED_COUNTERS
+from jauspy.protocol.routing import RECEIVED_COUNTERS, Router
 
 LIFETIME: Final = 0.5
 """Seconds until all ways are looked for again, so that what the core learns from packets is only this much late."""
@@ -29,7 +29,7 @@ class Shortcuts:
     `open_way` makes what sends to a port, or None when its datagrams are to go the whole way.
     """
 
-    def __init__(self, core: NodeCore, open_way: Callable[[LocalPort | UdpPort], Send | None]) -> None:
+    def __init__(self, core: Router, open_way: Callable[[LocalPort | UdpPort], Send | None]) -> None:
         self._core = core
         self._counters = core.counters
         self._open_way = open_way
@@ -73,13 +73,13 @@ class Shortcuts:
     def _find(self, port: Port, ids: int) -> tuple[Send, str, str] | None:
         source, destination = ids >> 32, ids & _IDS
         loop = asyncio.get_running_loop()
-        where = self._core.shortcut(source, destination, port, loop.time())
+        where = self._core.cacheable_route(source, destination, port, loop.time())
         send = None if where is None else self._open_way(where)
         if where is None or send is None:
             return None
         if len(self._ways) >= MAX_WAYS:
             self.clear()
-        way = self._ways[port, ids] = (send, RECEIVED[type(port)], ROUTED[type(where)])
+        way = self._ways[port, ids] = (send, RECEIVED_COUNTERS[type(port)], ROUTED_COUNTERS[type(where)])
         self._ids.update((source, destination))
         if self._timer is None:
             self._timer = loop.call_later(LIFETIME, self.clear)

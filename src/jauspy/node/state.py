@@ -10,9 +10,8 @@ from typing import Any
 from jauspy.ids import JausID
 from jauspy.node.config import NodeConfig
 from jauspy.node.network import Network
-from jauspy.protocol.node import NodeCore
-from jauspy.protocol.ports import NetworkPort
-from jauspy.protocol.reports import place
+from jauspy.protocol.addressing import NetworkPort, format_port
+from jauspy.protocol.routing import Router
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,7 +19,7 @@ class NodeState:
     """References into a running node manager; `waiting` is the queue of each local socket, `now` in loop time."""
 
     config: NodeConfig
-    core: NodeCore
+    core: Router
     networks: Mapping[str, Network]
     waiting: Mapping[str, int]
     ingress: int
@@ -33,9 +32,9 @@ class NodeState:
             "uptime": round(self.now - started, 3),
             "local_root": str(self.config.local_root),
             "networks": [self._network(name, network) for name, network in self.networks.items()],
-            "components": [self._component(id, place(port)) for id, port in sorted(self.core.components)],
+            "components": [self._component(id, format_port(port)) for id, port in sorted(self.core.components)],
             "peers": [self._peer(*entry) for entry in self.core.address_book],
-            "queues": {"ingress": self.ingress, "unknown_destinations": self.core.waiting_messages},
+            "queues": {"ingress": self.ingress, "unknown_destinations": self.core.pending_messages},
             "counters": dict(sorted(self.core.counters.items())),
         }
 
@@ -57,7 +56,7 @@ class NodeState:
     def _peer(self, id: int, port: NetworkPort, heard: float | None) -> dict[str, Any]:
         return {
             "id": str(JausID.from_int(id)),
-            "address": place(port),
+            "address": format_port(port),
             "network": port.network,
             "heard": None if heard is None else round(self.now - heard, 3),
         }

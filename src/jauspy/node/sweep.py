@@ -7,8 +7,8 @@ import socket
 from collections.abc import Callable
 from typing import Final
 
-from jauspy.protocol.directory import ComponentPort, Directory
-from jauspy.protocol.ports import LocalPort, UdpPort
+from jauspy.protocol.addressing import LocalPort, UdpPort
+from jauspy.protocol.directory import ComponentDirectory, ComponentPort
 
 INTERVAL: Final = 1.0
 PER_TURN: Final = 32
@@ -19,7 +19,7 @@ class Sweep:
     """`is_dead(path)` says whether nobody listens on a local socket; `gone(port)` is told of each that is dead."""
 
     def __init__(
-        self, components: Directory, is_dead: Callable[[str], bool], gone: Callable[[ComponentPort], None]
+        self, components: ComponentDirectory, is_dead: Callable[[str], bool], gone: Callable[[ComponentPort], None]
     ) -> None:
         self._components = components
         self._is_dead = is_dead

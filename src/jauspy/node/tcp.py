@@ -10,8 +10,8 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import Final
 
 from jauspy.errors import TransportError
+from jauspy.protocol.addressing import TcpPort
 from jauspy.protocol.counters import Counters
-from jauspy.protocol.ports import TcpPort
 from jauspy.transport.stream import Dialer, StreamLink
 
 _LOGGER = logging.getLogger(__name__)

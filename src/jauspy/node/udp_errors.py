@@ -5,7 +5,7 @@ from __future__ import annotations
 import socket
 from typing import Final
 
-from jauspy.protocol.ports import UdpPort
+from jauspy.protocol.addressing import UdpPort
 
 _IP_RECVERR: Final = 11
 _MSG_ERRQUEUE: Final = 0x2000

@@ -6,14 +6,13 @@ import asyncio
 from collections.abc import Mapping
 from typing import Final
 
+from jauspy.geometry.frames import Frames, FrameTree
+from jauspy.geometry.poses import Pose, Transform, jaus_pose
+from jauspy.geometry.urdf import JointKind
 from jauspy.messages.mobility import QueryLocalPose, ReportLocalPose
 from jauspy.ocu.joint_positions import JointReader, readers
 from jauspy.ocu.robot import Robot
-from jauspy.platform.contract import Pose
-from jauspy.platform.description import JointKind, RobotModel
-from jauspy.platform.transforms import Frames, FrameTree
-from jauspy.platform.vectors import Transform
-from jauspy.services.mobility.frames import jaus_pose
+from jauspy.platform.description import RobotModel
 
 LOCAL: Final = "local"
 """The frame that LocalPoseSensor reports in, with REP-103's axes: x as its x, y to the left of it, z up."""
@@ -70,4 +69,4 @@ class RobotFrames:
         sensor = self._robot.service("mobility:LocalPoseSensor")
         report = await sensor.query(QueryLocalPose(_ALL), expects=ReportLocalPose)
         values = (report.x, report.y, report.z, report.roll, report.pitch, report.yaw)
-        return Transform.of(jaus_pose(Pose(*(value or 0.0 for value in values))))
+        return Transform.from_pose(jaus_pose(Pose(*(value or 0.0 for value in values))))

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import Final, Protocol
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.denavit_hartenberg import manipulator_geometry, reversed_axes
 from jauspy.messages.manipulator import (
     QueryJointPositions,
     QueryManipulatorSpecifications,
@@ -15,8 +16,6 @@ from jauspy.messages.manipulator import (
 )
 from jauspy.ocu.robot import ComponentClient, Robot
 from jauspy.platform.description import GroupSetup, RobotModel
-from jauspy.services.manipulator.denavit_hartenberg import geometry
-from jauspy.services.manipulator.pan_tilt import turned
 
 MANIPULATOR: Final = "ManipulatorJointPositionSensor"
 PAN_TILT: Final = "PanTiltJointPositionSensor"
@@ -45,7 +44,7 @@ class ManipulatorReader:
     def __init__(self, component: ComponentClient, model: RobotModel, group: GroupSetup) -> None:
         self._id = component.id
         self._sensor = component.service(MANIPULATOR)
-        self._geometry = geometry(model.description.chain(group.base, group.tip))
+        self._geometry = manipulator_geometry(model.description.chain(group.base, group.tip))
         self.joints = group.joints
 
     async def read(self) -> dict[str, float]:
@@ -57,7 +56,7 @@ class ManipulatorReader:
                 f"{self._id} reports {len(standard)} joints, and the description has {len(self.joints)} there: "
                 f"{', '.join(self.joints)}; is it the description of this robot?"
             )
-        return dict(zip(self.joints, self._geometry.native(standard), strict=True))
+        return dict(zip(self.joints, self._geometry.to_urdf(standard), strict=True))
 
 
 class PanTiltReader:
@@ -65,14 +64,14 @@ class PanTiltReader:
 
     def __init__(self, component: ComponentClient, model: RobotModel, group: GroupSetup) -> None:
         self._sensor = component.service(PAN_TILT)
-        self._turned = turned(model.description.chain(group.base, group.tip))
+        self._turned = reversed_axes(model.description.chain(group.base, group.tip))
         self.joints = group.joints
 
     async def read(self) -> dict[str, float]:
         """Asks the sensor."""
         report = await self._sensor.query(QueryPanTiltJointPositions(), expects=ReportPanTiltJointPositions)
         rows = zip(self.joints, (report.joint1_position, report.joint2_position), self._turned, strict=True)
-        return {joint: -angle if turned else angle for joint, angle, turned in rows}
+        return {joint: -angle if reversed_axes else angle for joint, angle, reversed_axes in rows}
 
 
 async def readers(robot: Robot, model: RobotModel, movers: Mapping[int, str]) -> list[JointReader]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from jauspy.platform.contract import Acceleration, Twist
+from jauspy.geometry.poses import Acceleration, Twist
 
 
 def mean_acceleration(before: Twist, after: Twist, dt: float) -> Acceleration:

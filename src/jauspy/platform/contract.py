@@ -1,57 +1,25 @@
 """What a robot must offer to be driven by jauspy's capability modules.
 
 Frames follow REP-103: x forward, y left, z up; metres, seconds, radians. The services turn them into JAUS's frames
-(y right or east, z down). A robot is not thread-safe: all calls come from one thread, or under its runner's lock.
+(y right or east, z down). A robot is not thread-safe: all calls come from one thread. Other threads send commands and
+read snapshots through a `RobotLink`.
 """
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Protocol, Self
+
+from jauspy.geometry.poses import Acceleration, Pose, Twist
 
 if TYPE_CHECKING:
     from jauspy.platform.camera import Camera
     from jauspy.platform.description import RobotModel
-    from jauspy.platform.force_torque import ForceTorqueSensor
-    from jauspy.platform.joints import JointGroup
-    from jauspy.platform.ranging import RangeFinder
-
-
-@dataclass(frozen=True, slots=True)
-class Pose:
-    """Where the robot's base is in the world: metres, and fixed-axis roll, pitch, yaw in radians (-pi..pi)."""
-
-    x: float = 0.0
-    y: float = 0.0
-    z: float = 0.0
-    roll: float = 0.0
-    pitch: float = 0.0
-    yaw: float = 0.0
-
-
-@dataclass(frozen=True, slots=True)
-class Twist:
-    """How the base moves, in its own frame: m/s along x, y, z and rad/s about them."""
-
-    vx: float = 0.0
-    vy: float = 0.0
-    vz: float = 0.0
-    wx: float = 0.0
-    wy: float = 0.0
-    wz: float = 0.0
-
-
-@dataclass(frozen=True, slots=True)
-class Acceleration:
-    """How the motion of the base changes, in its own frame, gravity left out: m/s^2 and rad/s^2."""
-
-    ax: float = 0.0
-    ay: float = 0.0
-    az: float = 0.0
-    wx: float = 0.0
-    wy: float = 0.0
-    wz: float = 0.0
+    from jauspy.platform.force_torque import ForceTorqueSensor, Wrench
+    from jauspy.platform.joints import JointGroup, JointState
+    from jauspy.platform.ranging import RangeFinder, RangeScan
 
 
 class DriveBase(Protocol):
@@ -78,8 +46,8 @@ class DriveBase(Protocol):
         ...
 
 
-class Robot(Protocol):
-    """One robot of a backend, at rest at the world's origin when opened."""
+class RobotParts(Protocol):
+    """What can be commanded and read of a robot: the robot itself, or proxies of its parts for other threads."""
 
     @property
     def drive(self) -> DriveBase:
@@ -92,11 +60,6 @@ class Robot(Protocol):
         ...
 
     @property
-    def cameras(self) -> Mapping[str, Camera]:
-        """Its cameras, by name; each shows the state after the last `advance`."""
-        ...
-
-    @property
     def lidars(self) -> Mapping[str, RangeFinder]:
         """Its lidars, by name, in the order of its description."""
         ...
@@ -104,6 +67,15 @@ class Robot(Protocol):
     @property
     def force_torque(self) -> Mapping[str, ForceTorqueSensor]:
         """Its sensors of force and torque, by name, in the order of its description."""
+        ...
+
+
+class Robot(RobotParts, Protocol):
+    """One robot of a backend, at rest at the world's origin when opened."""
+
+    @property
+    def cameras(self) -> Mapping[str, Camera]:
+        """Its cameras, by name; each shows the state after the last `advance`."""
         ...
 
     @property
@@ -117,6 +89,69 @@ class Robot(Protocol):
 
     def close(self) -> None:
         """Stop, and release what the backend holds; twice is fine."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class PartId:
+    """A part of a robot that is commanded: its kind, as in `DriveBase` or `JointGroup`, and its name among those."""
+
+    kind: type
+    name: str = ""
+
+
+class Command(ABC):
+    """Something that one part of a robot is to do. Sent by any thread; the robot's own thread applies it."""
+
+    @property
+    @abstractmethod
+    def part(self) -> PartId:
+        """The part that it is for. Of several commands to a part, sent before the next step, one is applied."""
+
+    @abstractmethod
+    def apply(self, robot: Robot) -> None:
+        """Carry it out, in the robot's thread."""
+
+    def merged(self, pending: Command) -> Command:  # noqa: ARG002 - most commands replace what is pending
+        """The command to apply in place of this one and an earlier one to the same part that is still pending."""
+        return self
+
+
+@dataclass(frozen=True, slots=True)
+class Snapshot:
+    """The state of a robot after a step; `time` is the robot's own, in seconds."""
+
+    time: float
+    pose: Pose
+    twist: Twist
+    acceleration: Acceleration
+    joints: Mapping[str, JointState]
+    """By group."""
+    scans: Mapping[str, RangeScan | None]
+    """The last scans, by lidar."""
+    wrenches: Mapping[str, Wrench]
+    """The last measurements, by sensor of force and torque."""
+
+    @classmethod
+    def of(cls, robot: Robot) -> Self:
+        """The present state."""
+        drive = robot.drive
+        joints = {name: group.state() for name, group in robot.groups.items()}
+        scans = {name: lidar.scan for name, lidar in robot.lidars.items()}
+        wrenches = {name: sensor.wrench for name, sensor in robot.force_torque.items()}
+        return cls(robot.time, drive.pose(), drive.twist(), drive.acceleration(), joints, scans, wrenches)
+
+
+class RobotLink(Protocol):
+    """How other threads talk to the thread that owns a robot; thread-safe."""
+
+    def submit(self, command: Command) -> None:
+        """Have a command applied before the next step; it is merged with one to the same part that is pending."""
+        ...
+
+    @property
+    def snapshot(self) -> Snapshot:
+        """The state after the last step."""
         ...
 
 

@@ -7,89 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from enum import Enum
-from typing import Final
 
-from jauspy.errors import ConfigError
+from jauspy.geometry.urdf import RobotDescription
 from jauspy.platform.camera import CameraSetup
-from jauspy.platform.contract import Pose
 from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.pid import Gains
 from jauspy.platform.ranging import LidarSetup
-
-HERE: Final = Pose()
-"""No displacement."""
-
-
-class JointKind(Enum):
-    """How a joint moves."""
-
-    REVOLUTE = "revolute"
-    PRISMATIC = "prismatic"
-    FIXED = "fixed"
-
-
-@dataclass(frozen=True, slots=True)
-class Joint:
-    """A joint of a robot. Limits: radians or metres; rad/s or m/s; newton metres or newtons."""
-
-    name: str
-    kind: JointKind
-    parent: str
-    child: str
-    origin: Pose = HERE
-    """Where the joint's frame is in the parent link's, at position zero."""
-    axis: tuple[float, float, float] = (1.0, 0.0, 0.0)
-    """Along or about which it moves, of unit length, in the joint's frame."""
-    lower: float = 0.0
-    upper: float = 0.0
-    effort: float = 0.0
-    velocity: float = 0.0
-    damping: float = 0.0
-    """Effort per velocity that the joint resists with."""
-    friction: float = 0.0
-    """Effort that the joint resists with at any velocity."""
-    mimics: str | None = None
-    """A joint whose position this one has, too."""
-
-
-@dataclass(frozen=True, slots=True)
-class Description:
-    """A robot's tree of links and joints, as its URDF gives it."""
-
-    name: str
-    urdf: str
-    joints: Mapping[str, Joint]
-    friction: Mapping[str, float] = field(default_factory=dict)
-    """Coefficients of the links that have one of their own."""
-
-    def joint(self, name: str) -> Joint:
-        """The joint of that name; `ConfigError` lists those that move."""
-        if name not in self.joints:
-            moving = [joint.name for joint in self.joints.values() if joint.kind is not JointKind.FIXED]
-            raise ConfigError(f"{self.name} has no joint {name!r}; those that move are: {', '.join(moving)}")
-        return self.joints[name]
-
-    def links(self) -> set[str]:
-        """The names of all links."""
-        return {link for joint in self.joints.values() for link in (joint.parent, joint.child)}
-
-    def root(self) -> str:
-        """The link that is nobody's child."""
-        (root,) = self.links() - {joint.child for joint in self.joints.values()}
-        return root
-
-    def chain(self, base: str, tip: str) -> tuple[Joint, ...]:
-        """The joints that lead from one link to another, base to tip; `ConfigError` when none do."""
-        above = {joint.child: joint for joint in self.joints.values()}
-        found: list[Joint] = []
-        link = tip
-        while link != base:
-            if link not in above:
-                raise ConfigError(f"{self.name}: no joints lead from link {base!r} to link {tip!r}")
-            found.append(above[link])
-            link = above[link].parent
-        return tuple(reversed(found))
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,7 +52,7 @@ class TrackSetup:
 class RobotModel:
     """All that a backend needs to make a robot."""
 
-    description: Description
+    description: RobotDescription
     tracks: TrackSetup
     groups: Mapping[str, GroupSetup] = field(default_factory=dict)
     lidars: tuple[LidarSetup, ...] = ()

@@ -6,8 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final, Protocol
 
+from jauspy.geometry.vectors import Vector
 from jauspy.platform.sampling import Sampling
-from jauspy.platform.vectors import Vector
 
 NOTHING: Final[Vector] = (0.0, 0.0, 0.0)
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Final
 
-from jauspy.platform.description import Joint, JointGains
+from jauspy.geometry.urdf import Joint
+from jauspy.platform.description import JointGains
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.platform.motion import Motion
 from jauspy.platform.pid import Pid

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from enum import Enum
 from typing import Protocol
 
-from jauspy.platform.description import Joint
+from jauspy.geometry.urdf import Joint
 
 
 class ControlMode(Enum):
@@ -66,3 +66,11 @@ class JointGroup(Protocol):
     def state(self) -> JointState:
         """Positions, velocities and efforts after the last step."""
         ...
+
+
+def joint_positions(groups: Iterable[JointGroup]) -> dict[str, float]:
+    """Where the joints of these groups are now, by name."""
+    found: dict[str, float] = {}
+    for group in groups:
+        found |= zip((joint.name for joint in group.joints), group.state().positions, strict=True)
+    return found

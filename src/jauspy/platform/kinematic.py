@@ -8,17 +8,17 @@ from dataclasses import dataclass
 from typing import Final
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.frames import gravity_wrench
+from jauspy.geometry.poses import Acceleration, Pose, Twist
 from jauspy.platform.acceleration import mean_acceleration
 from jauspy.platform.camera import Camera
-from jauspy.platform.contract import Acceleration, Pose, Twist
 from jauspy.platform.description import RobotModel
 from jauspy.platform.force_torque import SampledForceTorque
+from jauspy.platform.joints import joint_positions
 from jauspy.platform.kinematic_cameras import KinematicCameras
 from jauspy.platform.kinematic_joints import KinematicJoints
 from jauspy.platform.scanner import Scanner
 from jauspy.platform.skid_steer import mix
-from jauspy.platform.static_weight import static_weight
-from jauspy.platform.transforms import joint_positions
 
 MAX_STEP: Final = 0.005
 """Longest integration step, seconds."""
@@ -122,7 +122,7 @@ class KinematicRobot:
         self._cameras = KinematicCameras(robot, self._drive, self._groups)
         self._lidars = {setup.name: Scanner(setup) for setup in robot.lidars}
         self._force_torque = {
-            setup.name: SampledForceTorque(setup, static_weight(robot.description, setup.link, self._positions))
+            setup.name: SampledForceTorque(setup, gravity_wrench(robot.description, setup.link, self._positions))
             for setup in robot.force_torque
         }
         self._time = 0.0

@@ -6,13 +6,13 @@ import struct
 from collections.abc import Mapping
 from itertools import chain
 
+from jauspy.geometry.frames import FrameTree
+from jauspy.geometry.poses import Transform
 from jauspy.platform.contract import DriveBase
 from jauspy.platform.description import RobotModel
-from jauspy.platform.joints import JointGroup
+from jauspy.platform.joints import JointGroup, joint_positions
 from jauspy.platform.kinematic_camera import NUMBERS, FloorCamera
 from jauspy.platform.shared_state import StateWriter
-from jauspy.platform.transforms import FrameTree, joint_positions
-from jauspy.platform.vectors import Transform
 
 
 class KinematicCameras:
@@ -38,7 +38,7 @@ class KinematicCameras:
         if positions != self._positions or not self._frames:
             self._positions = positions
             self._frames = {link: self._tree.pose(link, positions) for link in self._states}
-        base = Transform.of(self._drive.pose())
+        base = Transform.from_pose(self._drive.pose())
         for link, state in self._states.items():
             frame = base @ self._frames[link]
             state.write(struct.pack(f"={NUMBERS}d", *chain(*frame.rotation), *frame.position))

@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from jauspy.platform.description import Description, GroupSetup, Joint
+from jauspy.geometry.urdf import Joint, RobotDescription
+from jauspy.platform.description import GroupSetup
 from jauspy.platform.joints import ControlMode, JointState, Target
 from jauspy.platform.motion import Motion
 
@@ -16,7 +17,7 @@ class KinematicJoints:
     Commanded by effort, a joint moves as if its damping were all that resists: full effort is full speed.
     """
 
-    def __init__(self, description: Description, setup: GroupSetup) -> None:
+    def __init__(self, description: RobotDescription, setup: GroupSetup) -> None:
         self._joints = tuple(description.joint(name) for name in setup.joints)
         self._chain = description.chain(setup.base, setup.tip)
         self._motions = [Motion(joint, start) for joint, start in zip(self._joints, setup.start, strict=True)]

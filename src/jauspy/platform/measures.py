@@ -6,10 +6,11 @@ import itertools
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from jauspy.geometry.frames import FrameTree
+from jauspy.geometry.poses import Transform
+from jauspy.geometry.urdf import CollisionBox, Inertial, collision_boxes, inertials
+from jauspy.geometry.vectors import Vector
 from jauspy.platform.description import RobotModel
-from jauspy.platform.transforms import FrameTree
-from jauspy.platform.urdf import Inertial, Shape, inertials, shapes
-from jauspy.platform.vectors import Transform, Vector
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,7 +33,7 @@ def measure(robot: RobotModel) -> Measures:
         (body, frames[body.link].apply((body.origin.x, body.origin.y, body.origin.z))) for body in inertials(urdf)
     ]
     mass = sum(body.mass for body, _ in masses)
-    corners = list(_corners(frames, shapes(urdf)))
+    corners = list(_corners(frames, collision_boxes(urdf)))
     return Measures(mass, _middle(masses, mass), _least(corners), _most(corners))
 
 
@@ -49,9 +50,9 @@ def _middle(masses: list[tuple[Inertial, Vector]], mass: float) -> Vector:
     return x, y, z
 
 
-def _corners(frames: dict[str, Transform], found: list[Shape]) -> Iterator[Vector]:
+def _corners(frames: dict[str, Transform], found: list[CollisionBox]) -> Iterator[Vector]:
     for shape in found:
-        frame = frames[shape.link] @ Transform.of(shape.origin)
+        frame = frames[shape.link] @ Transform.from_pose(shape.origin)
         for signs in itertools.product((-1.0, 1.0), repeat=3):
             x, y, z = (sign * size / 2.0 for sign, size in zip(signs, shape.size, strict=True))
             yield frame.apply((x, y, z))

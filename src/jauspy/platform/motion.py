@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Final
 
-from jauspy.platform.description import Joint
+from jauspy.geometry.urdf import Joint
 from jauspy.platform.joints import ControlMode, Target
 
 ACCELERATION_TIME: Final = 0.25

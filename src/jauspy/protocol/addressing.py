@@ -1,35 +1,94 @@
-"""Wildcards and unassigned parts of destination ids, on 32-bit numbers as they stand in headers."""
+"""Addressing: wildcards in destination ids, and the ports that a node manager receives from and sends to.
+
+Ids are 32-bit numbers, as in headers.
+"""
 
 from __future__ import annotations
 
+from typing import Final, NamedTuple, TypeAlias
+
+DEFAULT_NETWORK: Final = "lan"
+"""The name of the first network, unless the configuration sets another."""
+
 
 def is_wildcard(id: int) -> bool:
-    """True when the id addresses all of some level."""
+    """True when any part of the id is a wildcard: all subsystems, nodes or components."""
     return id & 0xFF == 0xFF or id & 0xFF00 == 0xFF00 or id >= 0xFFFF0000
 
 
 def is_unassigned(id: int) -> bool:
-    """True when some part is zero: a component that waits to be given its id."""
+    """True when some part is zero: a component that has not been assigned its id yet."""
     return not (id >> 16 and id & 0xFF00 and id & 0xFF)
 
 
-def is_vague(id: int) -> bool:
-    """True when the id does not name one component: nobody's address can be told from it."""
+def is_incomplete(id: int) -> bool:
+    """True when the id has a wildcard or a zero, so that no address can be learned for it."""
     return not (0 < id >> 16 < 0xFFFF and 0 < id >> 8 & 0xFF < 0xFF and 0 < id & 0xFF < 0xFF)
 
 
 def reaches(destination: int, id: int) -> bool:
-    """True when `destination` addresses the component `id`, field by field.
+    """True when `destination` addresses the component `id`, part by part.
 
     A part of `id` that is zero or a wildcard is not assigned yet, so any broadcast may be meant for it; 100.1.2
     and 356.1.2 are different subsystems.
     """
     return (
-        _part(destination >> 16, id >> 16, 0xFFFF)
-        and _part(destination >> 8 & 0xFF, id >> 8 & 0xFF, 0xFF)
-        and _part(destination & 0xFF, id & 0xFF, 0xFF)
+        _part_matches(destination >> 16, id >> 16, 0xFFFF)
+        and _part_matches(destination >> 8 & 0xFF, id >> 8 & 0xFF, 0xFF)
+        and _part_matches(destination & 0xFF, id & 0xFF, 0xFF)
     )
 
 
-def _part(wanted: int, own: int, any_value: int) -> bool:
-    return wanted in (own, any_value) or own in (0, any_value)
+def _part_matches(wanted: int, own: int, wildcard: int) -> bool:
+    return wanted in (own, wildcard) or own in (0, wildcard)
+
+
+class LocalPort(NamedTuple):
+    """The socket of a component on this machine; the path is empty when the sender's socket has no name."""
+
+    path: str
+
+
+class UdpPort(NamedTuple):
+    """The UDP address of another node manager, or of a component that uses JUDP, and its network."""
+
+    host: str
+    port: int
+    network: str = DEFAULT_NETWORK
+
+
+class GroupPort(NamedTuple):
+    """The multicast group of a network."""
+
+    network: str = DEFAULT_NETWORK
+
+
+class TcpPort(NamedTuple):
+    """The remote end of a JTCP connection. `kind` makes it differ from a UDP address."""
+
+    host: str
+    port: int
+    network: str = DEFAULT_NETWORK
+    kind: str = "tcp"
+
+
+class SerialPort(NamedTuple):
+    """A serial line; `host` is its device, `port` is unused."""
+
+    host: str
+    port: int = 0
+    network: str = DEFAULT_NETWORK
+    kind: str = "serial"
+
+
+NetworkPort: TypeAlias = UdpPort | TcpPort | SerialPort
+"""The address of one peer; all have `host`, `port` and `network`."""
+
+Port: TypeAlias = LocalPort | NetworkPort | GroupPort
+GROUP: Final = GroupPort()
+
+
+def format_port(port: Port) -> str:
+    """A port as `HOST:PORT`, with an IPv6 host in brackets, or a path."""
+    host, *rest = port[:2]
+    return ":".join([f"[{host}]" if rest and ":" in host else host, *map(str, rest)])

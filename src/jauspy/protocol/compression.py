@@ -1,12 +1,12 @@
-"""Header compression of AS5669A: what two neighbours would say in every packet is said once, as a template.
+"""Header compression of AS5669A: bytes that are equal in many packets to a neighbour are sent once, as a template.
 
-With the flags, two bytes come behind the data size: a number and a length.
+With any of the flags, two bytes follow the data size: a number and a length.
 
-1 proposes: nothing is left out, and the `length` bytes behind these two become the sender's template `number`.
-2 answers in a whole packet: with the same length it accepts, with length 0 it refuses what it does not know.
-3 leaves those bytes out; the data size is that of what is sent.
+1 proposes: the packet is complete, and the `length` bytes after these two become the sender's template `number`.
+2 answers, in a complete packet: the same length accepts the proposal, length 0 refuses an unknown number.
+3 omits the bytes of the template; the data size is that of what is sent.
 
-Our own templates are control, destination and source: 7 bytes less in every packet.
+Our own templates are control, destination and source: they save 7 bytes in every packet.
 """
 
 from __future__ import annotations
@@ -14,32 +14,123 @@ from __future__ import annotations
 import struct
 from collections import OrderedDict
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Final, NamedTuple
 
 from jauspy.errors import ProtocolError
 from jauspy.protocol import addressing, header
+from jauspy.protocol.addressing import UdpPort
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.header import Priority
-from jauspy.protocol.ports import UdpPort
-from jauspy.protocol.templates import COVERED, Offers, Templates
+
+TEMPLATE_LENGTH: Final = 9
+"""Bytes of our own templates: control, destination and source."""
+MAX_TEMPLATE_LENGTH: Final = 32
+"""The longest template that is accepted from a peer."""
+MAX_TEMPLATES: Final = 1024
+MAX_OFFERS: Final = 64
+"""Templates proposed to one peer, numbered from 1."""
+PROPOSE_INTERVAL: Final = 1.0
+CONFIRM_INTERVAL: Final = 5.0
+"""Seconds after which an accepted template is proposed again, because the peer may have restarted."""
+ACCEPTANCE_TIMEOUT: Final = 10.0
+"""Seconds after the last answer in which a template is used."""
+REUSE_DELAY: Final = 30.0
+"""Seconds after its last use when a number may be reused: no packet is under way for so long."""
+
+
+class Templates:
+    """Templates that peers have proposed; the least recently used is forgotten first."""
+
+    def __init__(self) -> None:
+        self._known: OrderedDict[tuple[UdpPort, int], bytes] = OrderedDict()
+
+    def find(self, port: UdpPort, number: int) -> bytes | None:
+        """The template that a peer has proposed under this number, or None."""
+        template = self._known.get((port, number))
+        if template is not None:
+            self._known.move_to_end((port, number))
+        return template
+
+    def store(self, port: UdpPort, number: int, packet: bytes, length: int) -> bool:
+        """Store the first `length` bytes as a template; false when the length is out of range."""
+        if not 0 < length <= min(MAX_TEMPLATE_LENGTH, len(packet)):
+            return False
+        self._known[port, number] = packet[:length]
+        self._known.move_to_end((port, number))
+        if len(self._known) > MAX_TEMPLATES:
+            self._known.popitem(last=False)
+        return True
+
+
+@dataclass(slots=True)
+class Offer:
+    """A template of ours, for one peer."""
+
+    number: int
+    proposed_at: float = float("-inf")
+    accepted_at: float = float("-inf")
+    used_at: float = 0.0
+
+    def is_accepted(self, now: float) -> bool:
+        """True when the peer has accepted it lately."""
+        return now - self.accepted_at < ACCEPTANCE_TIMEOUT
+
+    def is_due(self, now: float) -> bool:
+        """True when it is to be proposed, for the first time or again."""
+        return now - self.accepted_at >= CONFIRM_INTERVAL and now - self.proposed_at >= PROPOSE_INTERVAL
+
+
+class Offers:
+    """Our templates for one peer."""
+
+    def __init__(self) -> None:
+        self._offers: OrderedDict[bytes, Offer] = OrderedDict()
+
+    def offer_for(self, template: bytes, now: float) -> Offer | None:
+        """The offer of this template; None while all numbers are in use for others."""
+        offer = self._offers.get(template)
+        if offer is None:
+            if len(self._offers) < MAX_OFFERS:
+                number = len(self._offers) + 1
+            else:
+                oldest, idle = next(iter(self._offers.items()))
+                if now - idle.used_at < REUSE_DELAY:
+                    return None
+                del self._offers[oldest]
+                number = idle.number
+            offer = self._offers[template] = Offer(number)
+        offer.used_at = now
+        self._offers.move_to_end(template)
+        return offer
+
+    def handle_answer(self, number: int, length: int, packet: bytes, now: float) -> None:
+        """The peer has accepted a number or, with length 0, refused it. Answers for another template are ignored."""
+        for template, offer in self._offers.items():
+            if offer.number == number:
+                if length == 0:
+                    offer.accepted_at = offer.proposed_at = float("-inf")
+                elif length == TEMPLATE_LENGTH and packet[1:TEMPLATE_LENGTH] == template[5:] + template[1:5]:
+                    offer.accepted_at = now
+
 
 MAX_PARTNERS: Final = 64
-"""Peers that compress, and as many that are asked whether they do."""
-PROBES: Final = 3
+"""Peers that compress, and as many that are probed."""
+MAX_PROBES: Final = 3
 PROBE_INTERVAL: Final = 1.0
 
 _PROPOSED, _ANSWERED, _COMPRESSED = 1, 2, 3
 _START: Final = struct.Struct("<BHBB")
 _BODY: Final = slice(4, None)
-"""Of a plain datagram: all but version, flags and data size."""
+"""The part of a plain datagram after version, flags and data size."""
 _PROBE_NUMBER: Final = 0
 _ACK_MASK: Final = 3 << 4
-_EMPTY: Final = COVERED + 2
-"""Bytes of a packet without a message, behind number and length."""
+_EMPTY: Final = TEMPLATE_LENGTH + 2
+"""Bytes of a packet without a message, after number and length."""
 
 
-class _Sent(NamedTuple):
-    """A packet with flags; `rest` is what follows number and length."""
+class _FlaggedPacket(NamedTuple):
+    """A packet with compression flags; `rest` is what follows number and length."""
 
     kind: int
     type: int
@@ -49,25 +140,25 @@ class _Sent(NamedTuple):
 
 
 class Compression:
-    """Accepts what peers propose. Compresses for a peer that has proposed or accepted; `probes` asks the others, too.
+    """Accepts templates of peers, and compresses for peers that have proposed or accepted one.
 
-    `send(port, datagram)` takes the answers and questions.
+    With `probes`, other peers are asked whether they compress. `send(port, datagram)` sends answers and probes.
     """
 
     def __init__(self, counters: Counters, send: Callable[[UdpPort, bytes], None], *, probes: bool = False) -> None:
         self.is_used = probes
-        """False while no packet would be changed by `shrink`."""
+        """False while `compress` changes no packet."""
         self._counters = counters
         self._send = send
         self._probes = probes
         self._templates = Templates()
         self._partners: OrderedDict[UdpPort, Offers] = OrderedDict()
-        self._asked: OrderedDict[UdpPort, tuple[int, float]] = OrderedDict()
+        self._probed: OrderedDict[UdpPort, tuple[int, float]] = OrderedDict()
 
-    # --- in ------------------------------------------------------------------------------------------------------
+    # --- receiving ------------------------------------------------------------------------------------------------
 
     def expand(self, data: bytes, port: UdpPort, now: float) -> bytes:
-        """The same packets without compression; empty when they were only about it. Raises `ProtocolError`."""
+        """The same packets without compression; empty if they only negotiate it. Raises `ProtocolError`."""
         plain = bytearray(data[:1])
         at = 1
         while at < len(data):
@@ -82,8 +173,8 @@ class Compression:
             at = end
         return bytes(plain) if len(plain) > 1 else b""
 
-    def _body(self, sent: _Sent, port: UdpPort, now: float) -> bytes:
-        """Control, destination, source, message and sequence number; empty when the packet was only about templates."""
+    def _body(self, sent: _FlaggedPacket, port: UdpPort, now: float) -> bytes:
+        """Control, destination, source, message and sequence number; empty if the packet only negotiates."""
         body = sent.rest if sent.kind != _COMPRESSED else self._template(sent.number, port) + sent.rest
         if len(body) < _EMPTY:
             raise ProtocolError("size", f"{len(body)} bytes are too few for a packet")
@@ -92,24 +183,24 @@ class Compression:
             return body
         partner = self._partner(port)
         if sent.kind == _PROPOSED:
-            self._consider(sent, port)
+            self._handle_proposal(sent, port)
         else:
-            partner.answered(sent.number, sent.length, body, now)
+            partner.handle_answer(sent.number, sent.length, body, now)
         return body if len(body) > _EMPTY or body[0] & _ACK_MASK else b""
 
     def _template(self, number: int, port: UdpPort) -> bytes:
         template = self._templates.find(port, number)
         if template is None:
-            self._answer(number, 0, bytes(COVERED), port)
+            self._answer(number, 0, bytes(TEMPLATE_LENGTH), port)
             self._counters["compression.refused"] += 1
-            raise ProtocolError("no_template", f"nobody has proposed number {number} here")
+            raise ProtocolError("no_template", f"template {number} was not proposed")
         return template
 
-    def _consider(self, sent: _Sent, port: UdpPort) -> None:
-        """Accept a proposal, if it can be kept and its answer has one receiver."""
+    def _handle_proposal(self, sent: _FlaggedPacket, port: UdpPort) -> None:
+        """Accept a proposal if its template can be stored and its answer has one receiver."""
         destination, source = struct.unpack_from("<II", sent.rest, 1)
-        vague = addressing.is_vague(destination) or addressing.is_vague(source)
-        if vague or not self._templates.keep(port, sent.number, sent.rest[:-2], sent.length):
+        incomplete = addressing.is_incomplete(destination) or addressing.is_incomplete(source)
+        if incomplete or not self._templates.store(port, sent.number, sent.rest[:-2], sent.length):
             self._counters["compression.not_accepted"] += 1
             return
         control = bytes([sent.rest[0] & ~_ACK_MASK])
@@ -120,7 +211,7 @@ class Compression:
         self._send(port, _packed(_ANSWERED, number, length, head + bytes(2)))
 
     def _partner(self, port: UdpPort) -> Offers:
-        """Whoever sends such flags can compress."""
+        """The offers for a peer that uses compression."""
         partner = self._partners.get(port)
         if partner is None:
             partner = self._partners[port] = Offers()
@@ -130,56 +221,56 @@ class Compression:
         self._partners.move_to_end(port)
         return partner
 
-    def knows(self, port: UdpPort) -> bool:
-        """True when `shrink` may change or do something for this peer."""
+    def applies_to(self, port: UdpPort) -> bool:
+        """True when `compress` may change packets to this peer, or probe it."""
         return self._probes or port in self._partners
 
-    # --- out -----------------------------------------------------------------------------------------------------
+    # --- sending ------------------------------------------------------------------------------------------------
 
-    def shrink(self, datagram: bytes, port: UdpPort, now: float) -> bytes:
-        """A plain packet as it is to be sent there.
+    def compress(self, datagram: bytes, port: UdpPort, now: float) -> bytes:
+        """The datagram to send to this peer in place of a plain packet.
 
-        Safety-critical ones always go whole, so that nothing earlier must have arrived for them to be understood.
+        Safety-critical packets are never compressed, so that they are understood even if earlier packets were lost.
         """
         if datagram[0] != header.VERSION or datagram[1] or datagram[4] & 3 == Priority.SAFETY_CRITICAL:
             return datagram
         partner = self._partners.get(port)
         if partner is None:
             if self._probes:
-                self._ask(datagram, port, now)
+                self._probe(datagram, port, now)
             return datagram
         body = datagram[_BODY]
-        offer = partner.offer_for(body[:COVERED], now)
+        offer = partner.offer_for(body[:TEMPLATE_LENGTH], now)
         if offer is None:
             return datagram
         if offer.is_due(now) and len(body) <= header.MAX_PAYLOAD + _EMPTY:
             offer.proposed_at = now
             self._counters["compression.proposed"] += 1
-            return _packed(_PROPOSED, offer.number, COVERED, body)
+            return _packed(_PROPOSED, offer.number, TEMPLATE_LENGTH, body)
         if offer.is_accepted(now):
             self._counters["compression.sent"] += 1
-            return _packed(_COMPRESSED, offer.number, COVERED, body[COVERED:])
+            return _packed(_COMPRESSED, offer.number, TEMPLATE_LENGTH, body[TEMPLATE_LENGTH:])
         return datagram
 
-    def _ask(self, datagram: bytes, port: UdpPort, now: float) -> None:
-        """Propose in an empty packet: those that do not know compression would misread a message that has it."""
-        count, at = self._asked.get(port, (0, now - PROBE_INTERVAL))
-        if count >= PROBES or now - at < PROBE_INTERVAL:
+    def _probe(self, datagram: bytes, port: UdpPort, now: float) -> None:
+        """Propose in an empty packet, because peers without compression would misread a message."""
+        count, at = self._probed.get(port, (0, now - PROBE_INTERVAL))
+        if count >= MAX_PROBES or now - at < PROBE_INTERVAL:
             return
-        self._asked[port] = (count + 1, now)
-        if len(self._asked) > MAX_PARTNERS:
-            self._asked.popitem(last=False)
+        self._probed[port] = (count + 1, now)
+        if len(self._probed) > MAX_PARTNERS:
+            self._probed.popitem(last=False)
         control = bytes([datagram[4] & ~_ACK_MASK & 0x3F])
-        self._send(port, _packed(_PROPOSED, _PROBE_NUMBER, COVERED, control + datagram[5:13] + bytes(2)))
+        self._send(port, _packed(_PROPOSED, _PROBE_NUMBER, TEMPLATE_LENGTH, control + datagram[5:13] + bytes(2)))
         self._counters["compression.asked"] += 1
 
 
-def applies_to(data: bytes) -> bool:
-    """True when the first packet of a datagram has any of the flags."""
+def is_compressed(data: bytes) -> bool:
+    """True when the first packet of a datagram has a compression flag."""
     return len(data) > 1 and data[1] > 0x3F and data[0] == header.VERSION
 
 
-def _parse(data: bytes, at: int) -> tuple[_Sent, int]:
+def _parse(data: bytes, at: int) -> tuple[_FlaggedPacket, int]:
     """The packet with flags at `at`, and where it ends."""
     left = len(data) - at
     if left < _START.size:
@@ -187,7 +278,7 @@ def _parse(data: bytes, at: int) -> tuple[_Sent, int]:
     flags, size, number, length = _START.unpack_from(data, at)
     if not _START.size <= size <= left:
         raise ProtocolError("truncated", f"a data size of {size} in {left} bytes")
-    return _Sent(flags >> 6, flags & 0x3F, number, length, data[at + _START.size : at + size]), at + size
+    return _FlaggedPacket(flags >> 6, flags & 0x3F, number, length, data[at + _START.size : at + size]), at + size
 
 
 def _packed(kind: int, number: int, length: int, body: bytes) -> bytes:

@@ -1,4 +1,4 @@
-"""Counting by reason: nothing is dropped in silence."""
+"""Counters by reason: every dropped packet is counted."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import logging
 class Counters(dict[str, int]):
     """Counters by dotted name (`dropped.malformed.size`); a drop is logged once per reason at DEBUG.
 
-    A dict, because `collections.Counter` takes twice as long to count, and every packet is counted twice.
+    A dict, because `collections.Counter` takes twice as long, and every packet is counted twice.
     """
 
     def __init__(self, logger: logging.Logger) -> None:
@@ -19,7 +19,7 @@ class Counters(dict[str, int]):
         return 0
 
     def drop(self, reason: str, detail: object = "") -> None:
-        """Count a dropped packet; the first of each reason is logged."""
+        """Count a dropped packet; the first of each reason is logged with `detail`."""
         name = f"dropped.{reason}"
         if not self[name]:
             self._logger.debug("first %s: %s", name, detail)

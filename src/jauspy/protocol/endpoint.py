@@ -1,4 +1,4 @@
-"""A component's side of AS5669A: numbers, acknowledges, resends, cuts up and puts together, drops what came twice."""
+"""AS5669A at a component: sequence numbers, acknowledgement, resends, fragmentation, reassembly, duplicates."""
 
 from __future__ import annotations
 
@@ -8,25 +8,24 @@ from typing import Final, TypeVar
 
 from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
-from jauspy.protocol import addressing, header, judp, junior
+from jauspy.protocol import addressing, header, judp
 from jauspy.protocol.counters import Counters
-from jauspy.protocol.delivery import Delivery, Outcome
+from jauspy.protocol.delivery import Delivery, DeliveryOutcome, Transfers
 from jauspy.protocol.duplicates import Duplicates
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet, Priority
 from jauspy.protocol.reassembly import Reassembly
-from jauspy.protocol.transfers import Transfers
 
 _LOGGER = logging.getLogger(__name__)
 _Item = TypeVar("_Item", bytes, Packet)
 
 MAX_QUEUED: Final = 1024
-"""Packets that may wait in either direction; the oldest is dropped first, and counted."""
+"""Packets that may wait in each direction; the oldest is dropped first, and counted."""
 
 
 class Endpoint:
     """Sans-I/O endpoint of one component.
 
-    `first_sequence` should be random: peers drop a restarted component's first messages as duplicates when it
+    `first_sequence` should be random: peers drop the first messages of a restarted component as duplicates when it
     starts at the same number again.
     """
 
@@ -37,7 +36,7 @@ class Endpoint:
         self._sequence = first_sequence & 0xFFFF
         self._output: deque[bytes] = deque()
         self._input: deque[Packet] = deque()
-        self._duplicates = Duplicates(self._settings.memory_of_resends)
+        self._duplicates = Duplicates(self._settings.resend_period)
         self._reassembly = Reassembly(self._settings, self.counters)
         self._transfers = Transfers(self._settings, self.counters, self._emit, self._reserve)
 
@@ -51,9 +50,10 @@ class Endpoint:
         broadcast: Broadcast = Broadcast.NONE,
         ack: Ack = Ack.NONE,
     ) -> int | None:
-        """Queue one message; with `Ack.REQUIRED` it is resent until acknowledged, and `next_outcome` tells its ticket.
+        """Queue one message; returns a ticket if it needs an ACK, else None.
 
-        Raises `ProtocolError` for a message that is too large, and when too much is under way.
+        With `Ack.REQUIRED` it is resent until acknowledged; `next_outcome` then returns its ticket. Raises
+        `ProtocolError` for a message that is too large, and when too many messages are being sent.
         """
         large = len(payload) > header.MAX_PAYLOAD
         if len(payload) > self._settings.max_message:
@@ -75,17 +75,15 @@ class Endpoint:
         return ticket if ack is Ack.REQUIRED else None
 
     def receive(self, datagram: bytes | memoryview, now: float) -> None:
-        """Take one datagram; malformed ones are counted by reason, never raised."""
-        if junior.parse(datagram) is not None:
-            return
+        """Process one datagram; malformed ones are counted by reason. Never raises."""
         packets, errors = judp.unpack_all(datagram)
         for packet in packets:
-            self._take(packet, now)
+            self._receive_packet(packet, now)
         for error in errors:
             self.counters.drop(f"malformed.{error.reason}", error)
 
-    def move(self, id: JausID) -> None:
-        """Be another component from now on; what is not acknowledged under the old id counts as not delivered."""
+    def change_id(self, id: JausID) -> None:
+        """Change the id; messages that are not acknowledged yet count as not delivered."""
         self._transfers.abandon()
         self.id = id
 
@@ -96,24 +94,24 @@ class Endpoint:
         return out
 
     def next_event(self) -> Packet | None:
-        """The next message that was received, whole however many pieces it came in, or None."""
+        """The next received message, reassembled if it was fragmented, or None."""
         return self._input.popleft() if self._input else None
 
-    def next_outcome(self) -> Outcome | None:
-        """How the next message that wanted to be acknowledged ended, or None."""
+    def next_outcome(self) -> DeliveryOutcome | None:
+        """How the next message that requested an ACK ended, or None."""
         return self._transfers.next_outcome()
 
     def next_timeout(self) -> float | None:
-        """When `handle_timeout` wants to be called, or None."""
+        """When `handle_timeout` is to be called, or None."""
         times = (self._transfers.next_timeout(), self._reassembly.next_timeout())
         return min((time for time in times if time is not None), default=None)
 
     def handle_timeout(self, now: float, *, room: bool = True) -> None:
-        """Resend, give up what waited too long, and send further pieces, unless there is no `room` for them yet."""
+        """Resend or give up packets, drop incomplete messages, and send more fragments if the transport has `room`."""
         self._transfers.handle_timeout(now, room=room)
         self._reassembly.handle_timeout(now)
 
-    def _take(self, packet: Packet, now: float) -> None:
+    def _receive_packet(self, packet: Packet, now: float) -> None:
         if not addressing.reaches(int(packet.destination), int(self.id)):
             self.counters.drop("not_for_us", packet.destination)
         elif packet.ack is Ack.ACK:
@@ -126,7 +124,7 @@ class Endpoint:
             self._acknowledge(packet)
 
     def _accept(self, packet: Packet, now: float) -> bool:
-        """True when the packet is in good hands, now or since an earlier copy of it."""
+        """True when the packet, or an earlier copy of it, was accepted."""
         source, content = int(packet.source), hash((packet.payload, packet.destination))
         if self._duplicates.seen(source, packet.sequence, content, now, resent=packet.ack is Ack.REQUIRED):
             self.counters.drop("duplicate", packet.source)
@@ -134,17 +132,17 @@ class Endpoint:
         if packet.ack is Ack.REQUIRED and len(self._input) >= MAX_QUEUED:
             self.counters.drop("input_full_not_acknowledged", packet.source)
             return False
-        whole: Packet | None = packet
+        message: Packet | None = packet
         if packet.data_flag is not DataFlag.SINGLE:
-            kept, whole = self._reassembly.add(packet, content, now)
+            kept, message = self._reassembly.add(packet, content, now)
             if not kept:
                 return False
-        if whole is not None:
-            self._hand_up(whole)
+        if message is not None:
+            self._queue_message(message)
         self._duplicates.add(source, packet.sequence, content, now)
         return True
 
-    def _hand_up(self, packet: Packet) -> None:
+    def _queue_message(self, packet: Packet) -> None:
         if packet.payload:
             self._push(self._input, packet, "input_full")
             self.counters["received"] += 1
@@ -157,6 +155,7 @@ class Endpoint:
             self.counters["sent.ack"] += 1
 
     def _reserve(self, count: int) -> int:
+        """The first of `count` sequence numbers."""
         first = self._sequence
         self._sequence = (first + count) & 0xFFFF
         return first

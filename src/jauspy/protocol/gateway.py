@@ -1,4 +1,4 @@
-"""What a gateway decides: which packets cross from one network to another.
+"""Gateway: which packets cross from one network to another, and the rules that filter them.
 
 A gateway stands between the networks inside a subsystem (its capability modules) and those outside (operator control
 units, other robots). Only what concerns ids of its subsystem crosses, and nothing goes back to where it came from.
@@ -7,25 +7,122 @@ The components of its own machine count as inside.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections import OrderedDict
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Final
 
-from jauspy.protocol.header import Broadcast, RawPacket
-from jauspy.protocol.rules import Rules
+from jauspy.ids import EVERYONE, JausID
+from jauspy.protocol.header import Broadcast, DataFlag, RawPacket
+from jauspy.protocol.sources import TokenBuckets
+
+MAX_FRAGMENT_STREAMS: Final = 1024
+"""Large messages whose first fragment was allowed."""
+FRAGMENT_TIMEOUT: Final = 10.0
+"""Seconds after an allowed fragment in which the next one is allowed without a first one."""
+
+
+@dataclass(frozen=True, slots=True)
+class GatewayRule:
+    """Allows or denies the packets that match all of its conditions. Ids may have wildcards.
+
+    `network` None is every network outside; `messages` None is every message, else ranges of message ids; `rate` is in
+    messages per second and source, None for no limit.
+    """
+
+    allow: bool
+    source: JausID = EVERYONE
+    destination: JausID = EVERYONE
+    network: str | None = None
+    messages: tuple[range, ...] | None = None
+    rate: float | None = None
+
+    def matches(self, source: JausID, destination: JausID, code: int | None) -> bool:
+        """True when the ids and the message id match; `code` None is an acknowledgement, which matches any message."""
+        return (
+            self.source.matches(source)
+            and self.destination.matches(destination)
+            and (code is None or self.messages is None or any(code in codes for codes in self.messages))
+        )
+
+
+class GatewayRules:
+    """The first matching rule decides. A packet that matches none is refused from outside, and allowed from inside.
+
+    Everything is allowed from a network that no rule applies to.
+    """
+
+    def __init__(self, rules: Sequence[GatewayRule], *, inside: Iterable[str] = ()) -> None:
+        self._rules = tuple(rules)
+        self._inside = frozenset(inside)
+        self._buckets = {
+            index: TokenBuckets(rule.rate, rule.rate) for index, rule in enumerate(rules) if rule.rate is not None
+        }
+        self._streams: OrderedDict[tuple[int, int, str], float] = OrderedDict()
+        """Time of the last fragment of each allowed large message."""
+
+    def refusal(self, raw: RawPacket, data: bytes, network: str, now: float) -> str | None:
+        """Why a packet from `network` is refused, as a counter's name; None when it is allowed."""
+        if not self._rules:
+            return None
+        flag = raw.control >> 6
+        stream = (raw.source, raw.destination, network)
+        if flag in (DataFlag.MIDDLE, DataFlag.LAST):
+            if now - self._streams.get(stream, float("-inf")) >= FRAGMENT_TIMEOUT:
+                return "rule"
+            self._note(stream, now)
+            return None
+        why = self._apply(raw, data, network, now)
+        if flag == DataFlag.FIRST:
+            if why is None:
+                self._note(stream, now)
+            else:
+                self._streams.pop(stream, None)
+        return why
+
+    def _note(self, stream: tuple[int, int, str], now: float) -> None:
+        self._streams[stream] = now
+        self._streams.move_to_end(stream)
+        if len(self._streams) > MAX_FRAGMENT_STREAMS:
+            self._streams.popitem(last=False)
+
+    def _apply(self, raw: RawPacket, data: bytes, network: str, now: float) -> str | None:
+        inside = network in self._inside
+        source, destination = JausID.from_int(raw.source), JausID.from_int(raw.destination)
+        code = _message_id(raw, data)
+        applied = False
+        for index, rule in enumerate(self._rules):
+            if rule.network != network and (inside or rule.network is not None):
+                continue
+            applied = True
+            if rule.matches(source, destination, code):
+                if not rule.allow:
+                    return "rule"
+                within = index not in self._buckets or self._buckets[index].take(raw.source, now)
+                return None if within else "rule_rate"
+        return "rule" if applied and not inside else None
+
+
+def _message_id(raw: RawPacket, data: bytes) -> int | None:
+    """The id of the message in a packet; None for an acknowledgement."""
+    at = raw.payload_start
+    return int.from_bytes(data[at : at + 2], "little") if raw.end - 2 >= at + 2 else None
+
 
 ANY_SUBSYSTEM = 0xFFFF
 
 
 class Gateway:
-    """`networks` are all names, `inside` those of the subsystem itself."""
+    """`networks` are the names of all networks, `inside` those of the subsystem."""
 
-    def __init__(self, subsystem: int, networks: Iterable[str], inside: Iterable[str], rules: Rules) -> None:
+    def __init__(self, subsystem: int, networks: Iterable[str], inside: Iterable[str], rules: GatewayRules) -> None:
         self._subsystem = subsystem
         self._inside = tuple(inside)
         self._outside = tuple(name for name in networks if name not in self._inside)
         self._rules = rules
 
     def refusal(self, raw: RawPacket, data: bytes, network: str, now: float) -> str | None:
-        """Why a packet from `network` is not taken at all (a short name for counters); None when it is."""
+        """Why a packet from `network` is refused, as a counter's name; None when it is accepted."""
         if network in self._outside:
             if raw.source >> 16 == self._subsystem:
                 return "own_id_outside"
@@ -34,7 +131,7 @@ class Gateway:
         return self._rules.refusal(raw, data, network, now)
 
     def onward(self, raw: RawPacket, network: str) -> tuple[str, ...]:
-        """The networks that a packet which was taken from `network` may be sent to."""
+        """The networks that an accepted packet from `network` may be sent to."""
         if raw.broadcast == Broadcast.LOCAL:
             return ()
         if network in self._outside:
@@ -42,7 +139,7 @@ class Gateway:
         return tuple(name for name in self.reach(raw.source, raw.destination) if name != network)
 
     def reach(self, source: int, destination: int) -> tuple[str, ...]:
-        """Where a packet from inside belongs: ids of the subsystem are inside, all others outside, wildcards both."""
+        """The networks for a packet from inside: own ids are inside, all others outside, wildcards both."""
         to = destination >> 16
         inside = self._inside if to in (self._subsystem, ANY_SUBSYSTEM) else ()
         leaves = to != self._subsystem and source >> 16 == self._subsystem

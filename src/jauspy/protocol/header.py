@@ -15,10 +15,11 @@ from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
 
 VERSION: Final = 2
+VERSION_BYTE: Final = bytes([VERSION])
 OVERHEAD: Final = 14
 """Bytes of a packet without its payload (and without the version byte)."""
 MAX_PAYLOAD: Final = 4079
-"""What is sent in one packet; 4096 bytes on the wire with version byte and header compression."""
+"""Bytes of payload that are sent in one packet: 4096 on the wire with version byte and header compression."""
 
 _HEADER: Final = struct.Struct("<BHBII")
 _ALONE: Final = struct.Struct("<BBHBII")
@@ -37,7 +38,7 @@ class Priority(IntEnum):
 
 
 class Broadcast(IntEnum):
-    """Bits 2-3 of the control byte. `RESERVED` is sent by faulty peers and must pass."""
+    """Bits 2-3 of the control byte. `RESERVED` is sent by faulty peers and must be accepted."""
 
     NONE = 0
     LOCAL = 1
@@ -55,7 +56,7 @@ class Ack(IntEnum):
 
 
 class DataFlag(IntEnum):
-    """Bits 6-7 of the control byte: which piece of a large message this is."""
+    """Bits 6-7 of the control byte: which fragment of a large message this is."""
 
     SINGLE = 0
     FIRST = 1
@@ -65,7 +66,7 @@ class DataFlag(IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class Packet:
-    """One packet. `payload` is a JAUS message (id first) or one piece of it; empty in an ACK."""
+    """One packet. `payload` is a JAUS message (id first) or a fragment of one; empty in an ACK."""
 
     source: JausID
     destination: JausID
@@ -78,7 +79,7 @@ class Packet:
 
 
 def pack(packet: Packet) -> bytes:
-    """Bytes of a packet, without version byte; raises `ProtocolError` when the payload is too long."""
+    """The bytes of a packet, without version byte; raises `ProtocolError` when the payload is too long."""
     size = OVERHEAD + len(packet.payload)
     if size > 0xFFFF:
         raise ProtocolError("oversize", f"a payload of {len(packet.payload)} bytes does not fit one packet")
@@ -94,7 +95,7 @@ def pack_alone(source: int, destination: int, control: int, payload: bytes, sequ
 
 
 class RawPacket(NamedTuple):
-    """The header of a packet as numbers, and where it lies in a datagram: all that routing needs."""
+    """The header of a packet as numbers, with its offsets in a datagram: all that routing needs."""
 
     start: int
     end: int
@@ -123,12 +124,12 @@ _new: Final = tuple.__new__  # a third of the time of RawPacket(...), which coun
 
 
 def control_offset(datagram: bytes) -> int:
-    """Where the control byte of a checked packet is in its datagram, version byte included."""
+    """The offset of the control byte in the datagram of a checked packet, version byte included."""
     return 6 if datagram[1] & 0xC0 else 4
 
 
 def parse_alone(datagram: bytes | memoryview) -> RawPacket | None:
-    """The header of a plain packet that has a datagram for itself, as nearly all have; None: look closer."""
+    """The header of a plain packet that is alone in its datagram, as nearly all are; None for any other datagram."""
     size = len(datagram)
     if size <= OVERHEAD or datagram[0] != VERSION or datagram[1]:
         return None
@@ -138,23 +139,10 @@ def parse_alone(datagram: bytes | memoryview) -> RawPacket | None:
     return _new(RawPacket, (1, size, _ALONE.size, control, destination, source))
 
 
-def peek_priority(datagram: bytes, skip: int = 0) -> int:
-    """The priority of a datagram that nobody has checked yet; 0 when it is no packet of this version.
-
-    That of a compressed packet is in its template; what is compressed here is never the most urgent.
-    """
-    if len(datagram) < skip + OVERHEAD + 1 or datagram[skip] != VERSION:
-        return Priority.STANDARD if datagram[skip : skip + 1] == b"\x02" and datagram[skip + 1 :] >= b"\xc0" else 0
-    flags = datagram[skip + 1] & 0xC0
-    if flags == 0xC0:
-        return Priority.STANDARD
-    return datagram[skip + (6 if flags else 4)] & 3
-
-
 def parse_header(data: bytes | memoryview, start: int = 0) -> RawPacket:
-    """The header of the packet at `start` (after the version byte); raises `ProtocolError` with a short reason.
+    """The header of the packet at `start` (after the version byte); raises `ProtocolError`.
 
-    A peer may propose header compression (flag 1): the full header is there, and two bytes more that are skipped.
+    A peer may propose header compression (flag 1): the header is complete, and two more bytes in it are skipped.
     """
     left = len(data) - start
     if left < OVERHEAD:

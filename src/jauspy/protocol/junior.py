@@ -1,7 +1,7 @@
-"""The Junior local protocol: how a component introduces itself to its node manager.
+"""The Junior local protocol: how a component registers with its node manager.
 
-Connect, Accept and Cancel are 21 bytes with the header of AS5669 version 1 and no payload. All other datagrams on
-the local sockets are as on UDP, one packet each.
+Connect, Accept and Cancel have 21 bytes: a header of AS5669 version 1 without payload. All other datagrams on the local
+sockets are those of JUDP, one packet each.
 """
 
 from __future__ import annotations
@@ -16,14 +16,11 @@ from jauspy.ids import JausID
 SOCKET_NAME: Final = "JuniorRTE"
 """The node manager's socket in its root folder (`/tmp` by default); a component's is its id in decimal."""
 
-VERSION: Final = 1
-"""The transport version of control messages, in their first byte."""
+_VERSION: Final = 1
 
 # version, header compression, length (big endian), priority, RA version, code, destination, source, size, sequence
 _CONTROL: Final = struct.Struct("<B2s2sBBHIIHH")
-SIZE: Final = _CONTROL.size
-"""Bytes of every control message."""
-_HEAD: Final = (VERSION, b"\0\0", b"\0\x10", 6, 2)
+_HEAD: Final = (_VERSION, b"\0\0", b"\0\x10", 6, 2)
 
 
 class ControlKind(IntEnum):
@@ -43,23 +40,23 @@ class Control:
 
 
 def connect(id: JausID) -> bytes:
-    """Component to node manager: here I am."""
+    """From component to node manager: register this id."""
     return _CONTROL.pack(*_HEAD, ControlKind.CONNECT, 0, int(id), 0, 0)
 
 
 def accept(id: JausID) -> bytes:
-    """Node manager to component: the answer to every Connect."""
+    """From node manager to component: the answer to every Connect."""
     return _CONTROL.pack(*_HEAD, ControlKind.ACCEPT, int(id), 0, 0, 0)
 
 
 def cancel(id: JausID) -> bytes:
-    """Component to node manager: goodbye; there is no answer."""
+    """From component to node manager: remove this id; it is not answered."""
     return _CONTROL.pack(*_HEAD, ControlKind.CANCEL, 0, int(id), 0, 0)
 
 
 def parse(data: bytes | memoryview) -> Control | None:
-    """The control message in `data`, or None when it is something else."""
-    if len(data) != _CONTROL.size or data[0] != VERSION:
+    """The control message in `data`, or None for any other datagram."""
+    if len(data) != _CONTROL.size or data[0] != _VERSION:
         return None
     _, _, length, _, version, code, destination, source, size, _ = _CONTROL.unpack(data)
     if length != _HEAD[2] or version != _HEAD[4] or size or code not in ControlKind._value2member_map_:

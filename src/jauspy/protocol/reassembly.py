@@ -1,36 +1,88 @@
-"""Putting large messages together from pieces that arrive in any order, within bounds of memory and time.
+"""Reassembly of large messages from fragments that arrive in any order, with bounds of memory and time.
 
-A piece that is not kept must not be acknowledged, so that its sender learns the truth. For the same reason what came
-with a promise to resend is never thrown away to make room for something else; it only expires.
+A fragment that is not kept must not be acknowledged, so that its sender learns that it is lost. For the same reason a
+fragment whose sender resends it is never dropped to make room for another; it only expires.
 """
 
 from __future__ import annotations
 
+from collections import deque
+from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from typing import Final
 
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.delivery import Delivery
-from jauspy.protocol.duplicates import ECHO
-from jauspy.protocol.fragments import PIECE_COST, Run
+from jauspy.protocol.duplicates import ECHO_WINDOW
 from jauspy.protocol.header import Ack, DataFlag, Packet
 
+FRAGMENT_OVERHEAD: Final = 256
+"""Bytes of memory charged for a fragment in addition to its payload."""
 MAX_SOURCES: Final = 256
-CHECKS: Final = 4
-"""Looks for what has waited too long, in the time a piece may wait."""
+CHECKS_PER_TIMEOUT: Final = 4
+"""How often incomplete messages are checked within `fragment_timeout`."""
+
+
+@dataclass(slots=True)
+class FragmentRun:
+    """Fragments with consecutive numbers from `first` to `last`; a complete message when it `begins` and `ends`."""
+
+    first: int
+    last: int
+    begins: bool
+    ends: bool
+    fragments: deque[bytes]
+    size: int
+    touched: float
+    head: Packet
+
+    @classmethod
+    def of(cls, packet: Packet, now: float) -> FragmentRun:
+        """The run of one fragment."""
+        flag, payload = packet.data_flag, packet.payload
+        begins, ends = flag is DataFlag.FIRST, flag is DataFlag.LAST
+        return cls(packet.sequence, packet.sequence, begins, ends, deque((payload,)), len(payload), now, packet)
+
+    def __len__(self) -> int:
+        return len(self.fragments)
+
+    @property
+    def complete(self) -> bool:
+        """True when no fragment is missing."""
+        return self.begins and self.ends
+
+    @property
+    def cost(self) -> int:
+        """Bytes of memory, with overhead."""
+        return self.size + FRAGMENT_OVERHEAD * len(self.fragments)
+
+    def numbers(self) -> Iterator[int]:
+        """The sequence numbers of the fragments."""
+        return ((self.first + step) & 0xFFFF for step in range(len(self.fragments)))
+
+    def join(self, after: FragmentRun) -> FragmentRun:
+        """One run of this and the one that follows it; the fragments of the shorter are added to the longer."""
+        if len(after) > len(self):
+            after.fragments.extendleft(reversed(self.fragments))
+            fragments = after.fragments
+        else:
+            self.fragments.extend(after.fragments)
+            fragments = self.fragments
+        size, touched = self.size + after.size, max(self.touched, after.touched)
+        return FragmentRun(self.first, after.last, self.begins, after.ends, fragments, size, touched, self.head)
 
 
 @dataclass(slots=True)
 class _Source:
-    """The pieces of one sender. `starts` is in the order of the last change; `present` has a hash of each piece."""
+    """Fragments of one sender; `starts` in the order of the last change, `present` with a hash of each fragment."""
 
-    starts: dict[int, Run] = field(default_factory=dict)
-    ends: dict[int, Run] = field(default_factory=dict)
+    starts: dict[int, FragmentRun] = field(default_factory=dict)
+    ends: dict[int, FragmentRun] = field(default_factory=dict)
     present: dict[int, int] = field(default_factory=dict)
     cost: int = 0
 
-    def neighbours(self, run: Run) -> tuple[Run | None, Run | None]:
-        """The runs of the same message that `run` continues, and that continue it."""
+    def neighbours(self, run: FragmentRun) -> tuple[FragmentRun | None, FragmentRun | None]:
+        """The runs of the same message directly before and after `run`."""
         before = self.ends.get((run.first - 1) & 0xFFFF)
         after = self.starts.get((run.last + 1) & 0xFFFF)
         return (
@@ -38,17 +90,17 @@ class _Source:
             None if run.ends or after is None or after.begins else after,
         )
 
-    def add(self, run: Run) -> None:
+    def add(self, run: FragmentRun) -> None:
         self.starts[run.first] = self.ends[run.last] = run
         self.cost += run.cost
 
-    def remove(self, run: Run) -> None:
+    def remove(self, run: FragmentRun) -> None:
         del self.starts[run.first], self.ends[run.last]
         self.cost -= run.cost
 
 
 class Reassembly:
-    """Sans-I/O. Keys are a sender and whom it sends to, as 32-bit numbers."""
+    """Sans-I/O. Keys are source and destination as 32-bit numbers."""
 
     def __init__(self, settings: Delivery, counters: Counters) -> None:
         self._settings = settings
@@ -59,22 +111,22 @@ class Reassembly:
 
     @property
     def memory(self) -> int:
-        """Bytes that incomplete messages take now."""
+        """Bytes that incomplete messages occupy."""
         return self._cost
 
     def add(self, packet: Packet, content: int, now: float) -> tuple[bool, Packet | None]:
-        """Take one piece; `content` is its hash. Returns whether it was kept, and the message that it completes."""
+        """Add one fragment; `content` is its hash. Returns whether it was kept, and the message that it completes."""
         key = (int(packet.source), int(packet.destination))
         known = self._sources.get(key)
         if known is not None and packet.sequence in known.present:
-            if not _starts_again(known, packet, content, now):
+            if not _is_restart(known, packet, content, now):
                 return True, None
             self._drop_all(key)
-        if not self._make_room(key, PIECE_COST + len(packet.payload)):
+        if not self._make_room(key, FRAGMENT_OVERHEAD + len(packet.payload)):
             self._counters.drop("large_message.no_memory", packet.source)
             return False, None
         source = self._sources.setdefault(key, _Source())
-        run = self._grown(source, Run.of(packet, now))
+        run = self._extend(source, FragmentRun.of(packet, now))
         if run is None:
             if not source.starts:
                 del self._sources[key]
@@ -82,25 +134,25 @@ class Reassembly:
             return False, None
         source.present[packet.sequence] = content
         if self._check_at is None:
-            self._check_at = now + self._settings.patience
-        return True, self._finished(key, run) if run.whole else None
+            self._check_at = now + self._settings.fragment_timeout
+        return True, self._complete(key, run) if run.complete else None
 
     def next_timeout(self) -> float | None:
-        """When `handle_timeout` wants to be called, or None."""
+        """When `handle_timeout` is to be called, or None."""
         return self._check_at
 
     def handle_timeout(self, now: float) -> None:
-        """Give up messages whose missing pieces stay out."""
+        """Drop messages whose missing fragments did not arrive in time."""
         if self._check_at is None or now < self._check_at:
             return
-        patience = self._settings.patience
+        timeout = self._settings.fragment_timeout
         for key, source in list(self._sources.items()):
-            for run in [run for run in source.starts.values() if now - run.touched >= patience]:
+            for run in [run for run in source.starts.values() if now - run.touched >= timeout]:
                 self._drop(key, run, "incomplete")
-        self._check_at = now + patience / CHECKS if self._sources else None
+        self._check_at = now + timeout / CHECKS_PER_TIMEOUT if self._sources else None
 
-    def _grown(self, source: _Source, run: Run) -> Run | None:
-        """The run that a piece now belongs to; None when the message becomes too large with it."""
+    def _extend(self, source: _Source, run: FragmentRun) -> FragmentRun | None:
+        """The run that contains the new fragment; None if the message would be too large."""
         before, after = source.neighbours(run)
         if sum(each.size for each in (before, run, after) if each) > self._settings.max_message:
             return None
@@ -115,22 +167,22 @@ class Reassembly:
         self._cost += source.cost
         return run
 
-    def _finished(self, key: tuple[int, int], run: Run) -> Packet:
+    def _complete(self, key: tuple[int, int], run: FragmentRun) -> Packet:
         self._remove(key, run)
-        return replace(run.head, payload=b"".join(run.pieces), data_flag=DataFlag.SINGLE)
+        return replace(run.head, payload=b"".join(run.fragments), data_flag=DataFlag.SINGLE)
 
     def _make_room(self, key: tuple[int, int], needed: int) -> bool:
-        """Drop the oldest that nobody resends, of this source, then of the largest; false if that is not enough."""
+        """Drop the oldest runs that nobody resends, of this source, then of the largest; false if not enough."""
         limits = self._settings
         while key in self._sources and self._sources[key].cost + needed > limits.source_memory:
             if not self._drop_oldest(key):
                 return False
-        while self._sources and (self._cost + needed > limits.total_memory or self._is_full_for(key)):
+        while self._sources and (self._cost + needed > limits.total_memory or self._has_too_many_sources(key)):
             if not self._drop_oldest(max(self._sources, key=lambda each: self._sources[each].cost)):
                 return False
         return needed <= limits.total_memory
 
-    def _is_full_for(self, key: tuple[int, int]) -> bool:
+    def _has_too_many_sources(self, key: tuple[int, int]) -> bool:
         return len(self._sources) >= MAX_SOURCES and key not in self._sources
 
     def _drop_oldest(self, key: tuple[int, int]) -> bool:
@@ -143,11 +195,11 @@ class Reassembly:
         for run in list(self._sources[key].starts.values()):
             self._drop(key, run, "restarted")
 
-    def _drop(self, key: tuple[int, int], run: Run, reason: str) -> None:
-        self._counters.drop(f"large_message.{reason}", f"{len(run)} pieces, {run.size} bytes from {run.head.source}")
+    def _drop(self, key: tuple[int, int], run: FragmentRun, reason: str) -> None:
+        self._counters.drop(f"large_message.{reason}", f"{len(run)} fragments, {run.size} bytes from {run.head.source}")
         self._remove(key, run)
 
-    def _remove(self, key: tuple[int, int], run: Run) -> None:
+    def _remove(self, key: tuple[int, int], run: FragmentRun) -> None:
         source = self._sources[key]
         source.remove(run)
         self._cost -= run.cost
@@ -157,10 +209,10 @@ class Reassembly:
             del self._sources[key]
 
 
-def _starts_again(source: _Source, packet: Packet, content: int, now: float) -> bool:
-    """A number that is there already: a resend, unless its bytes differ or its sender never resends."""
+def _is_restart(source: _Source, packet: Packet, content: int, now: float) -> bool:
+    """True if a known sequence number belongs to a new message: its bytes differ, or its sender does not resend."""
     if source.present[packet.sequence] != content:
         return True
     if packet.ack is Ack.REQUIRED or packet.data_flag is not DataFlag.FIRST:
         return False
-    return now - source.starts[packet.sequence].touched > ECHO
+    return now - source.starts[packet.sequence].touched > ECHO_WINDOW

@@ -1,95 +1,101 @@
-"""Which component lives where: one connects, says goodbye, is found dead, or claims what is another's."""
+"""Registration of components: Connect and Cancel of the Junior protocol, dead components, ids that are used twice."""
 
 from __future__ import annotations
 
 import logging
+from collections import OrderedDict
 from collections.abc import Callable
+from typing import Final
 
 from jauspy.ids import JausID
 from jauspy.protocol import junior
+from jauspy.protocol.addressing import LocalPort, Port, UdpPort, format_port
 from jauspy.protocol.counters import Counters
-from jauspy.protocol.directory import ComponentPort, Directory
-from jauspy.protocol.outward import Outward
-from jauspy.protocol.ports import LocalPort, UdpPort
-from jauspy.protocol.reports import Reports
-from jauspy.protocol.waiting import WaitingRoom
+from jauspy.protocol.directory import ComponentDirectory, ComponentPort
+from jauspy.protocol.egress import EgressQueue
+from jauspy.protocol.pending import PendingDestinations
+from jauspy.protocol.sources import TokenBuckets
 
 _LOGGER = logging.getLogger(__name__)
 
+MAX_LOGGED_CASES: Final = 256
+"""Cases remembered as logged; when more are made up, the oldest are logged again."""
+LOG_RATE: Final = 0.1
+LOG_BURST: Final = 16.0
+"""Lines per second, and at once; further cases are only counted."""
+
 
 class Registrar:
-    """Keeps the directory of components; what waited for a new one is delivered.
+    """Keeps the directory of components; messages that were pending for a new component are delivered.
 
-    `root` is the folder of their sockets; `is_dead` says whether nobody listens on one any more. With `local_udp`,
-    components may connect by UDP.
+    `root` is the directory of their sockets; `is_dead(path)` is true when nobody listens on a socket any more. With
+    `local_udp`, components may connect by UDP.
     """
 
     def __init__(
         self,
         root: str,
-        components: Directory,
-        out: Outward,
-        waiting: WaitingRoom,
+        components: ComponentDirectory,
+        egress: EgressQueue,
+        pending: PendingDestinations,
         counters: Counters,
         *,
-        reports: Reports,
+        duplicate_ids: DuplicateIdLog,
         is_dead: Callable[[str], bool],
         local_udp: bool,
     ) -> None:
         self._root = root.rstrip("/")
         self._components = components
-        self._out = out
-        self._waiting = waiting
+        self._egress = egress
+        self._pending = pending
         self._counters = counters
-        self._reports = reports
+        self._duplicate_ids = duplicate_ids
         self._is_dead = is_dead
         self._local_udp = local_udp
 
-    def is_local(self, data: bytes, port: UdpPort) -> bool:
-        """True for a component of this machine that speaks UDP with its node manager, or begins to."""
+    def is_local(self, port: UdpPort, control: junior.Control | None) -> bool:
+        """True for a component of this machine that uses UDP, or connects by it."""
         if self._components.has_port(port):
             return True
-        return (
-            self._local_udp and data[:1] == b"\x01" and port.host.startswith("127.") and junior.parse(data) is not None
-        )
+        return control is not None and self._local_udp and port.host.startswith("127.")
 
-    def named(self, port: ComponentPort, id: int) -> ComponentPort:
-        """A component without a socket of its own name is answered at its usual path."""
+    def reply_port(self, port: ComponentPort, id: int) -> ComponentPort:
+        """The port of a component; one that sends from an unnamed socket listens on its usual path."""
         return port if port[0] else LocalPort(f"{self._root}/{id}")
 
-    def is_taken(self, id: int, *, besides: ComponentPort | None = None) -> bool:
-        """True when a component with this id lives elsewhere; one that died without goodbye gives its id up."""
+    def is_in_use(self, id: int, *, elsewhere_than: ComponentPort | None = None) -> bool:
+        """True when a live component has this id; one that ended without Cancel is removed."""
         port = self._components.port(id)
-        if port is None or port == besides:
+        if port is None or port == elsewhere_than:
             return False
         if isinstance(port, LocalPort) and self._is_dead(port.path):
-            self.unreachable(port)
+            self.remove_dead(port)
             return False
         return True
 
-    def unreachable(self, port: ComponentPort) -> None:
-        """Nobody listens there any more: its components are gone until they are heard again."""
+    def remove_dead(self, port: ComponentPort) -> None:
+        """Remove the components of a port where nobody listens any more."""
         for id in self._components.remove_port(port):
             self._counters["components.lost"] += 1
             _LOGGER.info("component %s is gone", JausID.from_int(id))
 
-    def register(self, id: int, port: ComponentPort, *greeting: bytes) -> bool:
-        """A component is there; false when there are too many."""
-        news = id not in self._components
+    def register(self, id: int, port: ComponentPort, reply: bytes | None = None) -> bool:
+        """Register a component and send it `reply`; false when there are too many components."""
+        is_new = id not in self._components
         if not self._components.register(id, port):
             self._counters.drop("component_refused", JausID.from_int(id))
             return False
-        for datagram in greeting:
-            self._out.send(port, datagram)
-        if news:
-            for datagram in self._waiting.found(id):
-                self._out.deliver(port, datagram)
+        if reply is not None:
+            self._egress.send(port, reply)
+        if is_new:
+            for datagram in self._pending.pop(id):
+                self._egress.deliver(port, datagram)
         return True
 
-    def control(self, control: junior.Control, port: ComponentPort, now: float) -> None:
-        """A component connects, or cancels that."""
+    def handle_control(self, control: junior.Control, port: ComponentPort, now: float) -> None:
+        """Handle a Connect or a Cancel."""
         id = int(control.id)
-        own = self.named(port, id)
+        own = self.reply_port(port, id)
         if control.kind is junior.ControlKind.CONNECT:
             self._connect(control.id, id, own, now)
         elif control.kind is junior.ControlKind.CANCEL and self._components.port(id) == own:
@@ -99,12 +105,45 @@ class Registrar:
     def _connect(self, name: JausID, id: int, own: ComponentPort, now: float) -> None:
         known = self._components.port(id)
         if (
-            isinstance(own, UdpPort) and isinstance(known, LocalPort) and self.is_taken(id)
+            isinstance(own, UdpPort) and isinstance(known, LocalPort) and self.is_in_use(id)
         ):  # any user may send UDP, not any use a socket
             self._counters.drop("duplicate_id", f"{name} from {own}")
-            self._reports.twice(id, own, now)
+            self._duplicate_ids.warn_duplicate(id, own, now)
             return
         if known not in (None, own):
-            self._reports.moved(id, own, now)
+            self._duplicate_ids.log_move(id, own, now)
         if self.register(id, own, junior.accept(name)):
             self._counters["connects"] += 1
+
+
+class DuplicateIdLog:
+    """Log lines about ids in use twice: one per id and host or local socket, at a limited rate."""
+
+    def __init__(self, logger: logging.Logger) -> None:
+        self._logger = logger
+        self._logged: OrderedDict[tuple[int, str], None] = OrderedDict()
+        self._rate = TokenBuckets(LOG_RATE, LOG_BURST)
+
+    def warn_duplicate(self, id: int, port: Port, now: float) -> None:
+        """A packet from `port` has the id of a component that is registered here."""
+        if self._is_new(id, port, now):
+            self._logger.warning(
+                "duplicate id %s: it belongs to a component of this machine, and packets from %s have it too; "
+                "these packets are dropped",
+                JausID.from_int(id),
+                format_port(port),
+            )
+
+    def log_move(self, id: int, port: Port, now: float) -> None:
+        """A component has connected whose id was registered elsewhere."""
+        if self._is_new(id, port, now):
+            self._logger.info("component %s is now on %s", JausID.from_int(id), format_port(port))
+
+    def _is_new(self, id: int, port: Port, now: float) -> bool:
+        key = (id, port.path if isinstance(port, LocalPort) else port[0])
+        if key in self._logged or not self._rate.take(None, now):
+            return False
+        self._logged[key] = None
+        if len(self._logged) > MAX_LOGGED_CASES:
+            self._logged.popitem(last=False)
+        return True

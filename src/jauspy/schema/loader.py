@@ -19,7 +19,7 @@ from jauspy.schema.model import Schema, Service
 from jauspy.schema.reading import identity, wrong
 from jauspy.schema.services import read_service, resolve_parents, version_key
 from jauspy.schema.source import read
-from jauspy.schema.states import check_states
+from jauspy.schema.state_tree import check_behavior
 from jauspy.schema.values import read_value_set
 
 
@@ -46,7 +46,7 @@ def load_files(paths: Iterable[str | Path], *, base: Schema | None = None, state
     kept = [service for service in base.services if service.key not in roots] if base else []
     resolved = resolve_parents(services, kept, roots)
     if states:
-        check_states(resolved, kept)
+        check_behavior(resolved, kept)
     return Schema(services=tuple(sorted((*kept, *resolved), key=_order)))
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from operator import attrgetter
 from typing import Final, TypeAlias
 
@@ -11,11 +11,12 @@ from jauspy.codec.base import Message
 from jauspy.codec.names import snake
 from jauspy.errors import ConfigError
 from jauspy.schema import guards, model
+from jauspy.schema.inheritance import lineage, parents_among
+from jauspy.schema.state_tree import MergedState, Owned
 from jauspy.services.later import Later
 from jauspy.services.machine import BoundState, Rule, Step
 from jauspy.services.service import Service
 from jauspy.services.signatures import need
-from jauspy.services.tree import Owned, StateNode
 from jauspy.services.trigger import ANY_MESSAGE, Key, Trigger
 
 Reply: TypeAlias = Callable[[object, Trigger, bool], None]
@@ -34,12 +35,12 @@ class Binder:
     """Finds the method for each action, predicate and Send; what is not found is collected in `problems`."""
 
     def __init__(self, definitions: Mapping[str, model.Service], services: Mapping[str, Service], reply: Reply) -> None:
-        self._definitions = definitions
+        self._parent_of = parents_among(definitions.values())
         self._services = services
         self._reply = reply
         self.problems: list[str] = []
 
-    def states(self, root: StateNode) -> dict[StateNode, BoundState]:
+    def states(self, root: MergedState) -> dict[MergedState, BoundState]:
         """`root`, which has the defaults of the whole machine, and everything below it, bound."""
         return {node: self._state(node, root) for node in root.all()}
 
@@ -48,7 +49,7 @@ class Binder:
         if self.problems:
             raise ConfigError("the services cannot run:\n  " + "\n  ".join(dict.fromkeys(self.problems)))
 
-    def _state(self, node: StateNode, root: StateNode) -> BoundState:
+    def _state(self, node: MergedState, root: MergedState) -> BoundState:
         return BoundState(
             # Around the others: what a parent sets up comes before, and goes after, what builds on it.
             entry=tuple(self._step(action, node) for action in reversed(node.entry)),
@@ -57,7 +58,7 @@ class Binder:
             defaults=tuple(self._rule(transition, node, root) for transition in node.defaults),
         )
 
-    def _rule(self, owned: Owned[model.Transition], node: StateNode, root: StateNode) -> Rule:
+    def _rule(self, owned: Owned[model.Transition], node: MergedState, root: MergedState) -> Rule:
         owner, transition = owned.owner, owned.item
         where = f"{owner.name}, state {node}"
         return Rule(
@@ -77,7 +78,7 @@ class Binder:
         if not transition.parameters:
             return ANY_MESSAGE
         wanted = transition.parameters[0].type
-        line = list(self._line(owner))
+        line = lineage(owner, self._parent_of)
         # Outputs come last: a service may be the client of another one of its own kind.
         for message in (*(m for each in line for m in each.inputs), *(m for each in line for m in each.outputs)):
             if message.name == wanted:
@@ -85,7 +86,7 @@ class Binder:
         self.problems.append(f"{where}: receives {wanted}, which is no message of {owner.name} or its parents")
         return wanted
 
-    def _end(self, transition: model.Transition, root: StateNode, where: str) -> StateNode | None:
+    def _end(self, transition: model.Transition, root: MergedState, where: str) -> MergedState | None:
         if transition.end_state is None:
             if transition.kind == "push":
                 self.problems.append(f"{where}: a push transition without an end state")
@@ -106,7 +107,7 @@ class Binder:
 
         return guards.compile_guard(guards.parse(owned.item.guard), resolve)
 
-    def _step(self, owned: Owned[model.Action], node: StateNode) -> Step:
+    def _step(self, owned: Owned[model.Action], node: MergedState) -> Step:
         owner, action = owned.owner, owned.item
         where = f"{owner.name}, state {node}"
         name = f"{where}, action {action.name}"
@@ -157,17 +158,9 @@ class Binder:
             report=report if to_source else None,
         )
 
-    def _line(self, owner: model.Service) -> Iterator[model.Service]:
-        """The definition and its ancestors, nearest first."""
-        definition: model.Service | None = owner
-        while definition is not None:
-            yield definition
-            parent = definition.inherits_from
-            definition = self._definitions.get(parent.id) if parent else None
-
     def _method(self, owner: model.Service, dotted: str, what: str) -> Callable[..., object]:
         name = snake(dotted.rpartition(".")[2])
-        for definition in self._line(owner):
+        for definition in lineage(owner, self._parent_of):
             service = self._services[definition.id]
             method = getattr(service, name, None)
             if callable(method) and not _is_hook(service, name) and (definition is owner or not service.private):

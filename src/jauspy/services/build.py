@@ -9,6 +9,7 @@ from jauspy.codec.base import Message
 from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
 from jauspy.schema.model import Schema, Service as Definition
+from jauspy.schema.state_tree import merge_machines
 from jauspy.services.bind import Binder, Reply
 from jauspy.services.core.defaults import DEFAULTS
 from jauspy.services.definitions import schema_for
@@ -16,7 +17,6 @@ from jauspy.services.isolation import Bugs
 from jauspy.services.lineage import definitions_of
 from jauspy.services.machine import BoundState, Machine, Rule
 from jauspy.services.service import Service
-from jauspy.services.tree import merge, start_of
 from jauspy.services.trigger import ANY_MESSAGE, ANY_TRIGGER, Key
 
 
@@ -46,11 +46,12 @@ def build(services: Iterable[Service], schema: Schema | None, registry: Registry
     definitions = definitions_of(given.values(), schema)
     all_services = {urn: given.get(urn) or _default(urn) for urn in definitions}
     binder = Binder(definitions, all_services, reply)
-    roots = merge(list(definitions.values()))
-    bound = {name: binder.states(root) for name, root in roots.items()}
+    merged = merge_machines(definitions.values())
+    for each in merged.values():
+        each.check_initials()
+    bound = {name: binder.states(each.root) for name, each in merged.items()}
     binder.raise_problems()
-    starts = {name: start_of(root, name, list(definitions.values())) for name, root in roots.items()}
-    machines = {name: Machine(states, starts[name], bugs) for name, states in bound.items()}
+    machines = {name: Machine(states, merged[name].start(), bugs) for name, states in bound.items()}
     rules = [(rule, name) for name, states in bound.items() for rule in _rules(states.values())]
     events: dict[Key, Machine] = {rule.key: machines[name] for rule, name in rules if isinstance(rule.key, str)}
     received = {rule.key for rule, _ in rules if isinstance(rule.key, int)}

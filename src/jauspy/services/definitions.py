@@ -8,7 +8,7 @@ from jauspy import messages
 from jauspy.codec.registry import Registry
 from jauspy.schema.model import Schema
 from jauspy.schema.needed import Wanted, load_needed, versions_of
-from jauspy.schema.states import check_states
+from jauspy.schema.state_tree import check_behavior
 from jauspy.services.service import Service
 
 
@@ -24,7 +24,7 @@ def schema_for(services: Iterable[Service]) -> Schema:
         # Two versions of one parent: some service must be content with an older version of itself.
         schema = _schema(services, every_version=True)
     brought = {service.urn for service in services if service.definitions is not None}
-    check_states([each for each in schema.services if each.id in brought], schema.services)
+    check_behavior([each for each in schema.services if each.id in brought], schema.services)
     return schema
 
 

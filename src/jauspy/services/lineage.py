@@ -7,23 +7,32 @@ from difflib import get_close_matches
 
 from jauspy.errors import ConfigError
 from jauspy.messages import registry
+from jauspy.schema.inheritance import ParentOf, is_a, lineage, most_derived_first
 from jauspy.schema.model import Schema, Service as Definition
 from jauspy.services.service import Service
 
 
 def definitions_of(services: Iterable[Service], schema: Schema) -> dict[str, Definition]:
     """Definitions by URN, most derived first, all ancestors included."""
+    parent_of = _parents(schema)
     found: dict[str, Definition] = {}
     # Those with the fewest versions to choose from, and those that others inherit from, decide before the rest.
     services = sorted(services, key=lambda service: len(_versions(service, schema)))
     for service in services:
-        if service.version is not None or not _inherited(service.urn, services, schema):
-            _add(found, _fitting(found, service, schema), schema)
+        if service.version is not None or not _inherited(service.urn, services, schema, parent_of):
+            _add(found, _fitting(found, service, schema, parent_of), parent_of)
     for service in services:
         if service.urn not in found:
-            _add(found, _fitting(found, service, schema), schema)
-    depths = {urn: _depth(urn, found) for urn in found}
-    return {urn: found[urn] for urn in sorted(found, key=lambda urn: -depths[urn])}
+            _add(found, _fitting(found, service, schema, parent_of), parent_of)
+    return {each.id: each for each in most_derived_first(found.values(), parent_of)}
+
+
+def _parents(schema: Schema) -> ParentOf[Definition]:
+    def parent_of(definition: Definition) -> Definition | None:
+        parent = definition.inherits_from
+        return None if parent is None else _lookup(schema, parent.id, parent.version, definition.name)
+
+    return parent_of
 
 
 def _versions(service: Service, schema: Schema) -> list[Definition]:
@@ -31,47 +40,35 @@ def _versions(service: Service, schema: Schema) -> list[Definition]:
     return [each for each in schema.services if each.id == service.urn and service.version in (None, each.version)]
 
 
-def _fitting(found: Mapping[str, Definition], service: Service, schema: Schema) -> Definition:
+def _fitting(
+    found: Mapping[str, Definition], service: Service, schema: Schema, parent_of: ParentOf[Definition]
+) -> Definition:
     """The newest version whose parents are those of the others; the newest of all when none fits."""
     newest = _lookup(schema, service.urn, service.version, type(service).__name__)
-    return next((each for each in reversed(_versions(service, schema)) if _fits(found, each, schema)), newest)
+    return next((each for each in reversed(_versions(service, schema)) if _fits(found, each, parent_of)), newest)
 
 
-def _fits(found: Mapping[str, Definition], definition: Definition, schema: Schema) -> bool:
-    line = (definition, *_ancestors(definition, schema))
-    return all(found.get(each.id, each).version == each.version for each in line)
+def _fits(found: Mapping[str, Definition], definition: Definition, parent_of: ParentOf[Definition]) -> bool:
+    return all(found.get(each.id, each).version == each.version for each in lineage(definition, parent_of))
 
 
-def _inherited(urn: str, services: Iterable[Service], schema: Schema) -> bool:
+def _inherited(urn: str, services: Iterable[Service], schema: Schema, parent_of: ParentOf[Definition]) -> bool:
     """True when another of the services has this one as an ancestor, and so chooses its version."""
     return any(
-        parent.id == urn
+        is_a(_lookup(schema, service.urn, service.version, service.urn), urn, parent_of)
         for service in services
         if service.urn != urn
-        for parent in _ancestors(_lookup(schema, service.urn, service.version, service.urn), schema)
     )
 
 
-def _ancestors(definition: Definition, schema: Schema) -> Iterable[Definition]:
-    while definition.inherits_from:
-        parent = definition.inherits_from
-        definition = _lookup(schema, parent.id, parent.version, definition.name)
-        yield definition
-
-
-def _add(found: dict[str, Definition], definition: Definition, schema: Schema) -> None:
-    for each in (definition, *_ancestors(definition, schema)):
+def _add(found: dict[str, Definition], definition: Definition, parent_of: ParentOf[Definition]) -> None:
+    for each in lineage(definition, parent_of):
         there = found.setdefault(each.id, each)
         if there.version != each.version:
             raise ConfigError(
                 f"{definition.name} needs {each.id} {each.version}, but another service of this component needs "
                 f"{there.version}; give each version a component of its own"
             )
-
-
-def _depth(urn: str, found: dict[str, Definition]) -> int:
-    parent = found[urn].inherits_from
-    return 1 + _depth(parent.id, found) if parent else 0
 
 
 def _lookup(schema: Schema, urn: str, version: str | None, who: str) -> Definition:

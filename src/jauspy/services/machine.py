@@ -9,9 +9,9 @@ from enum import Enum
 from typing import Final, Literal
 
 from jauspy.codec.base import Message
+from jauspy.schema.state_tree import MergedState
 from jauspy.services.isolation import Bugs
 from jauspy.services.later import Later
-from jauspy.services.tree import StateNode
 from jauspy.services.trigger import ANY_MESSAGE, ANY_TRIGGER, STAY, Key, Trigger
 
 MAX_PUSHED: Final = 32
@@ -39,7 +39,7 @@ class Rule:
     kind: Literal["simple", "internal", "push", "pop"]
     guard: Callable[[Trigger], bool] | None = None
     steps: tuple[Step, ...] = ()
-    end: StateNode | None = None
+    end: MergedState | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,13 +65,13 @@ class Outcome(Enum):
 class Machine:
     """One running state machine. Not re-entrant, except for `ask` from within an action."""
 
-    def __init__(self, states: dict[StateNode, BoundState], start: StateNode, bugs: Bugs) -> None:
+    def __init__(self, states: dict[MergedState, BoundState], start: MergedState, bugs: Bugs) -> None:
         self._states = states
         self._bugs = bugs
         self._active = start
-        self._pushed: deque[StateNode] = deque(maxlen=MAX_PUSHED)
-        self._candidates: dict[StateNode, dict[Key, tuple[Rule, ...]]] = {node: {} for node in states}
-        self._only: dict[StateNode, dict[Key, Step | None]] = {node: {} for node in states}
+        self._pushed: deque[MergedState] = deque(maxlen=MAX_PUSHED)
+        self._candidates: dict[MergedState, dict[Key, tuple[Rule, ...]]] = {node: {} for node in states}
+        self._only: dict[MergedState, dict[Key, Step | None]] = {node: {} for node in states}
 
     @property
     def state(self) -> str:
@@ -134,7 +134,7 @@ class Machine:
 
     def _in_order(self) -> Iterable[Rule]:
         """Innermost state first; around it the defaults, which speak for the states inside, come before its own."""
-        node: StateNode | None = self._active
+        node: MergedState | None = self._active
         while node is not None:
             bound = self._states[node]
             own = node is self._active
@@ -166,7 +166,7 @@ class Machine:
                 self._pushed.append(self._active)
             self._move(rule.end, rule.end.leaf(), trigger)
 
-    def _move(self, target: StateNode, leaf: StateNode, trigger: Trigger) -> None:
+    def _move(self, target: MergedState, leaf: MergedState, trigger: Trigger) -> None:
         """Leave up to the state around both, then enter down to `leaf`; a target that is active is left and entered."""
         leaving = list(self._active.upwards())
         around = target.parent
@@ -177,11 +177,11 @@ class Machine:
         self._active = leaf
         self._enter(reversed([node for node in leaf.upwards() if len(node.path) > depth]), trigger)
 
-    def _leave(self, nodes: Iterable[StateNode], trigger: Trigger) -> None:
+    def _leave(self, nodes: Iterable[MergedState], trigger: Trigger) -> None:
         for node in nodes:
             self._run_each(self._states[node].exit, trigger)
 
-    def _enter(self, nodes: Iterable[StateNode], trigger: Trigger) -> None:
+    def _enter(self, nodes: Iterable[MergedState], trigger: Trigger) -> None:
         for node in nodes:
             self._run_each(self._states[node].entry, trigger)
 

@@ -6,7 +6,7 @@ from collections import deque
 from collections.abc import Callable
 from typing import Final
 
-from jauspy.protocol import junior, wire
+from jauspy.protocol import judp, junior
 
 MAX_WAITING: Final = 512
 MAX_BYTES: Final = 4 << 20
@@ -73,6 +73,6 @@ class Outbox:
 
 def _priority(datagram: bytes) -> int:
     """The priority of a packet; control messages of the local protocol are urgent."""
-    if len(datagram) == junior.SIZE and junior.parse(datagram) is not None:
+    if junior.parse(datagram) is not None:
         return URGENT
-    return wire.peek_priority(datagram)
+    return judp.peek_priority(datagram)

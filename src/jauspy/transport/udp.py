@@ -11,8 +11,8 @@ from jauspy.errors import ProtocolError, TransportError
 from jauspy.ids import JausID
 from jauspy.protocol import addressing, judp
 from jauspy.protocol.address_book import Address, AddressBook
+from jauspy.protocol.addressing import UdpPort
 from jauspy.protocol.counters import Counters
-from jauspy.protocol.ports import UdpPort
 from jauspy.transport import draining, memberships, multicast
 from jauspy.transport.base import Receiver, ignore
 from jauspy.transport.memberships import Memberships

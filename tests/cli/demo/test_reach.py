@@ -20,7 +20,7 @@ def hand() -> ArmKinematics:
 def test_the_tool_is_where_it_is_wanted_and_level(hand: ArmKinematics, target: tuple[float, float, float]) -> None:
     last = hand.geometry.forward(hand.joints(*hand.around(target)))
     assert last.apply(hand.geometry.tool) == pytest.approx(target, abs=1e-6)
-    along = last.turn(hand.geometry.tool)
+    along = last.rotate(hand.geometry.tool)
     assert along[2] == pytest.approx(0.0, abs=1e-6)
     assert math.atan2(along[1], along[0]) == pytest.approx(math.atan2(target[1], target[0] - hand.axis))
 
@@ -30,7 +30,7 @@ def test_the_hand_points_down_when_it_looks(hand: ArmKinematics) -> None:
     last = hand.geometry.forward(hand.joints(0.3, distance, height, pitch))
     x, y, z = last.apply(hand.geometry.tool)
     assert (math.hypot(x - hand.axis, y), z) == pytest.approx((distance, height))
-    along = last.turn(hand.geometry.tool)
+    along = last.rotate(hand.geometry.tool)
     assert math.atan2(along[2], math.hypot(along[0], along[1])) == pytest.approx(pitch)
 
 

@@ -10,8 +10,7 @@ pytest.importorskip("cv2", reason="OpenCV is not installed")
 import numpy as np
 
 from jauspy.cli.demo import grasp
-from jauspy.platform.contract import Pose
-from jauspy.platform.vectors import Transform
+from jauspy.geometry.poses import Pose, Transform
 
 FOV = math.radians(80.0)
 BRICK, CAN = (110, 70, 60), (120, 30, 24)
@@ -35,7 +34,7 @@ def test_bricks_and_specks_are_no_can() -> None:
 
 
 def test_a_ray_meets_the_can_where_it_is() -> None:
-    camera = Transform.of(Pose(1.0, 2.0, 0.8, pitch=0.3, yaw=0.5))
+    camera = Transform.from_pose(Pose(1.0, 2.0, 0.8, pitch=0.3, yaw=0.5))
     can = (1.7, 2.6, 0.41)
     x, y, z = camera.inverse().apply(can)
     spread = 2.0 * math.tan(FOV / 2.0)
@@ -44,5 +43,5 @@ def test_a_ray_meets_the_can_where_it_is() -> None:
 
 
 def test_a_ray_to_the_sky_meets_nothing() -> None:
-    assert grasp.at_height(Transform.of(Pose(z=0.8)), grasp.ray((0.0, -0.1), FOV), 0.41) is None
-    assert grasp.at_height(Transform.of(Pose(z=0.3)), grasp.ray((0.0, 0.1), FOV), 0.41) is None
+    assert grasp.at_height(Transform.from_pose(Pose(z=0.8)), grasp.ray((0.0, -0.1), FOV), 0.41) is None
+    assert grasp.at_height(Transform.from_pose(Pose(z=0.3)), grasp.ray((0.0, 0.1), FOV), 0.41) is None

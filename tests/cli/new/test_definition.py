@@ -69,12 +69,12 @@ def test_what_is_there_stays():
         (["", "a:one"], "NAME:UNITS"),
         (
             ["a:one", "--first-id", "2202"],
-            "2202 is QueryHeartbeatPulse of urn:jaus:jss:core:Liveness already; D000 to D737 are free",
+            "2202 is QueryHeartbeatPulse of urn:jaus:jss:core:Liveness ; D000 to D737 are free",
         ),
         (["a:one", "--first-id", "D737"], "D738 is "),
-        (["a:one", "--first-id", "D739"], "already; D73A to D73F are free"),
-        (["a:one", "--first-id", "F933"], "already; F937 to FD0F are free"),
-        (["a:one", "--first-id", "FF39"], "already; FF3A to FFFE are free"),
+        (["a:one", "--first-id", "D739"], "; D73A to D73F are free"),
+        (["a:one", "--first-id", "F933"], "; F937 to FD0F are free"),
+        (["a:one", "--first-id", "FF39"], "; FF3A to FFFE are free"),
     ],
 )
 def test_what_cannot_be(arguments: list[str], problem: str):
@@ -87,16 +87,16 @@ def test_what_cannot_be(arguments: list[str], problem: str):
 @pytest.mark.parametrize(
     ("urn", "problem"),
     [
-        ("urn:example:", "'urn:example:' is no name of a service; use urn:, who defines it,"),
-        ("", "'' is no name of a service"),
-        ("Battery", "'Battery' is no name of a service"),
+        ("urn:example:", "'urn:example:' is not the URN of a service; use urn:, an organisation,"),
+        ("", "'' is not the URN of a service"),
+        ("Battery", "'Battery' is not the URN of a service"),
         ("urn:Battery", "as in urn:example:Battery"),
-        ("URN:EXAMPLE:BATTERY", "no name of a service"),
-        ("urn:exa mple:Battery", "no name of a service"),
-        ("urn:example:Bat tery", "no name of a service"),
-        ("urn:example::Battery", "no name of a service"),
+        ("URN:EXAMPLE:BATTERY", "not the URN of a service"),
+        ("urn:exa mple:Battery", "not the URN of a service"),
+        ("urn:example:Bat tery", "not the URN of a service"),
+        ("urn:example::Battery", "not the URN of a service"),
         ("urn:example:2nd", "a name that begins with a letter"),
-        ("urn:example:Läm<p", "no name of a service"),
+        ("urn:example:Läm<p", "not the URN of a service"),
         ("urn:jaus:jss:core:Events", "is a public service; yours needs another name"),
     ],
 )

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from jauspy.platform.contract import Pose
+from jauspy.geometry.poses import Pose
 from jauspy.services.mobility.guidance.course import VectorCourse, VelocityCourse
 from jauspy.services.mobility.guidance.heading import TURN_ON_THE_SPOT, head_for, turn_of
 from jauspy.services.mobility.guidance.leg import Leg, Point, look_ahead

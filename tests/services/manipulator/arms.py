@@ -5,13 +5,12 @@ from __future__ import annotations
 import random
 from dataclasses import replace
 
+from jauspy.geometry.kinematics import InverseKinematics, Solution, forward_kinematics
+from jauspy.geometry.poses import Transform
 from jauspy.modules.description import robot_model
 from jauspy.modules.robots import load
 from jauspy.platform.kinematic_joints import KinematicJoints
-from jauspy.platform.vectors import Transform
 from jauspy.services.manipulator.arm import Arm
-from jauspy.services.manipulator.kinematics import stance
-from jauspy.services.manipulator.pose_search import Found, PoseSearch
 
 ROBOTS = ("inc1", "inc1_pprm")
 
@@ -28,18 +27,18 @@ def random_positions(arm: Arm, rng: random.Random) -> list[float]:
 
 
 def tool_at(arm: Arm, positions: list[float]) -> Transform:
-    return stance(arm.geometry.links, positions, arm.tool).tool
+    return forward_kinematics(arm.geometry.links, positions, arm.tool).tool
 
 
-def search_for(arm: Arm, goal: Transform) -> PoseSearch:
-    return PoseSearch(arm.geometry.links, arm.tool, goal, arm.state().positions, arm.limits)
+def search_for(arm: Arm, goal: Transform) -> InverseKinematics:
+    return InverseKinematics(arm.geometry.links, arm.tool, goal, arm.state().positions, arm.limits)
 
 
-def whole(search: PoseSearch) -> Found:
-    while (found := search.work(100)) is None:
+def whole(search: InverseKinematics) -> Solution:
+    while (found := search.advance(100)) is None:
         pass
     return found
 
 
-def found_by(arm: Arm, goal: Transform) -> Found:
+def found_by(arm: Arm, goal: Transform) -> Solution:
     return whole(search_for(arm, goal))

@@ -7,10 +7,10 @@ from dataclasses import dataclass, field
 import pytest
 from tests.services.manipulator.arms import arm_of
 
+from jauspy.geometry.poses import rotation_vector
+from jauspy.geometry.vectors import Vector, difference, dot, scaled
 from jauspy.platform.joints import ControlMode, Target
-from jauspy.platform.vectors import Vector, difference, dot, scaled
 from jauspy.services.manipulator.arm import Arm, Profile
-from jauspy.services.manipulator.kinematics import turn_between
 from jauspy.services.manipulator.tool_motion import STILL, ToolMotion
 
 PERIOD = 0.02
@@ -33,7 +33,7 @@ class Run:
         self.motion = ToolMotion(self.arm)
 
     def go(self, turning: Vector, moving: Vector, seconds: float, each: Callable[[], None] = lambda: None) -> None:
-        start, length = self.arm.stance().tool.position, math.hypot(*moving) or 1.0
+        start, length = self.arm.kinematic_state().tool.position, math.hypot(*moving) or 1.0
         for _ in range(round(seconds / PERIOD)):
             self.motion.follow(turning, moving)
             self.rates.append(list(self.motion.rates(PERIOD)))
@@ -43,7 +43,7 @@ class Run:
             )
             for _ in range(5):
                 self.arm.joints.step(PERIOD / 5)
-            now = self.arm.stance()
+            now = self.arm.kinematic_state()
             way = difference(now.tool.position, start)
             self.along = dot(way, moving) / length
             self.aside = max(self.aside, math.dist(way, scaled(moving, self.along / length)))
@@ -75,19 +75,19 @@ def test_the_tool_moves_straight_and_as_fast_as_it_was_told(robot: str, start, m
 
 def test_an_attitude_that_can_be_kept_is_kept() -> None:
     arm = arm_of("inc1", (0.0, 1.6, -1.8, 0.2, 0.0))  # it moves in its own plane
-    before = arm.stance().tool.rotation
-    Run(arm).go(STILL, scaled(arm.stance().moving[1], 0.1), 2.0)
-    assert math.hypot(*turn_between(before, arm.stance().tool.rotation)) < 0.02
+    before = arm.kinematic_state().tool.rotation
+    Run(arm).go(STILL, scaled(arm.kinematic_state().linear_jacobian[1], 0.1), 2.0)
+    assert math.hypot(*rotation_vector(before, arm.kinematic_state().tool.rotation)) < 0.02
 
 
 @pytest.mark.parametrize(("robot", "start", "joint"), [("inc1", OUT_THERE, 4), ("inc1_pprm", LIFTED, 3)])
 def test_the_tool_turns_about_its_point(robot: str, start, joint: int) -> None:
     arm = arm_of(robot, start)
-    before = arm.stance()
-    turning = scaled(before.turning[joint], 0.4)  # the last joint's axis leads through the tool point
+    before = arm.kinematic_state()
+    turning = scaled(before.angular_jacobian[joint], 0.4)  # the last joint's axis leads through the tool point
     run = Run(arm)
     run.go(turning, STILL, 2.0)
-    turned = turn_between(before.tool.rotation, arm.stance().tool.rotation)
+    turned = rotation_vector(before.tool.rotation, arm.kinematic_state().tool.rotation)
     assert turned == pytest.approx(scaled(turning, 2.0), abs=0.08)
     assert run.aside < 0.001
 

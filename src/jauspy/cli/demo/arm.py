@@ -12,6 +12,9 @@ from typing import Final
 from jauspy.cli.demo import plan
 from jauspy.cli.demo.report import DemoState, time_limit
 from jauspy.errors import RequestError
+from jauspy.geometry.denavit_hartenberg import manipulator_geometry
+from jauspy.geometry.urdf import JointKind
+from jauspy.geometry.vectors import Vector
 from jauspy.messages.environment_sensing.v2_0.force_torque_sensor import QueryForceTorque, ReportForceTorque
 from jauspy.messages.manipulator import (
     QueryEndEffectorPose,
@@ -22,9 +25,7 @@ from jauspy.messages.manipulator import (
     SetJointPositions,
 )
 from jauspy.ocu.robot import ComponentClient, Robot
-from jauspy.platform.description import JointKind, RobotModel
-from jauspy.platform.vectors import Vector
-from jauspy.services.manipulator.denavit_hartenberg import geometry
+from jauspy.platform.description import RobotModel
 from jauspy.services.manipulator.values import positions
 
 
@@ -34,7 +35,7 @@ class ArmKinematics:
     def __init__(self, model: RobotModel) -> None:
         group = model.groups["arm"]
         chain = model.description.chain(group.base, group.tip)
-        self.geometry = geometry(chain)
+        self.geometry = manipulator_geometry(chain)
         moving = [number for number, joint in enumerate(chain) if joint.kind is not JointKind.FIXED]
         turn, shoulder, elbow, wrist, _ = moving
         self.axis = chain[turn].origin.x
@@ -61,7 +62,7 @@ class ArmKinematics:
             raise RequestError(f"the arm cannot reach {distance:.2f} m from its axis at a height of {height:.2f} m")
         elbow = -math.acos(bend)
         shoulder = math.atan2(z, x) + math.atan2(fore * math.sin(-elbow), upper + fore * math.cos(elbow))
-        return self.geometry.standard((turn, shoulder, elbow, pitch - shoulder - elbow, 0.0))
+        return self.geometry.from_urdf((turn, shoulder, elbow, pitch - shoulder - elbow, 0.0))
 
 
 JOINT_RATE: Final = 20.0

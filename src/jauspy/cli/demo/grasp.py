@@ -15,12 +15,13 @@ from jauspy.cli.demo import plan
 from jauspy.cli.demo.arm import Arm
 from jauspy.cli.demo.report import StageResult, time_limit
 from jauspy.errors import RequestError
+from jauspy.geometry.poses import Transform
+from jauspy.geometry.vectors import Vector, difference
 from jauspy.messages.manipulator import QueryPanTiltJointPositions, SetPanTiltJointPositions
 from jauspy.ocu.frames import LOCAL, RobotFrames
 from jauspy.ocu.robot import ComponentClient
 from jauspy.platform.camera import Image
 from jauspy.platform.description import RobotModel
-from jauspy.platform.vectors import Transform, Vector, difference
 
 ARM_CAMERA: Final = "arm"
 STILL_FILE: Final = "still.jpg"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import keyword
 import sys
-from collections.abc import Iterator
+from collections.abc import Sequence
 from difflib import get_close_matches
 from importlib.machinery import PathFinder
 from pathlib import Path
@@ -18,6 +18,7 @@ from jauspy.errors import ConfigError
 from jauspy.ids import JausID, component_id
 from jauspy.messages import registry
 from jauspy.schema import load_builtin
+from jauspy.schema.inheritance import lineage, parents_among
 from jauspy.schema.model import Schema, Service as Definition
 from jauspy.schema.own import load_beside_builtin
 from jauspy.services.core.complete import with_core
@@ -107,7 +108,7 @@ def package(
     name: str, definition: Definition, schema: Schema, source: Path | None, me: JausID
 ) -> dict[str, str | bytes]:
     """The files of the package, by name."""
-    line = list(_line(definition, schema))
+    line = lineage(definition, parents_among(schema.services))
     core = core_services()
     if definition.id in core:
         kind = core[definition.id]
@@ -137,18 +138,11 @@ def core_services() -> dict[str, type[Service]]:
     return given | {urn: type(make()) for urn, make in DEFAULTS.items()}
 
 
-def _line(definition: Definition, schema: Schema) -> Iterator[Definition]:
-    yield definition
-    while definition.inherits_from is not None:
-        definition = schema.service(*definition.inherits_from.key)
-        yield definition
-
-
 class _Writer:
     """Writes the module with the classes, and collects the messages to import."""
 
     def __init__(
-        self, mine: list[Definition], line: list[Definition], core: dict[str, type[Service]], own: Path | None
+        self, mine: list[Definition], line: Sequence[Definition], core: dict[str, type[Service]], own: Path | None
     ) -> None:
         self._mine, self._line, self._core, self._own = mine, line, core, own
         self._imports: dict[str, set[str]] = {}

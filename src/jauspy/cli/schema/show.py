@@ -19,6 +19,7 @@ from jauspy.cli.schema.ls import Match, SchemasOption, as_object, definitions, f
 from jauspy.codec.wire import CODES, FLOATS, limits
 from jauspy.schema import load_builtin, model as m
 from jauspy.schema.compare.behavior import short, trigger
+from jauspy.schema.inheritance import lineage, parents_among
 from jauspy.schema.model import Action, Behavior, Message, Schema, Service, State, Transition
 from jauspy.schema.sizes import Sizes, can_be_there, scalar_size, sizes
 from jauspy.schema.values import BITS
@@ -171,15 +172,9 @@ def _show_service(service: Service, schema: Schema) -> None:
 
 def _relations(service: Service, schema: Schema) -> Iterator[tuple[str, str]]:
 
-    line = []
-    known = {each.key: each for each in (*load_builtin().services, *schema.services)}
-    parent = service.inherits_from
-    while parent is not None:
-        line.append(f"{parent.id.rpartition(':')[2]} {parent.version}")
-        found = known.get(parent.key)
-        parent = found.inherits_from if found else None
-    if line:
-        yield "inherits from", ", ".join(line)
+    ancestors = lineage(service, parents_among((*load_builtin().services, *schema.services)))[1:]
+    if ancestors:
+        yield "inherits from", ", ".join(f"{each.id.rpartition(':')[2]} {each.version}" for each in ancestors)
     if service.client_of:
         yield "client of", ", ".join(f"{each.id.rpartition(':')[2]} {each.version}" for each in service.client_of)
 

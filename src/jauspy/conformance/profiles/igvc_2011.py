@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from typing import Final
 
-from jauspy.conformance import drive
+from jauspy.conformance import waypoint_drive
 from jauspy.conformance.checks import carries, carries_only, has, near, that
 from jauspy.conformance.offers import ALL_SERVICES
 from jauspy.conformance.profile import Action, Profile, Step, ask, tell
@@ -145,9 +145,9 @@ SPEED: Final = 1.0
 def set_list(tester: Tester) -> None:
     """Four waypoints around the robot."""
     client = tester.client(COP)
-    pose = client.ask(QueryLocalPose(drive.XY), ReportLocalPose, carries("x", "y"))
-    corners = tester.memory[CORNERS] = drive.corners(pose.x or 0.0, pose.y or 0.0)
-    client.ask(drive.element_list(corners), ConfirmElementRequest, has(request_id=1))
+    pose = client.ask(QueryLocalPose(waypoint_drive.XY), ReportLocalPose, carries("x", "y"))
+    corners = tester.memory[CORNERS] = waypoint_drive.corners(pose.x or 0.0, pose.y or 0.0)
+    client.ask(waypoint_drive.element_list(corners), ConfirmElementRequest, has(request_id=1))
 
 
 def execute(tester: Tester) -> None:
@@ -160,7 +160,7 @@ def execute(tester: Tester) -> None:
     client.ask(QueryActiveElement(), ReportActiveElement, has(element_uid=1))
     client.ask(QueryTravelSpeed(), ReportTravelSpeed, near(0.01, speed=SPEED))
     x, y = tester.recall(CORNERS, "there is no list of waypoints")[0]
-    client.ask(QueryLocalWaypoint(drive.XY), ReportLocalWaypoint, near(0.01, x=x, y=y))
+    client.ask(QueryLocalWaypoint(waypoint_drive.XY), ReportLocalWaypoint, near(0.01, x=x, y=y))
 
 
 def follow(tester: Tester) -> None:
@@ -168,7 +168,7 @@ def follow(tester: Tester) -> None:
     client = tester.client(COP)
     corners = tester.recall(CORNERS, "there is no list of waypoints")
     for number, point in enumerate(corners, 1):
-        tester.check(f"waypoint {number} is reached", drive.approach(client, tester.component, point))
+        tester.check(f"waypoint {number} is reached", waypoint_drive.approach(client, tester.component, point))
     client.send(Standby())
 
 

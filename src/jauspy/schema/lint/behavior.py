@@ -2,41 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from lxml.etree import _Element as Element
 
 from jauspy.schema.lint.finding import Problem
-from jauspy.schema.lint.machines import Machine, merged
 from jauspy.schema.lint.world import World
 from jauspy.schema.model import Action, Behavior, Location, State, Transition
 from jauspy.schema.reading import suggestion
+from jauspy.schema.state_tree import MergedMachine, merge_machines, short_name as short, transitions_of, walk_states
 
 RECEIVE = "Receive"
 """The event of the transport service that carries a message."""
 
 
-def short(dotted: str) -> str:
-    """`Send` of `accessControl.events.transport.Send`."""
-    return dotted.rpartition(".")[2]
-
-
 def states_of(behavior: Behavior) -> Iterator[State]:
-    """All states, nested ones after what they are in."""
-    waiting = [state for machine in behavior.machines for state in reversed(machine.states)]
-    while waiting:
-        state = waiting.pop()
-        yield state
-        waiting += reversed(state.states)
-
-
-def transitions_of(behavior: Behavior) -> Iterator[Transition]:
-    """All transitions, those of default states included."""
-    for machine in behavior.machines:
-        yield from machine.default_transitions
-    for state in states_of(behavior):
-        yield from (*state.transitions, *state.default_transitions)
+    """All states, outer ones first."""
+    return (state for machine in behavior.machines for _, state in walk_states(machine.states))
 
 
 def place(where: Location | None) -> Location:
@@ -102,7 +85,7 @@ def output_trigger(world: World) -> Iterator[Problem]:
                 yield place(transition.where), f"{reason}; add it to the input_set, too, if that is meant"
 
 
-def _incomplete(line: list[Element]) -> bool:
+def _incomplete(line: Sequence[Element]) -> bool:
     """True when an ancestor is missing: what it brings is unknown, and its absence is reported."""
     return line[-1].find("references/inherits_from") is not None
 
@@ -140,8 +123,8 @@ def _sent(action: Action) -> str:
 # --- states ---------------------------------------------------------------------------------------------------------
 
 
-def _machines(world: World, service: Element) -> dict[str, Machine]:
-    return merged([behavior for each in world.lineage(service) if (behavior := world.behavior(each)) is not None])
+def _machines(world: World, line: Iterable[Element]) -> dict[str, MergedMachine]:
+    return merge_machines([world.definition(each) for each in line])
 
 
 def unknown_state(world: World) -> Iterator[Problem]:
@@ -150,11 +133,11 @@ def unknown_state(world: World) -> Iterator[Problem]:
         behavior = world.behavior(service)
         if behavior is None or _incomplete(world.lineage(service)):
             continue
-        machines = _machines(world, service)
+        machines = _machines(world, world.lineage(service))
         for start in behavior.start:
             yield from _missing(machines, start.machine, start.state, "start state", place(start.where))
         for machine in behavior.machines:
-            for path, state in walk(machine.states):
+            for path, state in walk_states(machine.states):
                 if state.initial is not None and not _names_itself(machines, machine.name, path, state):
                     initial = f"{path}.{state.initial}"
                     yield from _missing(machines, machine.name, initial, "initial state", place(state.where))
@@ -164,24 +147,19 @@ def unknown_state(world: World) -> Iterator[Problem]:
                     yield from _missing(machines, machine.name, end, "end state", place(transition.where))
 
 
-def _names_itself(machines: dict[str, Machine], machine: str, path: str, state: State) -> bool:
+def _names_itself(machines: dict[str, MergedMachine], machine: str, path: str, state: State) -> bool:
     """Some definitions give a state without children itself as its initial state; that means nothing."""
-    return state.initial == state.name and not machines[short(machine)].children(path)
+    merged = machines[short(machine)].root.find(path)
+    return state.initial == state.name and merged is not None and not merged.children
 
 
-def _missing(machines: dict[str, Machine], machine: str, path: str, what: str, where: Location) -> Iterator[Problem]:
+def _missing(
+    machines: dict[str, MergedMachine], machine: str, path: str, what: str, where: Location
+) -> Iterator[Problem]:
     found = machines.get(short(machine))
-    if found is not None and path not in found.states:
-        known = suggestion(path, found.states)
+    if found is not None and found.root.find(path) is None:
+        known = suggestion(path, [str(state) for state in found.root.all() if state.path])
         yield where, f"{what} '{path}' does not exist{known}; correct the path, it starts at the outermost state"
-
-
-def walk(states: tuple[State, ...], parent: str = "") -> Iterator[tuple[str, State]]:
-    """States with their dotted paths."""
-    for state in states:
-        path = f"{parent}.{state.name}" if parent else state.name
-        yield path, state
-        yield from walk(state.states, path)
 
 
 def unreachable_state(world: World) -> Iterator[Problem]:
@@ -189,21 +167,23 @@ def unreachable_state(world: World) -> Iterator[Problem]:
     reached: dict[tuple[Element, str], set[str]] = {}
     for service in world.all_services():
         line = world.lineage(service)
-        for name, whole in _machines(world, service).items():
+        for name, machine in _machines(world, line).items():
+            reachable = machine.reachable()
             for ancestor in line:
-                reached.setdefault((ancestor, name), set()).update(whole.reachable())
+                reached.setdefault((ancestor, name), set()).update(reachable)
     for service in world.services():
         behavior = world.behavior(service)
         line = world.lineage(service)
         if behavior is None or _incomplete(line):
             continue
-        inherited = merged([found for each in line[1:] if (found := world.behavior(each)) is not None])
-        for machine in behavior.machines:
-            name = short(machine.name)
+        inherited = _machines(world, line[1:])
+        for own in behavior.machines:
+            name = short(own.name)
             there = reached.get((service, name), set())
-            before = inherited[name].states if name in inherited else {}
-            for path, state in walk(machine.states):
+            before = inherited.get(name)
+            for path, state in walk_states(own.states):
                 parent = path.rpartition(".")[0]
-                if path not in there and path not in before and (not parent or parent in there):
+                is_new = before is None or before.root.find(path) is None
+                if path not in there and is_new and (not parent or parent in there):
                     reason = f"nothing leads to state {path}: no start, no initial state and no transition"
                     yield place(state.where), f"{reason}; add one or delete it"

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from jauspy.schema.lint.behavior import RECEIVE, place, short, states_of
+from jauspy.schema.lint.behavior import RECEIVE, place, states_of
 from jauspy.schema.lint.finding import Problem
 from jauspy.schema.lint.world import World
 from jauspy.schema.model import Behavior, Transition
+from jauspy.schema.state_tree import short_name as short
 
 Key = tuple[str, str]
 """Trigger, and the message where it is the arrival of one; empty is any."""

@@ -11,9 +11,10 @@ from lxml.etree import _Element as Element
 from jauspy.errors import SchemaError
 from jauspy.schema.behavior import read_behavior
 from jauspy.schema.grammar import is_unexpected, problems
+from jauspy.schema.inheritance import lineage
 from jauspy.schema.library import Key, Library, Scope
 from jauspy.schema.messages import read_message
-from jauspy.schema.model import Behavior, Message
+from jauspy.schema.model import Behavior, Message, Service
 from jauspy.schema.own import Identity, builtin_roots
 from jauspy.schema.reading import identity
 from jauspy.schema.services import matches_version, version_key
@@ -128,12 +129,9 @@ class World:
         ]
         return max(found, key=lambda item: _order(item[0]))[1] if found else None
 
-    def lineage(self, service: Element) -> list[Element]:
-        """A service and its ancestors, nearest first; a cycle is cut."""
-        line = [service]
-        while (parent := self.parent(line[-1])) is not None and parent not in line:
-            line.append(parent)
-        return line
+    def lineage(self, service: Element) -> tuple[Element, ...]:
+        """A service and its ancestors, nearest first."""
+        return lineage(service, self.parent)
 
     # --- what the loader makes of it --------------------------------------------------------------------------------
 
@@ -161,6 +159,11 @@ class World:
             readable = element is not None and self.is_sound(element)
             self._behaviors[service] = self.attempt(lambda: read_behavior(element)) if readable else None
         return self._behaviors[service]
+
+    def definition(self, service: Element) -> Service:
+        """What merging state machines needs of a service: who it is, and its behaviour as far as it can be read."""
+        name, id, version = (service.get(key, "") for key in ("name", "id", "version"))
+        return Service(name=name, id=id, version=version, jsidl="", behavior=self.behavior(service))
 
     def message(self, element: Element) -> Message | None:
         """A message, as far as it can be read."""

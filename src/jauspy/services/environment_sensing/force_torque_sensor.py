@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
+from jauspy.geometry.poses import JAUS_FROM_REP_103, Transform
 from jauspy.messages.environment_sensing.v2_0.force_torque_sensor import (
     QueryForceTorque,
     QueryForceTorqueCapabilities,
@@ -12,8 +13,6 @@ from jauspy.messages.environment_sensing.v2_0.force_torque_sensor import (
     ReportForceTorqueCapabilities,
 )
 from jauspy.platform.force_torque import ForceTorqueSensor as Gauge
-from jauspy.platform.vectors import Transform
-from jauspy.services.axes import JAUS_FROM_REP_103
 from jauspy.services.environment_sensing.wanted import chosen
 from jauspy.services.service import Service
 
@@ -53,7 +52,7 @@ class ForceTorqueSensor(Service, urn="urn:jaus:jss:environmentSensing:ForceTorqu
         frame = mounted.frame() if asked.coordinate_system == _Frame.VEHICLE else Transform()
         axes = JAUS_FROM_REP_103 @ frame
         return ReportForceTorque.ReportForceTorqueRec(
-            sensor, asked.coordinate_system, *axes.turn(wrench.force), *axes.turn(wrench.torque)
+            sensor, asked.coordinate_system, *axes.rotate(wrench.force), *axes.rotate(wrench.torque)
         )
 
     def send_report_force_torque_capabilities(

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
+from jauspy.geometry.poses import Transform, jaus_frame
+from jauspy.geometry.vectors import quaternion
 from jauspy.ids import JausID
 from jauspy.messages.environment_sensing.v1_0.types import (
     ManipulatorGeometricPropertiesRec,
@@ -13,9 +15,6 @@ from jauspy.messages.environment_sensing.v1_0.types import (
 )
 from jauspy.messages.environment_sensing.v2_0.range_sensor import ReportSensorGeometricProperties as Report
 from jauspy.platform.ranging import RangeFinder
-from jauspy.platform.vectors import Transform
-from jauspy.services.axes import jaus_frame
-from jauspy.services.manipulator.quaternion import quaternion
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,10 +9,10 @@ import zlib
 from collections.abc import Callable, Mapping
 from typing import Final
 
+from jauspy.geometry.poses import Transform
 from jauspy.messages.core import TimeStamp
 from jauspy.messages.environment_sensing.v2_0.range_sensor import QueryRangeSensorCompressedData, ReportRangeSensorData
 from jauspy.platform.ranging import RangeFinder, RangeScan
-from jauspy.platform.vectors import Transform
 from jauspy.services.presence import masked
 
 Point = ReportRangeSensorData.RangeSensorDataPointRec

@@ -6,11 +6,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Final
 
-from jauspy.platform.description import Joint
+from jauspy.geometry.denavit_hartenberg import DHLink, manipulator_geometry
+from jauspy.geometry.kinematics import KinematicState, forward_kinematics
+from jauspy.geometry.urdf import Joint
 from jauspy.platform.joints import ControlMode, JointGroup, JointState, Target
 from jauspy.platform.motion import ACCELERATION_TIME
-from jauspy.services.manipulator.denavit_hartenberg import Link, geometry
-from jauspy.services.manipulator.kinematics import Stance, stance
 
 if TYPE_CHECKING:
     from jauspy.services.manipulator.driver import ArmDriver
@@ -39,11 +39,12 @@ class Arm:
 
     def __init__(self, joints: JointGroup) -> None:
         self.joints = joints
-        self.geometry = geometry(joints.chain)
+        self.geometry = manipulator_geometry(joints.chain)
         self.tool = self.geometry.tool
         """The tool point in the last joint's frame, metres."""
         self.limits = tuple(
-            (link.joint.lower + link.zero, link.joint.upper + link.zero) for link in self.geometry.links
+            (link.joint.lower + link.zero_position, link.joint.upper + link.zero_position)
+            for link in self.geometry.links
         )
         """The least and the greatest position of each joint, in the standard's terms."""
         self.profiles = tuple(Profile.of(joint) for joint in joints.joints)
@@ -53,11 +54,11 @@ class Arm:
     def state(self) -> JointState:
         """The joints after the last step; positions in the standard's terms."""
         state = self.joints.state()
-        return JointState(self.geometry.standard(state.positions), state.velocities, state.efforts)
+        return JointState(self.geometry.from_urdf(state.positions), state.velocities, state.efforts)
 
-    def stance(self) -> Stance:
+    def kinematic_state(self) -> KinematicState:
         """The tool, and how the joints move it, after the last step."""
-        return stance(self.geometry.links, self.state().positions, self.tool)
+        return forward_kinematics(self.geometry.links, self.state().positions, self.tool)
 
     def take(self, driver: ArmDriver) -> None:
         """Follow this driver from now on; hold until it says what to do, unless it is the one that says so already."""
@@ -99,8 +100,10 @@ class Arm:
         self.joints.hold()
 
     @staticmethod
-    def _native(target: Target, link: Link) -> Target:
-        return replace(target, value=target.value - link.zero) if target.mode is ControlMode.POSITION else target
+    def _native(target: Target, link: DHLink) -> Target:
+        return (
+            replace(target, value=target.value - link.zero_position) if target.mode is ControlMode.POSITION else target
+        )
 
 
 def _within(target: Target, profile: Profile) -> Target:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from jauspy.geometry.vectors import quaternion
 from jauspy.messages.manipulator import ReportEndEffectorPose, ReportEndEffectorVelocityState
 from jauspy.services.manipulator.arm import Arm
-from jauspy.services.manipulator.quaternion import quaternion
 from jauspy.services.service import Service
 
 
@@ -16,7 +16,7 @@ class EndEffectorPoseSensor(Service, urn="urn:jaus:jss:manipulator:ManipulatorEn
 
     def report_end_effector_pose(self) -> ReportEndEffectorPose:
         """The tool point, and the attitude of the last joint's frame."""
-        tool = self._arm.stance().tool
+        tool = self._arm.kinematic_state().tool
         return ReportEndEffectorPose(*tool.position, *quaternion(tool.rotation))
 
 
@@ -28,5 +28,5 @@ class EndEffectorVelocityStateSensor(Service, urn="urn:jaus:jss:manipulator:Mani
 
     def report_end_effector_velocity_state(self) -> ReportEndEffectorVelocityState:
         """How the tool point moves, and how the last link turns: each joint adds its part."""
-        turning, moving = self._arm.stance().velocity(self._arm.state().velocities)
+        turning, moving = self._arm.kinematic_state().velocity(self._arm.state().velocities)
         return ReportEndEffectorVelocityState(*turning, *moving)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from jauspy.geometry.denavit_hartenberg import DHLink
 from jauspy.messages.manipulator import ReportJointMotionProfile, SetJointMotionProfile
 from jauspy.services.manipulator.arm import Arm, Profile
-from jauspy.services.manipulator.denavit_hartenberg import Link
 from jauspy.services.service import Service
 
 
@@ -49,7 +49,7 @@ def within(profile: Profile, most: Profile) -> Profile:
 
 
 def _record(
-    profile: Profile, link: Link
+    profile: Profile, link: DHLink
 ) -> ReportJointMotionProfile.RevoluteJointMotionProfileRec | ReportJointMotionProfile.PrismaticJointMotionProfileRec:
     values = (profile.speed, profile.acceleration, profile.deceleration)
     if link.is_revolute:

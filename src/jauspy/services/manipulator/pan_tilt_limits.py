@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from jauspy.geometry.vectors import quaternion
 from jauspy.messages.manipulator import (
     ReportPanTiltMotionProfile,
     ReportPanTiltSpecifications,
@@ -10,7 +11,6 @@ from jauspy.messages.manipulator import (
 from jauspy.services.manipulator.arm import Profile
 from jauspy.services.manipulator.motion_profile import within
 from jauspy.services.manipulator.pan_tilt import PanTilt
-from jauspy.services.manipulator.quaternion import quaternion
 from jauspy.services.service import Service
 
 

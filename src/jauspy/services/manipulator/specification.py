@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
+from jauspy.geometry.denavit_hartenberg import DHLink
+from jauspy.geometry.poses import JAUS_FROM_REP_103, Transform
+from jauspy.geometry.vectors import quaternion
 from jauspy.messages.manipulator import ManipulatorCoordinateSystemRec, ReportManipulatorSpecifications
-from jauspy.platform.vectors import Transform
-from jauspy.services.axes import JAUS_FROM_REP_103
 from jauspy.services.manipulator.arm import Arm
-from jauspy.services.manipulator.denavit_hartenberg import Link
-from jauspy.services.manipulator.quaternion import quaternion
 from jauspy.services.service import Service
 
 
@@ -35,41 +34,41 @@ def coordinate_system(base: Transform) -> ManipulatorCoordinateSystemRec:
     return ManipulatorCoordinateSystemRec(*frame.position, *quaternion(frame.rotation))
 
 
-def _first_revolute(link: Link) -> ReportManipulatorSpecifications.RevoluteJoint1OffsetRec:
+def _first_revolute(link: DHLink) -> ReportManipulatorSpecifications.RevoluteJoint1OffsetRec:
     joint = link.joint
     return ReportManipulatorSpecifications.RevoluteJoint1OffsetRec(
-        link.offset, joint.lower + link.zero, joint.upper + link.zero, joint.velocity, joint.effort
+        link.offset, joint.lower + link.zero_position, joint.upper + link.zero_position, joint.velocity, joint.effort
     )
 
 
-def _first_prismatic(link: Link) -> ReportManipulatorSpecifications.PrismaticJoint1AngleRec:
+def _first_prismatic(link: DHLink) -> ReportManipulatorSpecifications.PrismaticJoint1AngleRec:
     joint = link.joint
     return ReportManipulatorSpecifications.PrismaticJoint1AngleRec(
-        link.angle, joint.lower + link.zero, joint.upper + link.zero, joint.velocity, joint.effort
+        link.angle, joint.lower + link.zero_position, joint.upper + link.zero_position, joint.velocity, joint.effort
     )
 
 
-def _revolute(link: Link) -> ReportManipulatorSpecifications.RevoluteJointSpecificationRec:
+def _revolute(link: DHLink) -> ReportManipulatorSpecifications.RevoluteJointSpecificationRec:
     joint = link.joint
     return ReportManipulatorSpecifications.RevoluteJointSpecificationRec(
         link.length,
         link.twist,
         link.offset,
-        joint.lower + link.zero,
-        joint.upper + link.zero,
+        joint.lower + link.zero_position,
+        joint.upper + link.zero_position,
         joint.velocity,
         joint.effort,
     )
 
 
-def _prismatic(link: Link) -> ReportManipulatorSpecifications.PrismaticJointSpecificationRec:
+def _prismatic(link: DHLink) -> ReportManipulatorSpecifications.PrismaticJointSpecificationRec:
     joint = link.joint
     return ReportManipulatorSpecifications.PrismaticJointSpecificationRec(
         link.length,
         link.twist,
         link.angle,
-        joint.lower + link.zero,
-        joint.upper + link.zero,
+        joint.lower + link.zero_position,
+        joint.upper + link.zero_position,
         joint.velocity,
         joint.effort,
     )

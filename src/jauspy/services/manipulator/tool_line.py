@@ -6,8 +6,9 @@ import math
 from collections.abc import Sequence
 from typing import Final
 
-from jauspy.platform.vectors import Rotation, Transform, Vector, about, add, difference, dot, scaled
-from jauspy.services.manipulator.kinematics import Stance, turn_between
+from jauspy.geometry.kinematics import KinematicState
+from jauspy.geometry.poses import Transform, rotation_vector
+from jauspy.geometry.vectors import Rotation, Vector, add, difference, dot, rotation_about, scaled
 
 ARM_LENGTH: Final = 0.3
 """Metres that a radian per second counts as, when the speed of a motion is measured."""
@@ -34,9 +35,9 @@ class ToolLine:
 
     def deviation(self, tool: Transform) -> tuple[Vector, Vector]:
         """Radians that the tool has to turn, and metres that it has to move, to have the pose."""
-        return turn_between(tool.rotation, self._pose.rotation), difference(self._pose.position, tool.position)
+        return rotation_vector(tool.rotation, self._pose.rotation), difference(self._pose.position, tool.position)
 
-    def advance(self, now: Stance, rates: Sequence[float], dt: float) -> None:
+    def advance(self, now: KinematicState, rates: Sequence[float], dt: float) -> None:
         """Go ahead as far as the tool does in `dt` seconds with these velocities of the joints, on a leash."""
         turning, moving = now.velocity(rates)
         time = dt * (_part(moving, self.moving) if any(self.moving) else _part(turning, self.turning))
@@ -54,7 +55,11 @@ def _part(found: Vector, wanted: Vector) -> float:
 
 def _turned(rotation: Rotation, turn: Vector) -> Rotation:
     angle = math.hypot(*turn)
-    return (Transform(about(scaled(turn, 1.0 / angle), angle)) @ Transform(rotation)).rotation if angle else rotation
+    return (
+        (Transform(rotation_about(scaled(turn, 1.0 / angle), angle)) @ Transform(rotation)).rotation
+        if angle
+        else rotation
+    )
 
 
 def _leashed(offset: Vector) -> Vector:

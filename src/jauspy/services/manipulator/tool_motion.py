@@ -11,11 +11,10 @@ import math
 from operator import mul
 from typing import TYPE_CHECKING, Final
 
-from jauspy.platform.vectors import Vector, scaled
-from jauspy.services.manipulator.kinematics import Stance, stance
-from jauspy.services.manipulator.least_squares import bounded
+from jauspy.geometry.kinematics import InverseKinematics, KinematicState, forward_kinematics
+from jauspy.geometry.least_squares import bounded_least_squares
+from jauspy.geometry.vectors import Vector, scaled
 from jauspy.services.manipulator.pace import brakeable, ramped, slowed
-from jauspy.services.manipulator.pose_search import PoseSearch
 from jauspy.services.manipulator.tool_line import ToolLine
 
 if TYPE_CHECKING:
@@ -48,7 +47,7 @@ class ToolMotion:
     def __init__(self, arm: Arm) -> None:
         self._arm = arm
         self._rates = list(arm.state().velocities)
-        self._line = ToolLine(arm.stance().tool, STILL, STILL)
+        self._line = ToolLine(arm.kinematic_state().tool, STILL, STILL)
 
     @property
     def is_over(self) -> bool:
@@ -58,17 +57,17 @@ class ToolMotion:
     def follow(self, turning: Vector, moving: Vector) -> None:
         """Turn at so many rad/s and move at so many m/s, on a line from here; the same again goes on as before."""
         if (turning, moving) != (self._line.turning, self._line.moving):
-            self._line = ToolLine(self._arm.stance().tool, turning, moving)
+            self._line = ToolLine(self._arm.kinematic_state().tool, turning, moving)
 
     def rates(self, dt: float) -> list[float]:
         """What the joints are to do for the next `dt` seconds, within their limits and the motion profile."""
-        now, profiles = self._arm.stance(), self._arm.profiles
+        now, profiles = self._arm.kinematic_state(), self._arm.profiles
         wanted = self._wanted(now, dt) if self._line.speed else [0.0] * len(profiles)
         self._rates = ramped(self._rates, slowed(wanted, profiles), profiles, dt)
         self._line.advance(now, self._rates, dt)
         return self._rates
 
-    def _wanted(self, now: Stance, dt: float) -> list[float]:
+    def _wanted(self, now: KinematicState, dt: float) -> list[float]:
         lack = max(0.0, 1.0 - _likeness(now) / NEARLY_SINGULAR)
         way = self._way_out() if lack and any(self._line.moving) else None
         return way or self._solve(now, DAMPING + (SINGULAR_DAMPING - DAMPING) * lack * lack, dt)
@@ -77,11 +76,11 @@ class ToolMotion:
         """To a place further on the line, if there is one: slopes do not tell how a stretched arm is drawn in."""
         arm, positions = self._arm, self._arm.state().positions
         goal = self._line.further(AHEAD)
-        search = PoseSearch(
+        search = InverseKinematics(
             arm.geometry.links, arm.tool, goal, self._bent(), arm.limits, starts=1, weights=((ATTITUDE,),)
         )
-        found = search.work(STEPS)
-        if found is None or not found.is_there:
+        found = search.advance(STEPS)
+        if found is None or not found.reaches_point:
             return None
         part = math.hypot(*self._line.moving) / AHEAD
         return [part * (there - here) for there, here in zip(found.positions, positions, strict=True)]
@@ -90,18 +89,21 @@ class ToolMotion:
         """The joints as they are, a little bent to the side that gives the tool more freedom."""
         arm, positions = self._arm, self._arm.state().positions
         sides = ([p + (bend if number % 2 else -bend) for number, p in enumerate(positions)] for bend in (BEND, -BEND))
-        return max(sides, key=lambda bent: _likeness(stance(arm.geometry.links, bent, arm.tool)))
+        return max(sides, key=lambda bent: _likeness(forward_kinematics(arm.geometry.links, bent, arm.tool)))
 
-    def _solve(self, now: Stance, damping: float, dt: float) -> list[float]:
+    def _solve(self, now: KinematicState, damping: float, dt: float) -> list[float]:
         """The best velocities of the joints; one more unknown is the share of the wanted velocity."""
         line, joints = self._line, len(self._rates)
         turn, way = line.deviation(now.tool)
-        rows: list[list[float]] = [[*row, -v] for *row, v in zip(*now.moving, line.moving, strict=True)]
-        rows += [[ATTITUDE * value for value in (*row, -w)] for *row, w in zip(*now.turning, line.turning, strict=True)]
+        rows: list[list[float]] = [[*row, -v] for *row, v in zip(*now.linear_jacobian, line.moving, strict=True)]
+        rows += [
+            [ATTITUDE * value for value in (*row, -w)]
+            for *row, w in zip(*now.angular_jacobian, line.turning, strict=True)
+        ]
         rows.append([0.0] * joints + [SHARE * line.speed])
         wanted = [*scaled(way, CORRECTION), *scaled(turn, CORRECTION * ATTITUDE), SHARE * line.speed]
         lower, upper = self._bounds(dt)
-        return bounded(rows, wanted, [*lower, 0.0], [*upper, 1.0], [damping] * joints + [1e-6])[:-1]
+        return bounded_least_squares(rows, wanted, [*lower, 0.0], [*upper, 1.0], [damping] * joints + [1e-6])[:-1]
 
     def _bounds(self, dt: float) -> tuple[list[float], list[float]]:
         """How fast the joints may go so as to stop at their limits."""
@@ -110,9 +112,9 @@ class ToolMotion:
         return lower, [brakeable(high - position, profile, dt) for position, (_, high), profile in rows]
 
 
-def _likeness(now: Stance) -> float:
+def _likeness(now: KinematicState) -> float:
     """How much alike the joints can move the tool point in all directions: 1, or 0 when in one they cannot."""
-    axes = list(zip(*now.moving, strict=True))
+    axes = list(zip(*now.linear_jacobian, strict=True))
     products = [[sum(map(mul, a, b)) for b in axes] for a in axes]
     (xx, xy, xz), (_, yy, yz), (_, _, zz) = products
     volume = xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz)

@@ -5,13 +5,12 @@ from __future__ import annotations
 import math
 from typing import Final
 
+from jauspy.geometry.kinematics import InverseKinematics, Solution
+from jauspy.geometry.poses import Transform, rotation_vector
+from jauspy.geometry.vectors import quaternion, rotation_from_quaternion
 from jauspy.messages.manipulator import ReportCommandedEndEffectorPose, SetEndEffectorPose
-from jauspy.platform.vectors import Transform
 from jauspy.services.manipulator.arm import Arm
 from jauspy.services.manipulator.driver import ArmDriver
-from jauspy.services.manipulator.kinematics import turn_between
-from jauspy.services.manipulator.pose_search import Found, PoseSearch
-from jauspy.services.manipulator.quaternion import quaternion, rotation
 
 STEPS_AT_ONCE: Final = 10
 """Steps of a search after which others have their turn: about two milliseconds for five joints."""
@@ -37,7 +36,7 @@ class ToolPoseDriver(ArmDriver):
     def __init__(self, arm: Arm) -> None:
         super().__init__(arm)
         self._goal: Transform | None = None
-        self._search: PoseSearch | None = None
+        self._search: InverseKinematics | None = None
         self._next_turn = -math.inf
 
     def go(self, goal: Transform) -> None:
@@ -47,10 +46,10 @@ class ToolPoseDriver(ArmDriver):
         """
         arm, before = self.arm, self._search
         arm.take(self)
-        if before is not None and before.best.is_there:
+        if before is not None and before.best.reaches_point:
             arm.to_positions(self, before.best.positions)
         self._goal = goal
-        self._search = PoseSearch(arm.geometry.links, arm.tool, goal, arm.state().positions, arm.limits)
+        self._search = InverseKinematics(arm.geometry.links, arm.tool, goal, arm.state().positions, arm.limits)
         if self.host.now >= self._next_turn:
             self._seek()
         else:
@@ -69,32 +68,32 @@ class ToolPoseDriver(ArmDriver):
         """What was commanded, by whichever of these services, while it holds; else where the tool is."""
         driver = self.arm.driver
         goal = driver._goal if isinstance(driver, ToolPoseDriver) else None  # noqa: SLF001 - of the same class
-        tool = goal or self.arm.stance().tool
+        tool = goal or self.arm.kinematic_state().tool
         return ReportCommandedEndEffectorPose(*tool.position, *quaternion(tool.rotation))
 
     def _seek(self) -> None:
         search, goal = self._search, self._goal
         if search is None or goal is None:
             return
-        found = search.work(STEPS_AT_ONCE)
+        found = search.advance(STEPS_AT_ONCE)
         self._next_turn = self.host.now + PAUSE
         if found is None:
             self.host.set_timer(self, self._next_turn, self._seek)
             return
         self._search = None
-        if found.is_there:
+        if found.reaches_point:
             self.arm.to_positions(self, found.positions)
             self._look(found, goal)
         else:
             self.host.count("out_of_reach", f"{goal.position}: {found.distance:.3f} m are missing")
             self.arm.stop()
 
-    def _look(self, found: Found, goal: Transform) -> None:
-        tool = self.arm.stance().tool
+    def _look(self, found: Solution, goal: Transform) -> None:
+        tool = self.arm.kinematic_state().tool
         distance = math.dist(goal.position, tool.position) - found.distance
-        turn = math.hypot(*turn_between(tool.rotation, goal.rotation)) - found.turn
+        turn = math.hypot(*rotation_vector(tool.rotation, goal.rotation)) - found.angle
         if distance <= CLOSE and turn <= ALIGNED:
-            self.reached(exactly=found.is_exact)
+            self.reached(exactly=found.reaches_pose)
         else:
             self.host.set_timer(self, self.host.now + PERIOD, lambda: self._look(found, goal))
 
@@ -110,4 +109,4 @@ def pose_of(msg: SetEndEffectorPose) -> Transform | None:
     if math.hypot(*parts) < SHORTEST:
         return None
     point = (msg.tool_point_coordinate_x, msg.tool_point_coordinate_y, msg.tool_point_coordinate_z)
-    return Transform(rotation(*parts), point)
+    return Transform(rotation_from_quaternion(*parts), point)

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from jauspy.platform.description import Joint
+from jauspy.geometry.denavit_hartenberg import reversed_joint
 from jauspy.platform.joints import JointGroup, JointState, Target
-from jauspy.platform.vectors import scaled
 
 
 class TurnedJoints:
@@ -17,9 +16,9 @@ class TurnedJoints:
         self._group = group
         self._signs = tuple(-1.0 if each else 1.0 for each in turned)
         names = {joint.name for joint, each in zip(group.joints, turned, strict=True) if each}
-        self.joints = tuple(turned_joint(joint) if joint.name in names else joint for joint in group.joints)
+        self.joints = tuple(reversed_joint(joint) if joint.name in names else joint for joint in group.joints)
         """The joints that move, base to tip."""
-        self.chain = tuple(turned_joint(joint) if joint.name in names else joint for joint in group.chain)
+        self.chain = tuple(reversed_joint(joint) if joint.name in names else joint for joint in group.chain)
         """All joints from base to tip, fixed ones included."""
 
     def command(self, targets: Sequence[Target | None]) -> None:
@@ -38,8 +37,3 @@ class TurnedJoints:
 
     def _signed(self, values: tuple[float, ...]) -> tuple[float, ...]:
         return tuple(sign * value for sign, value in zip(self._signs, values, strict=True))
-
-
-def turned_joint(joint: Joint) -> Joint:
-    """The same joint, which counts the other way round."""
-    return replace(joint, axis=scaled(joint.axis, -1.0), lower=-joint.upper, upper=-joint.lower)

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from jauspy.geometry.denavit_hartenberg import DHLink
 from jauspy.messages.manipulator import (
     ActuatorForceTorqueRec,
     JointEffortRec,
     JointPositionRec,
     JointVelocityRec,
 )
-from jauspy.services.manipulator.denavit_hartenberg import Link
 
 REVOLUTE, PRISMATIC = 1, 2
 """Which of the two kinds of value a field holds."""
@@ -18,7 +18,7 @@ REVOLUTE, PRISMATIC = 1, 2
 Choices = Sequence[tuple[int, float]]
 
 
-def values(choices: Choices, links: Sequence[Link]) -> list[float] | None:
+def values(choices: Choices, links: Sequence[DHLink]) -> list[float] | None:
     """The values, base to tip; None unless there is one of the right kind for each joint."""
     kinds = [REVOLUTE if link.is_revolute else PRISMATIC for link in links]
     return [value for _, value in choices] if [kind for kind, _ in choices] == kinds else None
@@ -39,7 +39,7 @@ def read_efforts(records: Sequence[ActuatorForceTorqueRec]) -> Choices:
     return [(record.joint_force_torque.choice, record.joint_force_torque.value) for record in records]
 
 
-def positions(found: Sequence[float], links: Sequence[Link]) -> list[JointPositionRec]:
+def positions(found: Sequence[float], links: Sequence[DHLink]) -> list[JointPositionRec]:
     """Radians or metres for each joint."""
     make, choice = JointPositionRec.JointPosition, JointPositionRec.JointPositionChoice
     return [
@@ -48,7 +48,7 @@ def positions(found: Sequence[float], links: Sequence[Link]) -> list[JointPositi
     ]
 
 
-def velocities(found: Sequence[float], links: Sequence[Link]) -> list[JointVelocityRec]:
+def velocities(found: Sequence[float], links: Sequence[DHLink]) -> list[JointVelocityRec]:
     """rad/s or m/s for each joint."""
     make, choice = JointVelocityRec.JointVelocity, JointVelocityRec.JointVelocityChoice
     return [
@@ -57,7 +57,7 @@ def velocities(found: Sequence[float], links: Sequence[Link]) -> list[JointVeloc
     ]
 
 
-def efforts(found: Sequence[float], links: Sequence[Link]) -> list[ActuatorForceTorqueRec]:
+def efforts(found: Sequence[float], links: Sequence[DHLink]) -> list[ActuatorForceTorqueRec]:
     """Newton metres or newtons for each joint."""
     make, choice = ActuatorForceTorqueRec.JointForceTorque, ActuatorForceTorqueRec.JointForceTorqueChoice
     return [

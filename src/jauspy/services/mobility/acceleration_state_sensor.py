@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from jauspy.geometry.poses import jaus_acceleration
 from jauspy.messages.mobility import ReportAccelerationState, ReportAccelerationStateExt
-from jauspy.services.mobility.frames import jaus_acceleration
 from jauspy.services.mobility.vehicle import Vehicle
 from jauspy.services.service import Service
 from jauspy.services.stamps import epoch_seconds, time_stamp

@@ -5,9 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
-from jauspy.platform.contract import Pose
-from jauspy.services.mobility.frames import wrap
-from jauspy.services.mobility.guidance.geodesy import Geodetic, convergence, moved, offset
+from jauspy.geometry.geodesy import Geodetic, from_ned, meridian_convergence, to_ned
+from jauspy.geometry.poses import Pose, wrap_angle
 from jauspy.services.mobility.guidance.leg import Point
 
 
@@ -39,22 +38,22 @@ class GlobalFrame:
         """A pose in the world, on the globe."""
         ahead, right = pose.x - self._anchor.x, pose.y - self._anchor.y
         sine, cosine = math.sin(self._turn), math.cos(self._turn)
-        there = moved(
+        there = from_ned(
             self._place, cosine * ahead - sine * right, sine * ahead + cosine * right, pose.z - self._anchor.z
         )
-        heading = wrap(pose.yaw + self._turn + convergence(self._place, there))
+        heading = wrap_angle(pose.yaw + self._turn + meridian_convergence(self._place, there))
         return GlobalPose(math.degrees(there.latitude), math.degrees(there.longitude), there.height, heading)
 
     def place(self, latitude: float, longitude: float) -> Point:
         """Where a point of the globe (degrees) is in the world, straight below or above it."""
         there = replace(self._place, latitude=math.radians(latitude), longitude=math.radians(longitude))
-        north, east, _ = offset(self._place, there)
+        north, east, _ = to_ned(self._place, there)
         sine, cosine = math.sin(self._turn), math.cos(self._turn)
         return Point(self._anchor.x + cosine * north + sine * east, self._anchor.y - sine * north + cosine * east)
 
     def heading(self, heading: float) -> float:
         """A true heading, in the world; at the anchor, so that it is off by the convergence of the meridians."""
-        return wrap(heading - self._turn)
+        return wrap_angle(heading - self._turn)
 
     @property
     def _place(self) -> Geodetic:

@@ -6,6 +6,7 @@ import math
 from dataclasses import replace
 from typing import Final
 
+from jauspy.geometry.poses import jaus_twist, wrap_angle
 from jauspy.messages.mobility import (
     ReportGeomagneticProperty,
     ReportGlobalPose,
@@ -14,7 +15,6 @@ from jauspy.messages.mobility import (
     SetGlobalPose,
     SetGlobalPoseExt,
 )
-from jauspy.services.mobility.frames import jaus_twist, wrap
 from jauspy.services.mobility.global_frame import GlobalPose
 from jauspy.services.mobility.reach import sayable_altitude
 from jauspy.services.mobility.vehicle import Vehicle
@@ -98,4 +98,4 @@ class GlobalPoseSensor(Service, urn="urn:jaus:jss:mobility:GlobalPoseSensor"):
         twist = jaus_twist(self._vehicle.drive.twist())
         if math.hypot(twist.vx, twist.vy) < MOVING:
             return None
-        return wrap(heading + math.atan2(twist.vy, twist.vx))
+        return wrap_angle(heading + math.atan2(twist.vy, twist.vx))

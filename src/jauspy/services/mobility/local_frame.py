@@ -5,8 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
-from jauspy.platform.contract import Pose
-from jauspy.services.mobility.frames import wrap
+from jauspy.geometry.poses import Pose, wrap_angle
 from jauspy.services.mobility.guidance.leg import Point
 
 
@@ -42,7 +41,7 @@ class LocalFrame:
             x=reference.shown.x + x,
             y=reference.shown.y + y,
             z=reference.shown.z + pose.z - reference.raw.z,
-            yaw=wrap(pose.yaw + reference.turn),
+            yaw=wrap_angle(pose.yaw + reference.turn),
         )
 
     def place(self, x: float, y: float) -> Point:
@@ -53,7 +52,7 @@ class LocalFrame:
 
     def heading(self, yaw: float) -> float:
         """A heading of the frame, in the world."""
-        return wrap(yaw - self._reference.turn)
+        return wrap_angle(yaw - self._reference.turn)
 
 
 def _turned(x: float, y: float, by: float) -> tuple[float, float]:

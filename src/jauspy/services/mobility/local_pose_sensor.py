@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from jauspy.geometry.poses import Pose
 from jauspy.messages.mobility import (
     ReportLocalPose,
     ReportLocalPoseExt,
@@ -11,7 +12,6 @@ from jauspy.messages.mobility import (
     SetLocalPoseExt,
     ZPosition,
 )
-from jauspy.platform.contract import Pose
 from jauspy.services.mobility.reach import HIGH, NARROW, WIDE, within
 from jauspy.services.mobility.vehicle import Vehicle
 from jauspy.services.service import Service

@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
+from jauspy.geometry.poses import jaus_pose, jaus_twist
 from jauspy.platform.chassis import Chassis
 from jauspy.platform.contract import DriveBase
-from jauspy.services.mobility.frames import jaus_pose, jaus_twist
 from jauspy.services.mobility.guidance.course import Course, Halt
 from jauspy.services.mobility.guidance.motion import STANDSTILL, Limits, Motion, approach
 from jauspy.services.mobility.guidance.velocity_control import VelocityControl, limit

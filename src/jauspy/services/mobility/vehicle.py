@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.poses import Pose, jaus_pose
 from jauspy.platform.chassis import Chassis
-from jauspy.platform.contract import DriveBase, Pose
-from jauspy.services.mobility.frames import jaus_pose
+from jauspy.platform.contract import DriveBase
 from jauspy.services.mobility.global_frame import GlobalFrame, GlobalPose
 from jauspy.services.mobility.local_frame import LocalFrame
 from jauspy.services.mobility.pilot import Pilot

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 
+from jauspy.geometry.poses import jaus_twist
 from jauspy.messages.mobility import (
     ReportVelocityState,
     ReportVelocityStateExt,
     ReportVelocityStateExtRec,
     VelocityVehicleXYZRec,
 )
-from jauspy.services.mobility.frames import jaus_twist
 from jauspy.services.mobility.vehicle import Vehicle
 from jauspy.services.service import Service
 from jauspy.services.stamps import epoch_seconds, time_stamp

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final
 
-from jauspy.platform.contract import Pose
+from jauspy.geometry.poses import Pose
 from jauspy.services.mobility.guidance.course import LOOKS_THERE, reversed_yaw
 from jauspy.services.mobility.guidance.heading import head_for, turn_of
 from jauspy.services.mobility.guidance.leg import Leg, Point, look_ahead

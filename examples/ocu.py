@@ -1,0 +1,25 @@
+"""Drive the robot 101 two metres ahead, as an operator control unit."""
+
+import asyncio
+import sys
+
+import jauspy
+from jauspy.messages.mobility import QueryLocalPose, SetWrenchEffort
+
+
+async def main(connect: str | None) -> None:
+    async with jauspy.OCU("42.1.1", connect) as ocu:
+        robot = await ocu.discover(subsystem=101)
+        driver = robot.service("mobility:PrimitiveDriver")
+        poses = robot.service("mobility:LocalPoseSensor")
+        async with driver.control(authority=200):  # kept alive; Standby and released at the end, also after an error
+            await driver.resume()
+            await driver.send(SetWrenchEffort(propulsive_linear_effort_x=40.0))  # percent
+            async for pose in poses.subscribe(QueryLocalPose(0x1FF), rate=10.0):
+                print(f"x {pose.x:.2f} m, y {pose.y:.2f} m")
+                if pose.x >= 2.0:
+                    break
+
+
+if __name__ == "__main__":
+    asyncio.run(main(sys.argv[1] if len(sys.argv) > 1 else None))

@@ -1,0 +1,27 @@
+"""Turn the robot 101 by 90 degrees, without `await`."""
+
+import math
+import sys
+
+from jauspy.messages.mobility import QueryLocalPose, SetWrenchEffort
+from jauspy.sync import OCU
+
+
+def main(connect: str | None) -> None:
+    with OCU("42.1.1", connect) as ocu:
+        robot = ocu.discover(subsystem=101)
+        driver = robot.service("mobility:PrimitiveDriver")
+        sensor = robot.service("mobility:LocalPoseSensor")
+        start = sensor.query(QueryLocalPose(0x1FF)).yaw
+        with driver.control(authority=200):
+            driver.resume()
+            driver.send(SetWrenchEffort(propulsive_rotational_effort_z=40.0))  # percent; positive turns right
+            for pose in sensor.subscribe(QueryLocalPose(0x1FF), rate=10.0):
+                turned = math.remainder(pose.yaw - start, math.tau)
+                print(f"turned {math.degrees(turned):.0f} degrees")
+                if turned > math.radians(90.0):
+                    break
+
+
+if __name__ == "__main__":
+    main(sys.argv[1] if len(sys.argv) > 1 else None)

@@ -1,0 +1,134 @@
+"""Subscribing to events, and looking at the stream that comes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import Final
+
+from jauspy.codec.base import Message
+from jauspy.conformance.checks import has, near
+from jauspy.conformance.results import Silent
+from jauspy.conformance.tester import Client, Tester
+from jauspy.conformance.trace import named
+from jauspy.errors import DecodeError
+from jauspy.ids import JausID
+from jauspy.messages.core import CancelEvent, ConfirmEventRequest, CreateEvent, Event
+
+RATE_STEP: Final = 1092 / 65535
+"""Hertz of one step of a rate on the wire (AS5710)."""
+ONE_HERTZ: Final = 60 * RATE_STEP
+HALF_HERTZ: Final = 30 * RATE_STEP
+"""As the judge sends them: raw 003C and 001E."""
+TOLERANCE: Final = 0.25
+"""Part of the period that an interval may be off, for networks and schedulers."""
+PERIODS: Final = 4
+"""Of a stream that are watched."""
+COUNTED: Final = 12
+"""Events of a fast stream, whose single intervals say less about the robot than about its network."""
+LENIENCE: Final = 0.4
+"""Part of their number that may be missing or too many."""
+LONGEST: Final = 20.0
+"""s."""
+
+Arrivals = Sequence[tuple[float, Event]]
+
+
+def subscribe(
+    client: Client, request: int, query: Message | bytes, rate: float = ONE_HERTZ, to: JausID | None = None
+) -> ConfirmEventRequest:
+    """A periodic event; it must be confirmed with the rate that was asked for."""
+    wanted = CreateEvent(
+        request_id=request,
+        event_type=CreateEvent.EventType.PERIODIC,
+        requested_periodic_rate=rate,
+        query_message=query,
+    )
+    return client.ask(
+        wanted, ConfirmEventRequest, has(request_id=request), near(0.02 * rate, confirmed_periodic_rate=rate), to=to
+    )
+
+
+def cancel(client: Client, request: int, event: int, to: JausID | None = None) -> None:
+    """End an event, and hear no more of it."""
+    client.ask(CancelEvent(request, event), ConfirmEventRequest, has(request_id=request, event_id=event), to=to)
+
+
+def watch(client: Client, event: int, rate: float, report: type[Message]) -> None:
+    """The stream of an event keeps its rate, counts, and carries the report."""
+    arrivals = client.collect(Event, PERIODS / rate, lambda message: message.event_id == event)
+    judge(client.tester, arrivals, rate, report)
+
+
+def judge(tester: Tester, arrivals: Arrivals, rate: float, report: type[Message]) -> None:
+    """Look at what came of one event."""
+    name = f"{report.NAME} at {rate:.2g} Hz"
+    tester.expected.append(f"Event 41F1h with {name}")
+    _there_are_some(tester, arrivals)
+    tester.check(f"the stream of {name} keeps its rate", pace(arrivals, rate))
+    _events_are_right(tester, arrivals, name, report)
+
+
+def look(client: Client, event: int, rate: float, report: type[Message]) -> None:
+    """A stream has the rate that was confirmed, in the mean, and every event of this client belongs to it."""
+    tester = client.tester
+    tester.expected.append(f"Event 41F1h with {report.NAME} at {rate:.3g} Hz")
+    tester.check("a rate is confirmed", "" if rate > 0 else f"it is {rate:g} Hz")
+    seconds = min(COUNTED / rate, LONGEST)
+    tester.wait(0.0)
+    client.forget(Event)  # of before: the tester may have been held up
+    arrivals = client.collect(Event, seconds)
+    _there_are_some(tester, arrivals)
+    strange = {each.event_id for _, each in arrivals} - {event}
+    tester.check(
+        "the events have the id that was confirmed", f"they have {sorted(strange)}, not {event}" if strange else ""
+    )
+    wrong = abs(len(arrivals) - seconds * rate) > seconds * rate * LENIENCE
+    tester.check("they come at the confirmed rate", f"{len(arrivals)} came in {seconds:.3g} s" if wrong else "")
+    _events_are_right(tester, arrivals, report.NAME, report)
+
+
+def _there_are_some(tester: Tester, arrivals: Arrivals) -> None:
+    tester.look(f"{named(Event)} comes", "" if arrivals else "none came")
+    if not arrivals:
+        raise Silent(f"no {named(Event)} came")
+
+
+def _events_are_right(tester: Tester, arrivals: Arrivals, name: str, report: type[Message]) -> None:
+    """They count, and carry the report."""
+    numbers = [event.sequence_number for _, event in arrivals]
+    steps = {after - before & 0xFF for before, after in pairwise(numbers)}
+    tester.check(
+        f"the sequence number of {name} grows by one", "" if steps == {1} else f"the sequence numbers are {numbers}"
+    )
+    wrong = next((problem for _, event in arrivals if (problem := _content(event, report))), "")
+    tester.check(f"the events carry {report.NAME}, as its definition says", wrong)
+
+
+def _content(event: Event, report: type[Message]) -> str:
+    """What is wrong with the message in an event."""
+    inside = event.report_message
+    payload = inside.encode(strict=False) if isinstance(inside, Message) else inside
+    try:
+        report.decode(payload)
+    except DecodeError as error:
+        return f"an event carries {payload.hex()}: {error}"
+    return ""
+
+
+def pace(arrivals: Arrivals, rate: float) -> str:
+    """What is wrong with the intervals; the first report may come at any time."""
+    times = [at for at, _ in arrivals]
+    if len(times) < PERIODS - 1:
+        return f"{len(times)} events came in {PERIODS / rate:.3g} s, which is not {rate:.2g} Hz"
+    intervals = [after - before for before, after in pairwise(times)]
+    wrong = [each for each in intervals if abs(each * rate - 1.0) > TOLERANCE]
+    return f"{len(times)} events, {wrong[0]:.3f} s apart, which is not {rate:.2g} Hz" if wrong else ""
+
+
+def stopped(client: Client, event: int, seconds: float) -> None:
+    """Nothing more comes of an event that was cancelled, apart from what was under way."""
+    client.tester.wait(0.05 * client.tester.timeout)
+    client.forget(Event)
+    arrivals = client.collect(Event, seconds, lambda message: message.event_id == event)
+    client.tester.check("the events stop", f"{len(arrivals)} came after the end" if arrivals else "")

@@ -1,0 +1,190 @@
+"""Single packets by hand: for looking at what a node manager and an endpoint do with them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+from functools import partial
+from typing import Any, Final
+
+from jauspy.conformance.profile import Action, Step
+from jauspy.conformance.results import Late, Silent
+from jauspy.conformance.tester import HARMLESS_QUERIES, Client, Tester, is_answer
+from jauspy.ids import JausID
+from jauspy.ocu.answers import REPORT_OFFSET
+from jauspy.protocol import header
+from jauspy.protocol.header import Ack, DataFlag, Packet
+
+FIRST_NUMBER: Final = 0x8000
+"""Of packets by hand; far from the numbers of the clients' endpoints."""
+MAX_ARRIVALS: Final = 1024
+"""Packets from the component in one step; far more than any step wants."""
+SETTLE: Final = 0.1
+"""Timeouts to wait for what should not come."""
+
+
+class Hand:
+    """Sends packets of one client to the component under test, and counts what comes back."""
+
+    def __init__(self, tester: Tester, client: str) -> None:
+        self.tester = tester
+        self.client: Client = tester.client(client)
+        self.component = tester.component
+        self.ping: bytes = tester.recall("ping", "the target answers no query")
+        self._arrivals: list[tuple[Packet, bool]] = []
+        tester.listeners.append(self._hear)
+
+    def number(self, count: int = 1) -> int:
+        """The first of so many sequence numbers that were not used before."""
+        memory = self.tester.memory
+        first: int = memory.get("number", FIRST_NUMBER)
+        memory["number"] = first + count & 0xFFFF
+        return first
+
+    def packet(self, payload: bytes | None = None, **fields: Any) -> Packet:
+        """A query to the component, unless told otherwise."""
+        usual = Packet(self.client.id, self.component, self.ping if payload is None else payload, self.number())
+        return replace(usual, **fields)
+
+    def send(self, *packets: Packet) -> None:
+        """All in one datagram, behind one version byte."""
+        self.raw(b"\x02" + b"".join(header.pack(each) for each in packets))
+
+    def raw(self, datagram: bytes) -> None:
+        """Any bytes."""
+        self.client.raw(datagram)
+
+    def received(self, ack: Ack = Ack.NONE) -> list[Packet]:
+        """What came from the component to this client in this step, of this kind, in order."""
+        return [packet for packet, _ in self.arrivals() if packet.ack is ack]
+
+    def arrivals(self) -> list[tuple[Packet, bool]]:
+        """Everything that came from the component to this client, and whether to the strange port."""
+        return self._arrivals
+
+    def _hear(self, packet: Packet, strange_port: bool) -> None:
+        ours = packet.source == self.component and packet.destination == self.client.id
+        if ours and _answers(packet) and len(self._arrivals) < MAX_ARRIVALS:
+            self._arrivals.append((packet, strange_port))
+
+    def answers(self) -> list[Packet]:
+        """The answers to the ping."""
+        code = (int.from_bytes(self.ping[:2], "little") + REPORT_OFFSET).to_bytes(2, "little")
+        return [each for each in self.received() if each.payload[:2] == code]
+
+    def expect(self, count: int, what: str) -> None:
+        """So many answers to the ping, no more and no fewer; in twice the time they are late."""
+        self.tester.expected.append(what)
+        deadline = self.tester.now + self.tester.timeout
+        if not self.tester.pump(deadline, lambda: len(self.answers()) >= count):
+            self._look_later(count, what, deadline)
+        self.tester.wait(SETTLE * self.tester.timeout)
+        self._compare(what, count, len(self.answers()))
+
+    def _look_later(self, count: int, what: str, deadline: float) -> None:
+        if self.tester.pump(deadline + self.tester.timeout, lambda: len(self.answers()) >= count):
+            late = f"{self.tester.now - deadline:.2f} s after the deadline of {self.tester.timeout:g} s"
+            self.tester.look(what, late)
+            raise Late(f"{what}: it came {late}")
+
+    def expect_none(self, what: str) -> None:
+        """No packet of any kind, and the component still answers another client."""
+        self.tester.expected.append(what)
+        self.tester.wait(SETTLE * self.tester.timeout)
+        alive(self.tester)
+        self._compare(what, 0, len(self.arrivals()))
+
+    def expect_acks(self, numbers: Iterable[int], what: str) -> None:
+        """An ACK for each of these sequence numbers."""
+        wanted = list(numbers)
+        self.tester.expected.append(what)
+        self.tester.pump(self.tester.now + self.tester.timeout, lambda: len(self.received(Ack.ACK)) >= len(wanted))
+        got = [each.sequence for each in self.received(Ack.ACK)]
+        if wanted and not got:
+            self.tester.look(what, "no ACK")
+            raise Silent(f"no ACK came: {what}")
+        self.tester.check(what, "" if got == wanted else f"ACKs came for {got}, not for {wanted}")
+
+    def _compare(self, what: str, wanted: int, got: int) -> None:
+        if wanted and not got:
+            self.tester.look(what, "nothing came")
+            raise Silent(f"nothing came: {what}")
+        self.tester.check(what, "" if got == wanted else f"{got} came, not {wanted}: {what}")
+
+
+def _answers(packet: Packet) -> bool:
+    """Not something that the target asks or reports by itself."""
+    return len(packet.payload) < 2 or is_answer(int.from_bytes(packet.payload[:2], "little"))
+
+
+def alive(tester: Tester) -> None:
+    """The component answers a client that had nothing to do with it."""
+    bystander = Hand(tester, "42.9.9")
+    bystander.send(bystander.packet())
+    tester.pump(tester.now + tester.timeout, lambda: bool(bystander.answers()))
+    problem = "" if bystander.answers() else f"{bystander.component} answers nobody any more"
+    tester.check("others are still answered", problem)
+
+
+def find_ping(tester: Tester) -> None:
+    """The first query that the target answers."""
+    client = tester.client("42.1.1")
+    for ping in HARMLESS_QUERIES:
+        client.send(ping)
+        report = ping.CODE + REPORT_OFFSET
+        if tester.pump(tester.now + tester.timeout, partial(_has, client, report)):
+            tester.memory["ping"] = ping.encode()
+            tester.look("a query is answered")
+            return
+    tester.look("a query is answered", "none is")
+    raise Silent(f"none of {', '.join(each.NAME for each in HARMLESS_QUERIES)} was answered")
+
+
+def _has(client: Client, code: int) -> bool:
+    return any(each.code == code for each in client.pending)
+
+
+def pieces(hand: Hand, payload: bytes, *cuts: int, ack: Ack = Ack.NONE) -> list[Packet]:
+    """The packets of a payload that is cut at these places, with consecutive numbers."""
+    ends = [*cuts, len(payload)]
+    first = hand.number(len(ends))
+    flags = [DataFlag.FIRST, *[DataFlag.MIDDLE] * (len(ends) - 2), DataFlag.LAST]
+    starts = [0, *cuts]
+    return [
+        hand.packet(payload[start:end], sequence=first + number & 0xFFFF, data_flag=flag, ack=ack)
+        for number, (start, end, flag) in enumerate(zip(starts, ends, flags, strict=True))
+    ]
+
+
+def other_subsystem(id: JausID) -> JausID:
+    """An id whose subsystem differs in the upper byte alone: for some node managers 100 and 356 are the same."""
+    return JausID(id.subsystem ^ 0x0100, id.node, id.component)
+
+
+A: Final = "42.1.1"
+B: Final = "42.2.1"
+"""Two clients."""
+UNKNOWN: Final = bytes.fromhex("ffee")
+"""A message id that no standard has."""
+
+Trial = Callable[[Hand], None]
+
+
+def by_hand(trial: Trial, client: str = A) -> Action:
+    """A step that works with packets."""
+    return lambda tester: trial(Hand(tester, client))
+
+
+def answered(**fields: Any) -> Action:
+    """A query with these header fields is answered once."""
+
+    def trial(hand: Hand) -> None:
+        hand.send(hand.packet(**fields))
+        hand.expect(1, "one answer")
+
+    return by_hand(trial)
+
+
+def step(id: str, title: str, action: Action, *wants: str) -> Step:
+    """A step of this profile."""
+    return Step(id, title, action, why="AS5669A", wants=frozenset(wants))

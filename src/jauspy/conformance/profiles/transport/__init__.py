@@ -1,1 +1,0 @@
-"""What is sent packet by packet, and the table of all steps."""

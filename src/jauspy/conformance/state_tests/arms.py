@@ -1,0 +1,106 @@
+"""The commands of arms and pan-tilt units, which are taken only where there is a motion profile."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from jauspy.codec.base import Message
+from jauspy.conformance.results import Outcome, Skipped
+from jauspy.conformance.state_tests import lists
+from jauspy.conformance.state_tests.events import UNKNOWN_ID
+from jauspy.conformance.state_tests.explorer import OBSERVER, PILOT, Prepare, Stimulus, Walker
+from jauspy.conformance.state_tests.sample_messages import neutral
+from jauspy.messages.manipulator import (
+    ExecuteList,
+    QueryCommandedJointPositions,
+    QueryJointMotionProfile,
+    QueryPanTiltMotionProfile,
+    ReportJointMotionProfile,
+    ReportPanTiltMotionProfile,
+    SetEndEffectorPose,
+    SetEndEffectorVelocityState,
+    SetJointPositions,
+    SetJointVelocity,
+    SetPanTiltJointPositions,
+    SetPanTiltJointVelocity,
+)
+
+MANIPULATOR: Final = "urn:jaus:jss:manipulator:"
+
+
+def _with_profile(query: Message, report: type[Message], predicate: str, *kinds: type[Message]) -> tuple[Stimulus, ...]:
+    def there_is(walker: Walker, role: str) -> None:  # noqa: ARG001 - a Prepare
+        try:
+            walker.client(OBSERVER).ask(query, report, to=walker.component)
+        except Outcome as outcome:
+            raise Skipped(f"there is no motion profile: {outcome}") from outcome
+
+    return tuple(_harmless(kind, {predicate: True}, there_is) for kind in kinds)
+
+
+def _harmless(kind: type[Message], truths: dict[str, bool], before: Prepare) -> Stimulus:
+    return Stimulus(kind.NAME, lambda _: neutral(kind), "with a motion profile", truths, before=before, of=MANIPULATOR)
+
+
+def _hold(walker: Walker, role: str) -> None:
+    """A list of one element, when the sender is in control and can set it."""
+    if role == PILOT and lists.LIST_MANAGER in walker.services:
+        lists.hold(walker, role)
+
+
+def _empty(walker: Walker, role: str) -> None:
+    """No list, as far as the sender can see to that."""
+    if lists.LIST_MANAGER in walker.services:
+        lists.clear(walker, role)
+
+
+ARMS: Final = (
+    *_with_profile(
+        QueryJointMotionProfile(),
+        ReportJointMotionProfile,
+        "motionProfileExists",
+        SetJointPositions,
+        SetJointVelocity,
+        SetEndEffectorPose,
+        SetEndEffectorVelocityState,
+    ),
+    *_with_profile(
+        QueryPanTiltMotionProfile(),
+        ReportPanTiltMotionProfile,
+        "panTiltMotionProfileExists",
+        SetPanTiltJointPositions,
+        SetPanTiltJointVelocity,
+    ),
+    Stimulus(
+        "ExecuteList",
+        lambda _: ExecuteList(lists.UID),
+        "from one that is there",
+        {"elementExists": True, "isListValid": True, "motionProfileExists": True},
+        before=_hold,
+        after=lists.clear,
+        of=MANIPULATOR,
+    ),
+    Stimulus(
+        "ExecuteList",
+        lambda _: ExecuteList(UNKNOWN_ID),
+        "from an unknown one",
+        {"elementExists": False},
+        of=MANIPULATOR,
+    ),
+    Stimulus(
+        "QueryCommandedJointPositions",
+        lambda _: QueryCommandedJointPositions(),
+        "with a list",
+        {"targetExists": True},
+        before=_hold,
+        after=lists.clear,
+        by_controller=True,
+    ),
+    Stimulus(
+        "QueryCommandedJointPositions",
+        lambda _: QueryCommandedJointPositions(),
+        "without a list",
+        {"targetExists": False},
+        before=_empty,
+    ),
+)

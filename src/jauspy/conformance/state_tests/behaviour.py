@@ -1,0 +1,306 @@
+"""What the JSIDL says that a component does: a merged state machine, and predictions from it.
+
+The semantics are those of ADR 3. Predicates that only the component can know are undecided, and then several outcomes
+are right.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from itertools import product
+from typing import Final, NamedTuple, TypeAlias
+
+from jauspy.codec.base import Message
+from jauspy.codec.registry import Registry
+from jauspy.conformance.offers import ServiceKey
+from jauspy.ids import JausID
+from jauspy.messages import registry
+from jauspy.schema import guards, model
+from jauspy.schema.inheritance import most_derived_first, parents_among
+from jauspy.schema.needed import load_needed
+from jauspy.schema.state_tree import MergedState, Owned, merge_machines
+
+MACHINE: Final = "ReceiveFSM"
+ANYTHING: Final = "Receive"
+"""The internal event of Transport: a message has come."""
+
+Truth: TypeAlias = bool | None
+"""None: not known from outside."""
+
+
+@dataclass(frozen=True, slots=True)
+class Situation:
+    """What the tester knows about the component: its state, what waits to be popped, and who did what."""
+
+    state: tuple[str, ...]
+    pushed: tuple[tuple[str, ...], ...] = ()
+    controller: str | None = None
+    """The role of the client in control."""
+    emergencies: frozenset[str] = frozenset()
+    """The roles that have set an emergency."""
+
+    def __str__(self) -> str:
+        return ".".join(self.state)
+
+
+@dataclass(frozen=True, slots=True)
+class Output:
+    """A message that the JSIDL sends: its name, the code it is given, and the role it goes to."""
+
+    message: str
+    code: str
+    to: str
+
+
+@dataclass(frozen=True, slots=True)
+class Prediction:
+    """One right outcome; `rule` says which transition, empty for an input that is ignored."""
+
+    outputs: tuple[Output, ...]
+    after: Situation
+    rule: str = ""
+    acts: bool = False
+    """The transition has actions: it does more than swallow the input."""
+
+
+class Rule(NamedTuple):
+    """A transition of the merged machine, as the definition of one service has it in one state."""
+
+    name: str
+    transition: model.Transition
+    owner: model.Service
+    node: MergedState
+
+    @property
+    def trigger(self) -> str:
+        """The message or the internal event that it takes."""
+        return trigger_of(self.transition)
+
+    @property
+    def is_input(self) -> bool:
+        """True for a message, false for an internal event, and for whatever comes."""
+        return _is_message(self.transition) and bool(self.transition.parameters)
+
+
+Way: TypeAlias = tuple[MergedState, Owned[model.Transition]]
+"""A transition, and the state that has it."""
+Judge: TypeAlias = Callable[[guards.Call, Situation], Truth]
+"""Decides a predicate for the input that is looked at."""
+
+
+class Machine:
+    """The merged machine of some definitions, most derived first."""
+
+    def __init__(self, definitions: Sequence[model.Service]) -> None:
+        merged = merge_machines(definitions)[MACHINE]
+        self.root = merged.root
+        self._outputs = {message.name for each in definitions for message in each.outputs}
+        self.start = Situation(merged.start().path)
+        self._names = _named(self.root)
+        self.rules = tuple(self._rules())
+        """Every transition; those of several services that cannot be told apart have one name."""
+        self.ignoring = next((each.name for each in self.rules if each.trigger == ANYTHING), "")
+        """The transition of Transport that swallows what no other one takes."""
+
+    def _rules(self) -> Iterator[Rule]:
+        for node in self.root.all():
+            for owned in (*node.transitions, *node.defaults):
+                yield Rule(self._name(owned, node), owned.item, owned.owner, node)
+
+    def _name(self, owned: Owned[model.Transition], node: MergedState) -> str:
+        return self._names[_looks(owned.item, node)]
+
+    def predict(self, situation: Situation, trigger: str, role: str, judge: Judge) -> tuple[Prediction, ...]:
+        """All right outcomes of an input: a message name or that of an internal event.
+
+        There is one for each way in which the predicates that are not known may turn out.
+        """
+        ways = [way for way in self._in_order(situation) if trigger_of(way[1].item) == trigger]
+        guesses = _guesses([owned.item.guard for _, owned in ways], situation, judge)
+        return tuple(dict.fromkeys(self._outcome(ways, holds, situation, role) for holds in guesses))
+
+    def _outcome(self, ways: Iterable[Way], holds: Callable[[str], bool], before: Situation, role: str) -> Prediction:
+        for node, owned in ways:
+            if holds(owned.item.guard):
+                return self._apply(owned, node, before, role)
+        return Prediction((), before)
+
+    def _in_order(self, situation: Situation) -> Iterator[Way]:
+        active = self._node(situation.state)
+        for node in active.upwards():
+            first, second = node.transitions, node.defaults
+            for owned in (*first, *second) if node is active else (*second, *first):
+                yield node, owned
+
+    def _node(self, path: Iterable[str]) -> MergedState:
+        node = self.root
+        for name in path:
+            node = node.children[name]
+        return node
+
+    def _apply(self, owned: Owned[model.Transition], node: MergedState, before: Situation, role: str) -> Prediction:
+        outputs: list[Output] = []
+        after = before
+        for action in owned.item.actions:
+            sent = self._sent(action, role, after.controller if _is_message(owned.item) else role)
+            if sent is not None:
+                outputs.append(sent)
+            after = _effect(action.name, after, role)
+        moved = self._moved(owned.item, after)
+        return Prediction(tuple(outputs), moved, self._name(owned, node), bool(owned.item.actions))
+
+    def _sent(self, action: model.Action, role: str, controller: str | None) -> Output | None:
+        """`Send('Message', 'CODE', transportData)`, or an action that is called `sendMessage`."""
+        arguments = [argument.strip("'\" ") for argument in action.arguments]
+        to = role if "transportData" in arguments else controller or role
+        name = action.name.rpartition(".")[2]
+        if name == "Send":
+            literals = [text.strip("'\" ") for text in action.arguments if text.strip()[:1] in ("'", '"')]
+            message, *codes = [text for text in literals if text != "transportData"]
+            return Output(message, codes[0] if codes else "", to)
+        if name.startswith("send"):
+            known = [each for each in self._outputs if name[4:].startswith(each)]
+            return Output(max(known, key=len), "", to) if known else None
+        return None
+
+    def _moved(self, transition: model.Transition, situation: Situation) -> Situation:
+        if transition.kind == "pop":
+            if situation.emergencies or not situation.pushed:
+                return situation
+            *rest, target = situation.pushed
+            return self._entered(replace(situation, pushed=tuple(rest)), target)
+        end = self.root.find(transition.end_state) if transition.end_state else None
+        if transition.kind == "internal" or end is None:
+            return situation
+        if transition.kind == "push":
+            if end.contains(self._node(situation.state)):
+                return situation
+            situation = replace(situation, pushed=(*situation.pushed, situation.state))
+        return self._entered(situation, end.leaf().path)
+
+    def _entered(self, situation: Situation, path: tuple[str, ...]) -> Situation:
+        """In a state that was entered; entry actions of what was outside of it before take effect."""
+        inside = situation.state
+        common = next((n for n, (a, b) in enumerate(zip(inside, path, strict=False)) if a != b), len(path))
+        for depth in range(common, len(path)):
+            for owned in self._node(path[: depth + 1]).entry:
+                situation = _effect(owned.item.name, situation, "")
+        return replace(situation, state=path)
+
+
+def _looks(transition: model.Transition, node: MergedState) -> str:
+    """`Receiving.Ready: SetEmergency [guard]`: where it is, what it takes and when."""
+    guard = " ".join(re.sub(r"(\w+\.)+", "", transition.guard).split())
+    return f"{node}: {trigger_of(transition)}" + (f" [{guard}]" if guard else "")
+
+
+def _named(root: MergedState) -> dict[str, str]:
+    """The names of transitions by their looks: behind those of all services that have one like it."""
+    owners: dict[str, dict[str, None]] = {}
+    for node in root.all():
+        for owned in (*node.transitions, *node.defaults):
+            owners.setdefault(_looks(owned.item, node), {})[owned.owner.name] = None
+    return {looks: f"{'/'.join(names)}, {looks}" for looks, names in owners.items()}
+
+
+def trigger_of(transition: model.Transition) -> str:
+    """The message that a transition takes, or the internal event."""
+    return transition.parameters[0].type if _is_message(transition) and transition.parameters else _event(transition)
+
+
+def _is_message(transition: model.Transition) -> bool:
+    return _event(transition) == ANYTHING
+
+
+def _event(transition: model.Transition) -> str:
+    return transition.trigger.rpartition(".")[2]
+
+
+def _short(call: guards.Call) -> str:
+    """A predicate's name without the services that it is inherited from."""
+    return call.name.rpartition(".")[2]
+
+
+def _guesses(texts: Iterable[str], situation: Situation, judge: Judge) -> Iterator[Callable[[str], bool]]:
+    """Judges of guards: one for each way in which the predicates that are not known may turn out."""
+    calls = [call for text in texts if text.strip() for call in guards.calls(guards.parse(text))]
+    unknown = list(dict.fromkeys(_short(call) for call in calls if judge(call, situation) is None))
+    for values in product((True, False), repeat=len(unknown)):
+        guess = dict(zip(unknown, values, strict=True))
+
+        def decide(call: guards.Call, guess: Mapping[str, bool] = guess) -> bool:
+            known = judge(call, situation)
+            return guess[_short(call)] if known is None else known
+
+        yield partial(_holds, decide)
+
+
+def _holds(decide: Callable[[guards.Call], bool], text: str) -> bool:
+    return _evaluate(guards.parse(text), decide) if text.strip() else True
+
+
+def _evaluate(guard: guards.Guard, decide: Callable[[guards.Call], bool]) -> bool:
+    match guard:
+        case guards.Call():
+            return decide(guard)
+        case guards.Not(operand):
+            return not _evaluate(operand, decide)
+        case guards.And(operands):
+            return all(_evaluate(each, decide) for each in operands)
+        case guards.Or(operands):
+            return any(_evaluate(each, decide) for each in operands)
+
+
+def _effect(action: str, situation: Situation, role: str) -> Situation:
+    """What the actions of the core services change that the tester can know."""
+    match action.rpartition(".")[2].lower():
+        case "storeaddress":
+            return replace(situation, controller=role)
+        case "init":
+            return replace(situation, controller=None)
+        case "storeid":
+            return replace(situation, emergencies=situation.emergencies | {role})
+        case "deleteid":
+            return replace(situation, emergencies=situation.emergencies - {role})
+        case _:
+            return situation
+
+
+TRANSPORT: Final = "urn:jaus:jss:core:Transport"
+"""Has no messages, and so is not in the registry."""
+
+
+@dataclass(frozen=True)
+class Subject:
+    """The component under test, as its definitions say it is."""
+
+    component: JausID
+    definitions: tuple[model.Service, ...]
+    machine: Machine
+    registry: Registry
+
+    def transition(self, rule: str) -> str:
+        """A transition of this component, as reports name it."""
+        return f"{self.component} {rule}"
+
+    def kind(self, name: str) -> type[Message]:
+        """The class of an output, of the version that the component runs."""
+        for definition in self.definitions:
+            for message in (*definition.outputs, *definition.inputs):
+                if message.name == name:
+                    for kind in self.registry.by_code(message.code):
+                        if definition.key == (kind.SERVICE, kind.VERSION):
+                            return kind
+        return self.registry.by_name(name)
+
+
+def subject_of(id: JausID, offered: frozenset[ServiceKey]) -> Subject:
+    """The component with everything known that it offers, most derived first."""
+    known = {(each.service, each.version) for each in registry.entries} | {(TRANSPORT, "1.0"), (TRANSPORT, "1.1")}
+    schema = load_needed(frozenset(offered & known))
+    services = [schema.service(*key) for key in sorted(offered & known)]
+    ordered = most_derived_first(services, parents_among(schema.services))
+    return Subject(id, ordered, Machine(ordered), registry)

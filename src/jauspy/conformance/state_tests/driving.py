@@ -1,0 +1,293 @@
+"""The inputs of the drivers of mobility whose guards ask for a waypoint, for an element, or for a kind of velocity."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
+from types import MappingProxyType
+from typing import Any, Final
+
+from jauspy.codec.base import Message
+from jauspy.conformance.checks import Check, has, near
+from jauspy.conformance.state_tests import lists, sample_messages
+from jauspy.conformance.state_tests.effects import SLOW, effect, over_ground
+from jauspy.conformance.state_tests.events import UNKNOWN_ID
+from jauspy.conformance.state_tests.explorer import OBSERVER, PILOT, Aftermath, Prepare, Stimulus, Walker
+from jauspy.messages.core import Standby
+from jauspy.messages.mobility import (
+    ExecuteList,
+    ExecuteListExt,
+    QueryActiveElement,
+    QueryGlobalLoiter,
+    QueryGlobalWaypoint,
+    QueryGlobalWaypointExt,
+    QueryLocalLoiter,
+    QueryLocalWaypoint,
+    QueryLocalWaypointExt,
+    QueryTravelSpeed,
+    QueryTravelSpeedExt,
+    QueryVelocityCommand,
+    QueryVelocityCommandExt,
+    ReportActiveElement,
+    ReportGlobalLoiter,
+    ReportGlobalWaypoint,
+    ReportGlobalWaypointExt,
+    ReportLocalLoiter,
+    ReportLocalWaypoint,
+    ReportLocalWaypointExt,
+    ReportTravelSpeed,
+    ReportTravelSpeedExt,
+    ReportVelocityCommand,
+    ReportVelocityCommandExt,
+    SetGlobalLoiter,
+    SetGlobalPathSegment,
+    SetGlobalWaypoint,
+    SetGlobalWaypointExt,
+    SetLocalLoiter,
+    SetLocalPathSegment,
+    SetLocalWaypoint,
+    SetLocalWaypointExt,
+    SetTravelSpeed,
+    SetTravelSpeedExt,
+    SetVelocityCommand,
+    SetVelocityCommandExt,
+)
+
+MOBILITY: Final = "urn:jaus:jss:mobility:"
+FAR: Final = 1000.0
+"""m; nobody gets there during a step."""
+LATITUDE, LONGITUDE = 1.0, 2.0
+"""Degrees."""
+
+
+def local_loiter(x: float) -> SetLocalLoiter:
+    """Stay over a place."""
+    return SetLocalLoiter(SetLocalLoiter.LocalLoiterRec(x, FAR), SetLocalLoiter.HoverRec(0, 0.0, 0.0))
+
+
+def global_loiter(latitude: float) -> SetGlobalLoiter:
+    """Stay over a place."""
+    return SetGlobalLoiter(SetGlobalLoiter.GlobalLoiterRec(latitude, LONGITUDE), SetGlobalLoiter.HoverRec(0, 0.0, 0.0))
+
+
+_WAYPOINTS: Final[Mapping[str, Message]] = MappingProxyType(
+    {
+        "LocalWaypoint": SetLocalWaypoint(x=FAR, y=FAR),
+        "GlobalWaypoint": SetGlobalWaypoint(latitude=LATITUDE, longitude=LONGITUDE),
+    }
+)
+_SEGMENTS: Final[Mapping[str, Message]] = MappingProxyType(
+    {
+        "LocalPathSegment": SetLocalPathSegment(p1_x=FAR, p1_y=FAR, p2_x=2 * FAR, p2_y=FAR, weighting_factor=0.0),
+        "GlobalPathSegment": SetGlobalPathSegment(
+            p1_latitude=LATITUDE,
+            p1_longitude=LONGITUDE,
+            p2_latitude=LATITUDE,
+            p2_longitude=LONGITUDE + 1.0,
+            weighting_factor=0.0,
+        ),
+    }
+)
+_LOITERS: Final[Mapping[str, Message]] = MappingProxyType(
+    {"LocalLoiter": local_loiter(FAR), "GlobalLoiter": global_loiter(LATITUDE)}
+)
+"""By how the names begin of the services that take them."""
+
+
+def element(walker: Walker) -> Message:
+    """What the lists of its drivers are made of."""
+    return next(_taken(walker, {**_WAYPOINTS, **_SEGMENTS}), _WAYPOINTS["LocalWaypoint"])
+
+
+def _taken(walker: Walker, kinds: Mapping[str, Message]) -> Iterator[Message]:
+    for name, made in kinds.items():
+        if any(each.startswith(f"{MOBILITY}{name}") for each in walker.services):
+            yield made
+
+
+def place(walker: Walker, waypoint: Message) -> None:
+    """The one in control sets a waypoint, before anybody drives."""
+    walker.client(PILOT).send(waypoint, to=walker.component)
+
+
+def place_all(walker: Walker) -> None:
+    """One of each kind that the component takes by itself, without a list."""
+    for each in _taken(walker, {**_WAYPOINTS, **_LOITERS}):
+        place(walker, each)
+
+
+def stop(walker: Walker, role: str) -> None:  # noqa: ARG001 - a Prepare
+    """Nobody drives any more."""
+    walker.client(PILOT).send(Standby(), to=walker.component)
+    lists.clear(walker, PILOT)
+    walker.where = None
+
+
+# --- waypoints ------------------------------------------------------------------------------------------------------
+
+
+def _left_behind(waypoint: Message) -> Prepare:
+    """Set by a client that has gone since."""
+
+    def before(walker: Walker, role: str) -> None:  # noqa: ARG001 - a Prepare
+        walker.steer("RequestControl", PILOT)
+        place(walker, waypoint)
+        walker.steer("ReleaseControl", PILOT)
+        walker.look()
+
+    return before
+
+
+def _waypoint(waypoint: Message, kind: type[Message], report: type[Message], *right: Check) -> tuple[Stimulus, ...]:
+    def of_mine(each: Stimulus) -> Stimulus:
+        return replace(
+            each,
+            variant=f"{each.variant} of one that was set",
+            truths={"waypointExists": True},
+            before=lambda walker, _: place(walker, waypoint),
+            after=stop,
+            by_controller=True,
+            only_in="Available",
+            moves=True,
+            once=False,
+        )
+
+    everything, nothing, some = sample_messages.variants(kind, report)
+    return (
+        everything,
+        of_mine(replace(everything, checks={report.NAME: right})),
+        of_mine(nothing),
+        of_mine(some),
+        replace(everything, variant="of one that was left", before=_left_behind(waypoint), once=True),
+    )
+
+
+_HERE: Final = near(0.01, x=FAR, y=FAR)
+_THERE: Final = near(1e-6, latitude=LATITUDE, longitude=LONGITUDE)
+WAYPOINTS: Final = (
+    *_waypoint(SetLocalWaypoint(x=FAR, y=FAR), QueryLocalWaypoint, ReportLocalWaypoint, *_HERE),
+    *_waypoint(SetLocalWaypointExt(x=FAR, y=FAR), QueryLocalWaypointExt, ReportLocalWaypointExt, *_HERE),
+    *_waypoint(
+        SetGlobalWaypoint(latitude=LATITUDE, longitude=LONGITUDE), QueryGlobalWaypoint, ReportGlobalWaypoint, *_THERE
+    ),
+    *_waypoint(
+        SetGlobalWaypointExt(latitude=LATITUDE, longitude=LONGITUDE),
+        QueryGlobalWaypointExt,
+        ReportGlobalWaypointExt,
+        *_THERE,
+    ),
+)
+
+
+# --- the way there --------------------------------------------------------------------------------------------------
+
+
+def _travel(command: Callable[[float], Message], query: Message, report: type[Message], field: str) -> Stimulus:
+    return effect(
+        command,
+        query,
+        report,
+        field,
+        SLOW,
+        truths={"waypointExists": True, "loiterExists": True},
+        prepare=lambda walker, _: place_all(walker),
+        cleanup=stop,
+    )
+
+
+def _hold(walker: Walker, role: str) -> None:  # noqa: ARG001 - a Prepare
+    """A list of one waypoint, when somebody is in control who can set it."""
+    walker.client(PILOT).send(lists.upload(element(walker)), to=walker.component)
+    walker.look()
+
+
+def _is_active(then: Aftermath) -> None:
+    uid = lists.UID if then.outcome.acts else 0
+    observer = then.walker.client(OBSERVER)
+    observer.ask(QueryActiveElement(), ReportActiveElement, has(element_uid=uid), to=then.walker.component)
+
+
+def _execution(make: Callable[..., Message], speed: Callable[[float], Any]) -> tuple[Stimulus, ...]:
+    def under_way(walker: Walker, role: str) -> None:
+        _hold(walker, role)
+        walker.client(PILOT).send(make(speed=speed(0.0), element_uid=lists.UID), to=walker.component)
+
+    def start(variant: str, uid: int, *, exists: bool) -> Stimulus:
+        return Stimulus(
+            make(speed=speed(SLOW)).NAME,
+            lambda _: make(speed=speed(SLOW), element_uid=uid),
+            variant,
+            {"elementExists": exists, "elementSpecified": True},
+            before=_hold,
+            after=stop,
+            verify=_is_active,
+            of=MOBILITY,
+        )
+
+    return (
+        start("from one that is there", lists.UID, exists=True),
+        start("from an unknown one", UNKNOWN_ID, exists=False),
+        effect(
+            lambda value: make(speed=speed(value)),
+            QueryTravelSpeed(),
+            ReportTravelSpeed,
+            "speed",
+            SLOW,
+            truths={"elementExists": False, "elementSpecified": False},
+            variant="another speed",
+            prepare=under_way,
+            cleanup=stop,
+            of=MOBILITY,
+        ),
+    )
+
+
+LOITERING: Final = (
+    effect(local_loiter, QueryLocalLoiter(0), ReportLocalLoiter, "local_loiter_rec__x", FAR, cleanup=stop),
+    effect(
+        global_loiter,
+        QueryGlobalLoiter(0),
+        ReportGlobalLoiter,
+        "global_loiter_rec__latitude",
+        LATITUDE,
+        cleanup=stop,
+    ),
+)
+
+# --- velocities -----------------------------------------------------------------------------------------------------
+
+CURRENT, MOST = 0, 1
+"""Kinds of velocity commands."""
+
+
+def _velocity(make: Callable[..., Message], query: Callable[..., Message], report: type[Any]) -> tuple[Stimulus, ...]:
+    def limit(walker: Walker) -> Message:
+        asked = walker.client(OBSERVER).ask(query(1, MOST), report, to=walker.component)
+        return make(command_type=MOST, velocity_x=asked.velocity_x)
+
+    return (
+        effect(
+            lambda value: make(command_type=CURRENT, velocity_x=value),
+            query(1, CURRENT),
+            report,
+            "velocity_x",
+            SLOW,
+            truths={"isCurrentVelocityCmd": True, "isCommandValueValid": True},
+            variant="for now",
+        ),
+        Stimulus(make(command_type=MOST).NAME, limit, "the limit that it has", {"isCurrentVelocityCmd": False}),
+    )
+
+
+DRIVING: Final = (
+    *WAYPOINTS,
+    _travel(SetTravelSpeed, QueryTravelSpeed(), ReportTravelSpeed, "speed"),
+    _travel(
+        lambda speed: SetTravelSpeedExt(over_ground(speed)), QueryTravelSpeedExt(), ReportTravelSpeedExt, "speed__value"
+    ),
+    *LOITERING,
+    *_execution(ExecuteList, float),
+    *_execution(ExecuteListExt, over_ground),
+    *_velocity(SetVelocityCommand, QueryVelocityCommand, ReportVelocityCommand),
+    *_velocity(SetVelocityCommandExt, QueryVelocityCommandExt, ReportVelocityCommandExt),
+)

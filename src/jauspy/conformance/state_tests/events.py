@@ -1,0 +1,382 @@
+"""The inputs of Events, and what its events must do afterwards."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from jauspy.codec.base import Message
+from jauspy.conformance import event_streams
+from jauspy.conformance.checks import has, that
+from jauspy.conformance.event_streams import ONE_HERTZ
+from jauspy.conformance.results import Outcome, Skipped
+from jauspy.conformance.state_tests.explorer import EARLIEST, LONGEST, OBSERVER, Aftermath, Stimulus, Walker
+from jauspy.messages.core import (
+    AllEventsRec,
+    CancelEvent,
+    CommandEvent,
+    ConfirmEventRequest,
+    CreateCommandEvent,
+    CreateEvent,
+    Event,
+    EventTypeRec,
+    QueryAuthority,
+    QueryEvents,
+    QueryEventTimeout,
+    ReportAuthority,
+    ReportEvents,
+    ReportEventTimeout,
+    SetAuthority,
+    Standby,
+    UpdateEvent,
+)
+from jauspy.messages.mobility import SetLocalWaypoint, SetTravelSpeed
+
+CREATE, UPDATE, CANCEL, HELD = 1, 2, 3, 9
+"""Request ids."""
+UNKNOWN_ID: Final = 251
+PERIODIC, EVERY_CHANGE = CreateEvent.EventType.PERIODIC, CreateEvent.EventType.EVERY_CHANGE
+QUERY: Final = QueryEventTimeout()
+"""Every component that has Events answers it."""
+A_REPORT: Final = ReportEventTimeout(1)
+PAUSE: Final = 0.3
+"""Timeouts in which no event must come any more."""
+FAST: Final = 10.0
+"""Hertz of a stream that is looked at."""
+
+
+def hold_event(walker: Walker, role: str) -> None:
+    """The sender has an event."""
+    wanted = CreateEvent(HELD, EVERY_CHANGE, 0.0, QUERY)
+    made = walker.client(role).ask(wanted, ConfirmEventRequest, has(request_id=HELD), to=walker.component)
+    walker.tester.memory["held"] = made.event_id
+
+
+def fast_event(walker: Walker, role: str) -> None:
+    """The sender has a periodic event, and its first report has come."""
+    wanted = CreateEvent(HELD, PERIODIC, FAST, QUERY)
+    client = walker.client(role)
+    made = client.ask(wanted, ConfirmEventRequest, has(request_id=HELD), to=walker.component)
+    walker.tester.memory["held"] = made.event_id
+    walker.tester.memory["rate"] = made.confirmed_periodic_rate
+    client.expect(Event)
+
+
+def held(walker: Walker) -> int:
+    """Its id."""
+    found: int = walker.tester.recall("held", "there is no event")
+    return found
+
+
+def drop_events(walker: Walker, role: str) -> None:
+    """Cancel what the step made."""
+    client = walker.client(role)
+    for id in {walker.tester.memory.pop("held", None), *confirmed(walker, role)} - {None}:
+        client.send(CancelEvent(HELD, id), to=walker.component)
+    walker.look()
+
+
+def confirmed(walker: Walker, role: str) -> list[int]:
+    """The events that this client was told of in this step, in order."""
+    return [each.event_id for each in _confirmations(walker, role)]
+
+
+def _confirmations(walker: Walker, role: str) -> list[ConfirmEventRequest]:
+    return [
+        ConfirmEventRequest.decode(heard.payload, strict=False)[0]
+        for heard in walker.client(role).confirmed
+        if heard.code == ConfirmEventRequest.CODE and heard.source == walker.component
+    ]
+
+
+def _known(then: Aftermath, id: int, kind: int | None) -> None:
+    """The component tells the client that it has this event, of this kind; or, for None, that it has it no more."""
+    wanted = [] if kind is None else [(id, kind)]
+    right = that(
+        "lists the event, as it is" if wanted else "lists the event no more",
+        lambda report: [(each.event_id, each.event_type) for each in report.event_list] == wanted,
+    )
+    client = then.walker.client(then.role)
+    client.ask(QueryEvents(QueryEvents.EventIDRec(id)), ReportEvents, right, to=then.walker.component)
+
+
+def _is_made(then: Aftermath) -> None:
+    _known(then, confirmed(then.walker, then.role)[-1], PERIODIC)
+
+
+def _is_kept(then: Aftermath) -> None:
+    _known(then, held(then.walker), EVERY_CHANGE)
+
+
+def _is_changed(then: Aftermath) -> None:
+    """It is another event now, under its old id."""
+    walker, id = then.walker, held(then.walker)
+    confirmation = _confirmations(walker, then.role)[-1]
+    same = confirmation.event_id == id
+    walker.tester.check("the event keeps its id", "" if same else f"{id} has become {confirmation.event_id}")
+    _known(then, id, PERIODIC)
+    event_streams.look(walker.client(then.role), id, confirmation.confirmed_periodic_rate, ReportEventTimeout)
+
+
+def _is_gone(then: Aftermath) -> None:
+    _known(then, held(then.walker), None)
+    event_streams.stopped(then.walker.client(then.role), held(then.walker), PAUSE * then.walker.tester.timeout)
+
+
+def _changes_are_told(then: Aftermath) -> None:
+    """The authority changes once; that is told once."""
+    walker, client = then.walker, then.walker.client(then.role)
+    if not any(output.message == "ConfirmEventRequest" for output in then.outcome.outputs):
+        return
+    id = confirmed(walker, then.role)[-1]
+    walker.tester.wait(0.1 * walker.tester.timeout)
+    client.forget(Event)  # the first report of such an event is of what is there already
+    lower = walker.authority - 1
+    client.send(SetAuthority(lower), to=walker.component)
+    new = that("carries the new value", lambda event: _carried(event) == ReportAuthority(lower).encode())
+    client.expect(Event, new, where=lambda event: event.event_id == id, source=walker.component)
+    more = client.collect(Event, PAUSE * walker.tester.timeout, lambda event: event.event_id == id)
+    walker.tester.check("nothing is told when nothing changes", f"{len(more)} events came" if more else "")
+    then.took("EventOccurred")
+
+
+def _carried(event: Event) -> bytes:
+    inside = event.report_message
+    return inside.encode(strict=False) if isinstance(inside, Message) else inside
+
+
+EVENTS: Final = (
+    Stimulus(
+        "CreateEvent",
+        lambda _: CreateEvent(CREATE, PERIODIC, ONE_HERTZ, QUERY),
+        "a new one",
+        {"isSupported": True, "eventExists": False},
+        after=drop_events,
+        checks={"ConfirmEventRequest": has(request_id=CREATE)},
+        verify=_is_made,
+    ),
+    Stimulus(
+        "CreateEvent",
+        lambda _: CreateEvent(CREATE, EVERY_CHANGE, 0.0, QUERY),
+        "one that is there",
+        {"isSupported": True, "eventExists": True},
+        before=hold_event,
+        after=drop_events,
+        checks={"ConfirmEventRequest": has(request_id=CREATE)},
+    ),
+    Stimulus(
+        "CreateEvent",
+        lambda _: CreateEvent(CREATE, PERIODIC, ONE_HERTZ, A_REPORT),
+        "a report instead of a query",
+        {"isSupported": False, "eventExists": False},
+        checks={"RejectEventRequest": has(request_id=CREATE)},
+    ),
+    Stimulus(
+        "UpdateEvent",
+        lambda walker: UpdateEvent(UPDATE, UpdateEvent.EventType.PERIODIC, FAST, held(walker), QUERY),
+        "one that is there",
+        {"isSupported": True, "eventExists": True},
+        before=hold_event,
+        after=drop_events,
+        checks={"ConfirmEventRequest": has(request_id=UPDATE)},
+        verify=_is_changed,
+    ),
+    Stimulus(
+        "UpdateEvent",
+        lambda _: UpdateEvent(UPDATE, UpdateEvent.EventType.PERIODIC, ONE_HERTZ, UNKNOWN_ID, QUERY),
+        "an unknown one",
+        {"isSupported": True, "eventExists": False},
+        checks={"RejectEventRequest": has(request_id=UPDATE)},
+    ),
+    Stimulus(
+        "UpdateEvent",
+        lambda walker: UpdateEvent(UPDATE, UpdateEvent.EventType.PERIODIC, ONE_HERTZ, held(walker), A_REPORT),
+        "to a report instead of a query",
+        {"isSupported": False, "eventExists": True},
+        before=hold_event,
+        after=drop_events,
+        checks={"RejectEventRequest": has(request_id=UPDATE)},
+        verify=_is_kept,
+    ),
+    Stimulus(
+        "CancelEvent",
+        lambda walker: CancelEvent(CANCEL, held(walker)),
+        "one that is there",
+        {"eventExists": True},
+        before=fast_event,
+        after=drop_events,
+        checks={"ConfirmEventRequest": has(request_id=CANCEL)},
+        verify=_is_gone,
+    ),
+    Stimulus(
+        "CancelEvent",
+        lambda _: CancelEvent(CANCEL, UNKNOWN_ID),
+        "an unknown one",
+        {"eventExists": False},
+        checks={"RejectEventRequest": has(request_id=CANCEL)},
+    ),
+    Stimulus(
+        "CreateEvent",
+        lambda _: CreateEvent(CREATE, EVERY_CHANGE, 0.0, QueryAuthority()),
+        "of changes",
+        {"eventExists": False},
+        after=drop_events,
+        verify=_changes_are_told,
+        by_controller=True,
+        only_in="Ready",
+        also=("EventOccurred",),
+    ),
+    *(
+        Stimulus("QueryEvents", lambda _, part=part: QueryEvents(part), name)  # type: ignore[misc]  # a bound loop variable
+        for name, part in (
+            ("all", AllEventsRec(0)),
+            ("by message", QueryEvents.MessageIDRec(QUERY.CODE)),
+            ("by kind", EventTypeRec(0)),
+            ("by id", QueryEvents.EventIDRec(UNKNOWN_ID)),
+        )
+    ),
+)
+
+
+def _stream_is_right(then: Aftermath) -> None:
+    walker = then.walker
+    event_streams.look(walker.client(then.role), held(walker), walker.tester.memory["rate"], ReportEventTimeout)
+
+
+def event_time(walker: Walker) -> float:
+    """Seconds until an event ends."""
+    report = walker.client(OBSERVER).ask(QueryEventTimeout(), ReportEventTimeout, to=walker.component)
+    minutes = int(report.timeout)
+    if not 0 < minutes * 60 <= LONGEST:
+        raise Skipped(f"events time out after {minutes} min" if minutes else "events never time out")
+    return minutes * 60.0
+
+
+NOT_RENEWED: Final = Stimulus(
+    "Timeout",
+    None,
+    "an event is not renewed",
+    before=hold_event,
+    after=drop_events,
+    seconds=event_time,
+    earliest=EARLIEST,
+    once=True,
+)
+DUE: Final = Stimulus(
+    "EventOccurred",
+    None,
+    "an event is due",
+    {"eventExists": True},
+    before=fast_event,
+    after=drop_events,
+    verify=_stream_is_right,
+    seconds=lambda _: 1.0,
+)
+
+
+DURATION: Final = 1
+"""Seconds that a command may take."""
+WAYPOINTS: Final = "urn:jaus:jss:mobility:LocalWaypointDriver"
+FAR: Final = 1000.0
+"""m; of a waypoint that nobody drives to: the speed is zero."""
+LASTING: Final = SetTravelSpeed(0.0)
+"""The way to a waypoint, at no speed: carried out when the waypoint is reached."""
+AT_ONCE: Final = 0.1
+"""Timeouts in which a command ends that takes no time."""
+Result = CommandEvent.CommandResult
+
+
+def start_lasting(walker: Walker, role: str) -> None:
+    """A command with an event is under way, and will not end by itself."""
+    if WAYPOINTS not in walker.services:
+        raise Skipped("no command is known that takes its time on a component without LocalWaypointDriver")
+    client = walker.client(role)
+    client.send(SetLocalWaypoint(x=FAR, y=FAR), to=walker.component)
+    try:
+        event = client.ask(CreateCommandEvent(HELD, DURATION, LASTING), ConfirmEventRequest, to=walker.component)
+    except Outcome as outcome:
+        raise Skipped(f"the way to a waypoint has no command event: {outcome}") from outcome
+    walker.tester.memory["held"] = event.event_id
+    walker.tester.wait(AT_ONCE * walker.tester.timeout)
+    if any(each.code == CommandEvent.CODE for each in client.pending):
+        raise Skipped("the component says at once that it has carried out the way to a waypoint: no command lasts")
+
+
+def end_lasting(walker: Walker, role: str) -> None:
+    """Nobody drives to the waypoint any more."""
+    drop_events(walker, role)
+    walker.client(role).send(Standby(), to=walker.component)
+    walker.where = None
+
+
+def _end_is_told(then: Aftermath) -> None:
+    """A command event that was confirmed ends in time, one way or the other, and its client is told."""
+    if any(output.message == "ConfirmEventRequest" for output in then.outcome.outputs):
+        events = confirmed(then.walker, then.role)
+        within = 1.0 + DURATION / then.walker.tester.timeout
+        taken = then.before.controller == then.role and "Available" in then.before.state
+        right = has(command_result=Result.SUCCESSFUL if taken else Result.UNSUCCESSFUL)
+        client = then.walker.client(then.role)
+        client.expect(CommandEvent, right, where=lambda end: end.event_id in events, within=within)
+        then.took("CommandCompleted")
+
+
+def _is_the_same(then: Aftermath) -> None:
+    walker = then.walker
+    before, after = held(walker), confirmed(walker, then.role)[-1]
+    walker.tester.check("the event keeps its id", "" if before == after else f"{before} has become {after}")
+
+
+COMMANDS: Final = (
+    Stimulus(
+        "CreateCommandEvent",
+        lambda _: CreateCommandEvent(CREATE, DURATION, Standby()),
+        "a new one",
+        {"eventExists": False},
+        after=drop_events,
+        verify=_end_is_told,
+        also=("CommandCompleted",),
+    ),
+    Stimulus(
+        "CreateCommandEvent",
+        lambda walker: CreateCommandEvent(CREATE, DURATION, SetAuthority(walker.authority)),
+        "of a command that ends at once",
+        {"eventExists": False},
+        after=drop_events,
+        verify=_end_is_told,
+        by_controller=True,
+        also=("CommandCompleted",),
+    ),
+    Stimulus(
+        "CreateCommandEvent",
+        lambda _: CreateCommandEvent(CREATE, DURATION, QUERY),
+        "of a query",
+        {"isCommandSupported": False},
+        checks={"RejectEventRequest": has(request_id=CREATE)},
+    ),
+    Stimulus(
+        "CreateCommandEvent",
+        lambda _: CreateCommandEvent(CREATE, DURATION, LASTING),
+        "one that is there",
+        {"isCommandSupported": True, "eventExists": True},
+        before=start_lasting,
+        after=end_lasting,
+        checks={"ConfirmEventRequest": has(request_id=CREATE)},
+        verify=_is_the_same,
+        by_controller=True,
+        only_in="Ready",
+        moves=True,
+    ),
+)
+EXPIRED: Final = Stimulus(
+    "CommandExpired",
+    None,
+    "a command does not end",
+    before=start_lasting,
+    after=end_lasting,
+    checks={"CommandEvent": has(command_result=Result.UNSUCCESSFUL)},
+    by_controller=True,
+    only_in="Ready",
+    moves=True,
+    seconds=lambda _: DURATION,
+    earliest=0.5,
+)

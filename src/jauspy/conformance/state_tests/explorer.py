@@ -1,0 +1,351 @@
+"""Leads a component from state to state, and looks at where it is."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from typing import Final, TypeAlias
+
+from jauspy.codec.base import Message
+from jauspy.conformance.checks import Check
+from jauspy.conformance.results import Failed, Outcome, Silent, Skipped
+from jauspy.conformance.state_tests.behaviour import Judge, Prediction, Situation, Subject, Truth
+from jauspy.conformance.tester import Client, Tester
+from jauspy.ids import JausID
+from jauspy.messages.core import (
+    AllEventsRec,
+    ClearEmergency,
+    ConfirmControl,
+    QueryAuthority,
+    QueryControl,
+    QueryEvents,
+    QueryStatus,
+    QueryTimeout,
+    ReleaseControl,
+    ReportAuthority,
+    ReportControl,
+    ReportEvents,
+    ReportStatus,
+    ReportTimeout,
+    RequestControl,
+    Reset,
+    Resume,
+    SetEmergency,
+    Shutdown,
+    Standby,
+)
+from jauspy.schema import guards
+
+PILOT, RIVAL, MEDIC, OBSERVER = "pilot", "rival", "medic", "observer"
+CLIENTS: Final[Mapping[str, str]] = {PILOT: "42.2.1", RIVAL: "42.2.2", MEDIC: "42.2.4", OBSERVER: "42.2.9"}
+"""Who controls, who does not, who sets emergencies, and who only looks."""
+
+STOP: Final = SetEmergency.EmergencyCode.STOP
+AUTHORITY: Final = 200
+"""Of the pilot, when the default authority of the component is less."""
+STATUS: Final[Mapping[str, ReportStatus.Status]] = {
+    "Init": ReportStatus.Status.INITIALIZE,
+    "Ready": ReportStatus.Status.READY,
+    "Standby": ReportStatus.Status.STANDBY,
+    "Shutdown": ReportStatus.Status.SHUTDOWN,
+    "Failure": ReportStatus.Status.FAILURE,
+    "Emergency": ReportStatus.Status.EMERGENCY,
+}
+"""What Management reports in a state, by the state's name (AS5710)."""
+MANAGEMENT, ACCESS_CONTROL = "urn:jaus:jss:core:Management", "urn:jaus:jss:core:AccessControl"
+
+STEERING: Final[tuple[tuple[str, str], ...]] = (
+    ("RequestControl", PILOT),
+    ("Resume", PILOT),
+    ("Standby", PILOT),
+    ("SetEmergency", MEDIC),
+    ("ClearEmergency", MEDIC),
+    ("ReleaseControl", PILOT),
+    ("Reset", PILOT),
+    ("Shutdown", PILOT),
+)
+"""The inputs that lead from state to state."""
+
+
+@dataclass(frozen=True, slots=True)
+class Seen:
+    """What the component says of itself; None where it has no service that tells."""
+
+    status: ReportStatus.Status | int | None
+    controller: JausID | None
+
+    def __str__(self) -> str:
+        name = getattr(self.status, "name", self.status)
+        return f"status {name}, " + (f"controlled by {self.controller}" if self.controller else "not controlled")
+
+
+class Walker:
+    """One component of the target, with the tester's clients in their roles."""
+
+    def __init__(self, tester: Tester, component: JausID, services: frozenset[str], start: Situation) -> None:
+        self.tester = tester
+        self.component = component
+        self.start = start
+        self.services = services
+        self._measured = False
+        self._start_missed = False
+        self._lost: set[Situation] = set()
+        self.where: Situation | None = None
+        """Where the last step has left it."""
+        self.default_authority = 0
+        self.timeout = 0
+        """Seconds after which control ends; 0: never."""
+
+    @property
+    def authority(self) -> int:
+        """Of the pilot."""
+        return min(254, max(AUTHORITY, self.default_authority + 2))
+
+    def client(self, role: str) -> Client:
+        """The client in this role."""
+        return self.tester.client(CLIENTS[role])
+
+    def reach(self, goal: Situation, path: tuple[tuple[str, str], ...]) -> None:
+        """Be in this situation, by steering along `path` from the start; the step is skipped when that fails."""
+        self._be_at_start()
+        try:
+            self._measure()
+            where, self.where = self.where, None
+            seen = self.look()
+            if where != goal or not self.agrees(seen, goal):
+                seen = self._travel(path)
+            if goal.controller == PILOT and "Emergency" not in goal.state:
+                self.steer("RequestControl", PILOT)
+        except Outcome as outcome:
+            if not path:
+                raise  # where the component begins it must at least say where it is
+            first = Silent if isinstance(outcome, Silent) else Failed
+            raise self._out_of_reach(goal, str(outcome), first) from outcome
+        if not self.agrees(seen, goal):
+            raise self._out_of_reach(goal, f"it reports {seen}")
+        self.quiet()
+
+    def _be_at_start(self) -> None:
+        """Before the first step; as long as that fails nothing can be reached, which is one failure and no more."""
+        if self._measured or ACCESS_CONTROL not in self.services:
+            return
+        again, self._start_missed = self._start_missed, True
+        try:
+            seen = self._go_home()
+        except Outcome as outcome:
+            raise Skipped(str(outcome)) if again else outcome from None
+        self._start_missed = not self.agrees(seen, self.start)
+        if self._start_missed:
+            raise (Skipped if again else Failed)(self._away(seen))
+
+    def _away(self, seen: Seen) -> str:
+        if seen.status == STATUS["Shutdown"]:
+            return f"{self.component} is shut down, and nothing leads out of that: start it again before a test"
+        return f"{self.component} reports {seen}, and a test begins in {self.start}"
+
+    def _out_of_reach(self, goal: Situation, why: str, first: type[Outcome] = Failed) -> Outcome:
+        """Every situation can be reached, so the first step that wants it fails, and the others have their reason."""
+        kind = Skipped if goal in self._lost else first
+        self._lost.add(goal)
+        return kind(f"the component cannot be brought to {goal}: {why}")
+
+    def _travel(self, path: tuple[tuple[str, str], ...]) -> Seen:
+        seen = self._go_home()
+        if self.agrees(seen, self.start):
+            for message, role in path:
+                self.steer(message, role)
+            return self.look()
+        return seen  # some states are never left, and may be the goal
+
+    def steer(self, message: str, role: str) -> None:
+        """One input on the way."""
+        made = self.steering(message)
+        client = self.client(role)
+        if isinstance(made, RequestControl):
+            with self._unnoticed():
+                client.ask(made, ConfirmControl, to=self.component)
+        else:
+            client.send(made, to=self.component)
+
+    def steering(self, message: str) -> Message:
+        """The message for `STEERING`."""
+        made: Mapping[str, Message] = {
+            "RequestControl": RequestControl(self.authority),
+            "Resume": Resume(),
+            "Standby": Standby(),
+            "SetEmergency": SetEmergency(STOP),
+            "ClearEmergency": ClearEmergency(STOP),
+            "ReleaseControl": ReleaseControl(),
+            "Reset": Reset(),
+            "Shutdown": Shutdown(),
+        }
+        return made[message]
+
+    def look(self) -> Seen:
+        """Ask the component where it is; what it was told before, it has heard when it answers."""
+        with self._unnoticed():
+            return self._ask()
+
+    @contextmanager
+    def _unnoticed(self) -> Iterator[None]:
+        """What is asked meanwhile is no business of the report."""
+        tester = self.tester
+        notes = list(tester.why), list(tester.expected), list(tester.looked)
+        yield
+        tester.why, tester.expected, tester.looked = notes
+
+    def _ask(self) -> Seen:
+        observer = self.client(OBSERVER)
+        status: ReportStatus.Status | int | None = None
+        controller: JausID | None = None
+        if MANAGEMENT in self.services:
+            status = observer.ask(QueryStatus(), ReportStatus, to=self.component).status
+        if ACCESS_CONTROL in self.services:
+            report = observer.ask(QueryControl(), ReportControl, to=self.component)
+            id = JausID(report.subsystem_id, report.node_id, report.component_id)
+            controller = id if int(id) else None
+        if not self.services & {MANAGEMENT, ACCESS_CONTROL}:
+            observer.ask(QueryEvents(AllEventsRec(0)), ReportEvents, to=self.component)
+        return Seen(status, controller)
+
+    def agrees(self, seen: Seen, situation: Situation) -> bool:
+        """True when what the component says fits a situation; initialization may be over at once."""
+        wanted = status_of(situation)
+        client = JausID.parse(CLIENTS[situation.controller]) if situation.controller else None
+        fits = seen.status in (wanted, STATUS["Standby"]) if wanted == STATUS["Init"] else seen.status == wanted
+        return (MANAGEMENT not in self.services or wanted is None or fits) and (
+            ACCESS_CONTROL not in self.services or seen.controller == client
+        )
+
+    def settle(self, situation: Situation) -> Seen:
+        """As `look`, and wait while the component initializes."""
+        end = self.tester.now + self.tester.timeout
+        seen = self.look()
+        while seen.status == STATUS["Init"] and "Init" in situation.state and self.tester.now < end:
+            self.tester.wait(0.05 * self.tester.timeout)
+            seen = self.look()
+        return seen
+
+    def quiet(self) -> None:
+        """What has come so far belongs to the way here."""
+        for role in CLIENTS:
+            self.client(role).pending.clear()
+        self.tester.why.clear()
+        self.tester.looked.clear()
+        self.tester.expected.clear()
+
+    def _go_home(self) -> Seen:
+        """Undo everything that the tester may have done."""
+        if MANAGEMENT in self.services:
+            for role in CLIENTS:
+                self.client(role).send(ClearEmergency(STOP), to=self.component)
+        if ACCESS_CONTROL in self.services:
+            for role in CLIENTS:
+                self.client(role).send(ReleaseControl(), to=self.component)
+        return self.settle(self.start)
+
+    def _measure(self) -> None:
+        """Once, before anybody is in control: what only the component knows."""
+        if self._measured or ACCESS_CONTROL not in self.services:
+            return
+        observer = self.client(OBSERVER)
+        self.default_authority = observer.ask(QueryAuthority(), ReportAuthority, to=self.component).authority_code
+        self.timeout = int(observer.ask(QueryTimeout(), ReportTimeout, to=self.component).timeout)
+        self._measured = True
+
+
+def walker_of(subject: Subject, tester: Tester) -> Walker:
+    """The one walker of this component in this run."""
+    known: dict[JausID, Walker] = tester.memory.setdefault("walkers", {})
+    if subject.component not in known:
+        services = frozenset(each.id for each in subject.definitions)
+        known[subject.component] = Walker(tester, subject.component, services, subject.machine.start)
+    return known[subject.component]
+
+
+def status_of(situation: Situation) -> ReportStatus.Status | None:
+    """What Management reports: the innermost state that it names, below `Receiving.Ready`, which everything has."""
+    return next((STATUS[name] for name in reversed(situation.state[2:]) if name in STATUS), None)
+
+
+Make: TypeAlias = Callable[[Walker], Message]
+Prepare: TypeAlias = Callable[[Walker, str], None]
+"""Takes the role of the sender, too."""
+
+SENDER: Final = frozenset({"isControllingClient"})
+SETTER: Final = frozenset({"isIDStored"})
+"""Predicates about who sends."""
+
+
+LONGEST: Final = 70.0
+"""Seconds that a step may wait for a timer of the component: the default of events is a minute."""
+EARLIEST: Final = 0.8
+"""Of a timer: the part of its time that must have passed."""
+
+
+def nothing(walker: Walker, role: str) -> None:
+    """The usual preparation."""
+
+
+@dataclass(frozen=True, slots=True)
+class Aftermath:
+    """What is known when an input has been answered: who sent it, where that was, and the outcome that fits."""
+
+    walker: Walker
+    role: str
+    before: Situation
+    outcome: Prediction
+    took: Callable[[str], None]
+    """To be called when the input has brought about an internal event as well, by its name."""
+
+
+@dataclass(frozen=True, slots=True)
+class Stimulus:
+    """One kind of input. `message` is its name in the JSIDL, `make` None for an event that comes by itself."""
+
+    message: str
+    make: Make | None
+    variant: str = ""
+    truths: Mapping[str, Truth] = field(default_factory=dict)
+    """What is known of predicates, by name."""
+    before: Prepare = nothing
+    after: Prepare = nothing
+    checks: Mapping[str, tuple[Check, ...]] = field(default_factory=dict)
+    """What to look at in outputs, by message name."""
+    verify: Callable[[Aftermath], None] | None = None
+    """Looks at the effect."""
+    by_controller: bool = False
+    """Can only be prepared by the client in control."""
+    only_in: str = ""
+    """The name of the state, below Receiving.Ready, in which alone it shows anything."""
+    moves: bool = False
+    """Something may move in Ready, whatever the message says."""
+    of: str = ""
+    """How the URN of the service begins that is meant, when messages of others have the same name."""
+    also: tuple[str, ...] = ()
+    """Internal events that it may bring about as well."""
+    seconds: Callable[[Walker], float] | None = None
+    """How long to wait: for an event that comes by itself, or an answer that takes its time."""
+    earliest: float = 0.0
+    """The part of that time before which it must not come."""
+    once: bool = False
+    """Tried in the first state alone: the others would show nothing more."""
+
+    def fits(self, situation: Situation) -> bool:
+        """True where it can be prepared and shows something."""
+        controlled = situation.controller is not None or not self.by_controller
+        return controlled and (not self.only_in or self.only_in in situation.state[2:])
+
+    def judge(self, role: str) -> Judge:
+        """Decides predicates for this input from this sender."""
+
+        def decide(call: guards.Call, situation: Situation) -> Truth:
+            name = call.name.rpartition(".")[2]
+            if name in SENDER:
+                return situation.controller == role
+            if name in SETTER:
+                return role in situation.emergencies
+            return self.truths.get(name)
+
+        return decide

@@ -1,0 +1,313 @@
+"""Every step for the services that a target offers: each reachable state, each input, each sender that matters."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import groupby
+from typing import Final, TypeAlias
+
+from jauspy.codec.base import Message
+from jauspy.conformance.checks import has
+from jauspy.conformance.offers import ALL_SERVICES, Offers, ServiceKey
+from jauspy.conformance.profile import Profile, Step
+from jauspy.conformance.results import Skipped
+from jauspy.conformance.state_tests import sample_messages
+from jauspy.conformance.state_tests.access_control import ACCESS, SILENT_CLIENT
+from jauspy.conformance.state_tests.arms import ARMS
+from jauspy.conformance.state_tests.behaviour import Machine, Prediction, Rule, Situation, Subject, subject_of
+from jauspy.conformance.state_tests.driving import DRIVING
+from jauspy.conformance.state_tests.effects import EFFECTS
+from jauspy.conformance.state_tests.events import COMMANDS, DUE, EVENTS, EXPIRED, NOT_RENEWED
+from jauspy.conformance.state_tests.explorer import (
+    CLIENTS,
+    MEDIC,
+    OBSERVER,
+    PILOT,
+    RIVAL,
+    SENDER,
+    SETTER,
+    STEERING,
+    STOP,
+    Stimulus,
+)
+from jauspy.conformance.state_tests.lists import LISTS
+from jauspy.conformance.state_tests.sample_messages import neutral, presence_fields
+from jauspy.conformance.state_tests.sensors import PICTURES, SENSORS
+from jauspy.conformance.state_tests.settings import CLOCKS, MIRRORS
+from jauspy.conformance.state_tests.state_test import Trial
+from jauspy.conformance.tester import Tester
+from jauspy.errors import ConfigError
+from jauspy.messages import registry
+from jauspy.messages.core import ClearEmergency, QueryConfiguration, QueryIdentification, SetEmergency
+from jauspy.schema import guards
+
+
+def untried(
+    subject: Subject, services: Collection[ServiceKey], steps: Iterable[Step], situations: Collection[Situation]
+) -> Iterator[Step]:
+    """A step for each trigger and state; `services` are those whose transitions are of interest."""
+    tried = {name for step in steps for name in step.transitions}
+    left = [
+        rule
+        for rule in subject.machine.rules
+        if rule.owner.key in services and subject.transition(rule.name) not in tried
+    ]
+    for id, rules in groupby(sorted(left, key=_id), key=_id):
+        first, *others = rules
+        names = tuple(subject.transition(rule.name) for rule in (first, *others))
+        reason = _reason(subject.machine, first, situations)
+        yield Step(id, f"the transition {first.name}", skip(reason), transitions=names)
+
+
+def _id(rule: Rule) -> str:
+    return f"untried/{'.'.join(rule.node.path[2:]) or 'Ready'}/{rule.trigger}"
+
+
+def _reason(machine: Machine, rule: Rule, situations: Collection[Situation]) -> str:
+    inside = [each for each in situations if each.state[: len(rule.node.path)] == rule.node.path]
+    if not inside:
+        return f"no input leads to {rule.node}"
+    if not any(rule.name == each.rule for here in inside for each in _outcomes(machine, here, rule.trigger)):
+        return f"{rule.trigger} never gets that far: an inner state takes it first"
+    if rule.is_input:
+        return f"no {rule.trigger} is known of which this holds: {rule.transition.guard}"
+    return f"{rule.trigger} comes from inside of the component, and cannot be brought about there from outside"
+
+
+def _outcomes(machine: Machine, situation: Situation, trigger: str) -> Iterable[Prediction]:
+    return machine.predict(situation, trigger, "", lambda *_: None)
+
+
+def skip(reason: str) -> Callable[[Tester], None]:
+    """An action that is not tried."""
+
+    def action(tester: Tester) -> None:  # noqa: ARG001 - nothing is tried
+        raise Skipped(reason)
+
+    return action
+
+
+Path: TypeAlias = tuple[tuple[str, str], ...]
+"""Inputs, each with the role that sends it."""
+
+_STEERED: Final = {
+    each.message: each for each in ACCESS if (each.message, each.variant) == ("RequestControl", "the same authority")
+}
+
+
+@dataclass(frozen=True)
+class Routes:
+    """By the inputs of `STEERING` alone."""
+
+    machine: Machine
+
+    def ways(self) -> dict[Situation, Path]:
+        """One situation for each state that can be reached, and the inputs that lead there."""
+        machine = self.machine
+        found: dict[Situation, Path] = {machine.start: ()}
+        waiting: deque[tuple[Situation, Path]] = deque([(machine.start, ())])
+        states = {machine.start.state}
+        while waiting:
+            situation, path = waiting.popleft()
+            for after, step in self.moves(situation):
+                if after.state not in states:
+                    states.add(after.state)
+                    found[after] = (*path, step)
+                    waiting.append((after, (*path, step)))
+        return found
+
+    def moves(self, situation: Situation) -> Iterator[tuple[Situation, tuple[str, str]]]:
+        """Where single inputs lead, and which; those whose outcome is not known are left out."""
+        for message, role in STEERING:
+            stimulus = _STEERED.get(message) or Stimulus(message, None)
+            (first, *others) = self.machine.predict(situation, message, role, stimulus.judge(role))
+            after = self._settled(first.after)
+            if not others and after != situation:
+                yield after, (message, role)
+
+    def _settled(self, situation: Situation) -> Situation:
+        """Initialization is over by itself."""
+        done = Stimulus("Initialized", None)
+        (first, *_) = self.machine.predict(situation, done.message, "", done.judge(""))
+        return first.after
+
+    def returns(self, situation: Situation) -> bool:
+        """True when inputs lead from there to the start."""
+        seen, waiting = {situation}, [situation]
+        while waiting:
+            here = waiting.pop()
+            if here == self.machine.start:
+                return True
+            for after, _ in self.moves(here):
+                if after not in seen:
+                    seen.add(after)
+                    waiting.append(after)
+        return False
+
+
+def _one(message: Message, variant: str = "", **fields: object) -> Stimulus:
+    """A message with fields that matter; `fields` are what its report must say."""
+    checks = {message.NAME.replace("Query", "Report", 1): has(**fields)} if fields else {}
+    return Stimulus(message.NAME, lambda _: message, variant, checks=checks)
+
+
+RECIPES: Final[tuple[Stimulus, ...]] = (
+    *ACCESS,
+    *EVENTS,
+    *COMMANDS,
+    *LISTS,
+    *EFFECTS,
+    *DRIVING,
+    *ARMS,
+    *PICTURES,
+    *CLOCKS,
+    *SENSORS,
+    *MIRRORS,
+    _one(SetEmergency(STOP)),
+    _one(ClearEmergency(STOP)),
+    *(_one(QueryIdentification(level), f"level {level}", query_type=level) for level in (1, 2, 3, 4)),
+    *(_one(QueryConfiguration(level), f"level {level}") for level in (2, 3)),
+    _one(ALL_SERVICES, "everything"),
+)
+"""Of all other inputs the neutral message is sent; queries with presence vectors ask for all and for none."""
+
+SPONTANEOUS: Final[tuple[Stimulus, ...]] = (SILENT_CLIENT, NOT_RENEWED, DUE, EXPIRED)
+"""Internal events that can be brought about from outside."""
+
+
+STANDARD: Final = "urn:jaus:jss:"
+ROLES: Final = (
+    f"{PILOT} is {CLIENTS[PILOT]}, who takes control; {RIVAL} {CLIENTS[RIVAL]}, who does not have it; "
+    f"{MEDIC} {CLIENTS[MEDIC]}, who sets emergencies; {OBSERVER} {CLIENTS[OBSERVER]}, who only asks"
+)
+PREFIX: Final = ("Receiving", "Ready")
+"""What every state is inside of; left out of names."""
+
+
+def profile_of(name: str, title: str, set_name: str, version: str) -> Profile:
+    """The profile for the services of one set, such as `core` 1.1."""
+
+    def steps(offers: Offers) -> Sequence[Step]:
+        wanted = _services(set_name, version)
+        found = offers.with_any(wanted)
+        if not found:
+            there = sorted(f"{urn.removeprefix(STANDARD)} {v}" for urn, v in set().union(*offers.components.values()))
+            raise ConfigError(
+                f"the target offers no service of {set_name} {version}, so nothing was tested; "
+                f"it offers {', '.join(there) or 'nothing'}"
+            )
+        prefix = len(found) > 1
+        return [
+            replace(step, id=f"{id}/{step.id}") if prefix else step
+            for id, services in found.items()
+            for step in Planner(subject_of(id, offers.components[id]), services).steps()
+        ]
+
+    return Profile(name, title, steps, (ROLES,))
+
+
+def _services(set_name: str, version: str) -> frozenset[ServiceKey]:
+    keys = {(each.service, each.version) for each in registry.entries}
+    return frozenset((urn, v) for urn, v in keys if v == version and urn.startswith(f"urn:jaus:jss:{set_name}:"))
+
+
+@dataclass(frozen=True)
+class Planner:
+    """Steps for one component; `services` are the ones whose inputs are tried."""
+
+    subject: Subject
+    services: frozenset[ServiceKey]
+
+    def steps(self) -> list[Step]:
+        """States that can be left again come first; what ends the component comes last."""
+        routes = Routes(self.subject.machine)
+        ways = routes.ways()
+        ends = {situation for situation in ways if not routes.returns(situation)}
+        lasting = [each for each in ways if each not in ends]
+        trials = [trial for situation in lasting for trial in self._trials(situation, ways[situation])]
+        fatal = [trial for trial in trials if any(each.after in ends for each in trial.predictions)]
+        steps = [_step(trial) for trial in trials if trial not in fatal]
+        steps += [_skipped(_step(trial), _step(fatal[-1])) for trial in fatal[:-1]]
+        steps += [_step(trial) for trial in fatal[-1:]]
+        if fatal:
+            steps += [_step(trial) for end in sorted(ends, key=str) for trial in self._trials(end, ways[end])]
+        return [*steps, *untried(self.subject, self.services, steps, ways)]
+
+    def _trials(self, situation: Situation, path: Path) -> Iterator[Trial]:
+        for stimulus in (*self._stimuli(), *self._spontaneous()):
+            if stimulus.fits(situation) and (not stimulus.once or situation == self.subject.machine.start):
+                for role in self._roles(stimulus, situation):
+                    yield Trial(self.subject, situation, path, stimulus, role)
+
+    def _stimuli(self) -> Iterator[Stimulus]:
+        """Each input of the services, in all variants that matter."""
+        mine = [each for each in self.subject.definitions if each.key in self.services]
+        names = [message.name for definition in mine for message in definition.inputs]
+        names += [rule.trigger for rule in self.subject.machine.rules if rule.is_input and rule.owner in mine]
+        for name in dict.fromkeys(names):
+            yield from self._variants(name)
+
+    def _variants(self, name: str) -> Iterable[Stimulus]:
+        kind = self.subject.kind(name)
+        known = [each for each in RECIPES if each.message == name and kind.SERVICE.startswith(each.of)]
+        if known:
+            return known
+        if not presence_fields(kind):
+            return [Stimulus(name, lambda _: neutral(kind))]
+        return sample_messages.variants(kind, self.subject.kind(name.replace("Query", "Report", 1)))
+
+    def _spontaneous(self) -> Iterator[Stimulus]:
+        """Internal events of these services that can be brought about."""
+        awaited = {rule.trigger for rule in self.subject.machine.rules if rule.owner.key in self.services}
+        yield from (each for each in SPONTANEOUS if each.message in awaited)
+
+    def _roles(self, stimulus: Stimulus, situation: Situation) -> tuple[str, ...]:
+        """The senders that the guards distinguish."""
+        if stimulus.by_controller:
+            return (PILOT,)
+        if stimulus.make is None:
+            return (RIVAL,)
+        asked = {
+            call.name.rpartition(".")[2]
+            for rule in self.subject.machine.rules
+            if rule.trigger == stimulus.message and rule.transition.guard.strip()
+            for call in guards.calls(guards.parse(rule.transition.guard))
+        }
+        if asked & SETTER:
+            return (MEDIC, PILOT)
+        return (PILOT, RIVAL) if asked & SENDER and situation.controller else (RIVAL,)
+
+
+def _step(trial: Trial) -> Step:
+    state = ".".join(trial.situation.state[len(PREFIX) :]) or "Ready"
+    stimulus = trial.stimulus
+    variant = f", {stimulus.variant}" if stimulus.variant else ""
+    parts = [state, stimulus.message, trial.role, stimulus.variant]
+    id = "/".join(part.replace(" ", "-") for part in parts if part)
+    title = f"{stimulus.message} from the {trial.role}{variant}"
+    return Step(id, title, trial, moves=_moves(trial), transitions=trial.transitions)
+
+
+def _moves(trial: Trial) -> bool:
+    """A command in Ready may make something move, however harmless it is; those of the core services do not."""
+    if not set(trial.situation.state[len(PREFIX) :]) >= {"Controlled", "Ready"}:
+        return False
+    if trial.stimulus.moves or trial.stimulus.make is None:
+        return trial.stimulus.moves
+    kind = trial.subject.kind(trial.stimulus.message)
+    return kind.IS_COMMAND and ":core:" not in kind.SERVICE
+
+
+def _skipped(step: Step, instead: Step) -> Step:
+    return replace(step, run=skip(f"it would end the component; {instead.id} is tried, at the end"))
+
+
+CORE: Final = profile_of("core-1.1", "core services 1.1: every transition; shuts the target down", "core", "1.1")
+MOBILITY: Final = profile_of("mobility-1.1", "mobility services 1.1: every transition", "mobility", "1.1")
+MANIPULATOR: Final = profile_of("manipulator-2.0", "manipulator services 2.0: every transition", "manipulator", "2.0")
+SENSING: Final = profile_of(
+    "sensing-2.0", "environment sensing services 2.0: every transition", "environmentSensing", "2.0"
+)
+UGV: Final = profile_of("ugv-1.0", "UGV services 1.0: every transition", "ugv", "1.0")

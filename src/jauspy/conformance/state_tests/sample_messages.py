@@ -1,0 +1,212 @@
+"""The most harmless message of a kind: zero where zero is allowed, nothing where nothing is."""
+
+from __future__ import annotations
+
+import math
+import struct
+from collections.abc import Iterable, Iterator
+from typing import Final
+
+from jauspy.codec.base import Message, Struct
+from jauspy.codec.items import (
+    Bits,
+    Blob,
+    Choice,
+    Composite,
+    Count,
+    Formatted,
+    Grid,
+    Item,
+    Number,
+    Real,
+    Repeat,
+    Text,
+    Union,
+    Values,
+)
+from jauspy.codec.layout import Slot
+from jauspy.codec.wire import FLOATS, limits
+from jauspy.conformance.checks import Check
+from jauspy.conformance.state_tests.explorer import OBSERVER, Aftermath, Stimulus
+
+PRESENCE: Final = "presence_vector"
+
+
+def neutral(kind: type[Message], *, asks_for: int = 0) -> Message:
+    """The message; what queries call a presence vector is `asks_for`, cut to its size."""
+    out = bytearray(kind.CODE.to_bytes(2, "little"))
+    _write(kind.layout(), out)
+    message = kind.decode(bytes(out))
+    for name, size in presence_fields(kind).items():
+        setattr(message, name, asks_for & limits(size)[1])
+    return message
+
+
+def presence_fields(kind: type[Message]) -> dict[str, str]:
+    """The presence vectors of a query: their fields, and the codes of their sizes."""
+    slots = getattr(kind.layout(), "slots", ())
+    return {
+        slot.name: slot.item.code
+        for slot in slots
+        if slot.name.endswith(PRESENCE) and isinstance(slot.item, Number) and not slot.optional
+    }
+
+
+def _write(item: Item, out: bytearray) -> None:
+    match item:
+        case Composite():
+            out += _packed(item.presence, 0) if item.presence else b""
+            for slot in item.slots:
+                if not slot.optional:
+                    _write(slot.item, out)
+        case Real():
+            zero = round(-item.scaling.lower * item.scaling.factor)
+            out += _packed(item.code, min(max(zero, 0), item.scaling.top))
+        case Number():
+            value = _nearest_zero(item.values, *limits(item.code)) if item.code not in FLOATS else _float(item.values)
+            out += _packed(item.code, value)
+        case Bits():
+            raw = sum(_nearest_zero(bit.values, 0, bit.mask) << bit.shift for bit in item.bits)
+            out += _packed(item.code, raw)
+        case Choice():
+            chosen = min(item.items)
+            out.append(chosen)
+            _write(item.items[chosen], out)
+        case Union():
+            out += _packed(item.code, 0)
+            _write(next(iter(item.arms.values())), out)
+        case Grid():
+            for _ in range(math.prod(item.sizes)):
+                _write(item.item, out)
+        case Repeat():
+            out += _packed(item.count.code, item.count.minimum)
+            for _ in range(item.count.minimum):
+                _write(item.item, out)
+        case Formatted():
+            out.append(_nearest_zero(item.formats, 0, 255))
+            _bytes(item.count, out)
+        case Text() if item.count is None:
+            out += bytes(item.length)
+        case Text() | Blob():
+            assert item.count is not None
+            _bytes(item.count, out)
+        case _:
+            raise TypeError(item)
+
+
+def _bytes(count: Count, out: bytearray) -> None:
+    out += _packed(count.code, count.minimum) + bytes(count.minimum)
+
+
+def _packed(code: str, value: float) -> bytes:
+    return struct.pack(f"<{code}", value)
+
+
+def _nearest_zero(values: Values, low: int, high: int) -> int:
+    """Zero, or the allowed value that is nearest to it."""
+    options = [int(member) for member in values.enum or ()]
+    for lower, upper in values.intervals:
+        options.append(max(math.ceil(lower), min(0, math.floor(upper))))
+    fitting = [each for each in options if low <= each <= high]
+    return min(fitting, key=abs) if fitting else max(low, 0)
+
+
+def _float(values: Values) -> float:
+    return min((max(lower, min(0.0, upper)) for lower, upper in values.intervals), key=abs, default=0.0)
+
+
+EVERYTHING: Final = -1
+
+Bit = tuple[str, int]
+"""A vector of a query, and the number of a bit in it."""
+
+
+def variants(kind: type[Message], report: type[Message]) -> tuple[Stimulus, ...]:
+    """The query for all, for nothing, and for parts; empty when it has no presence vector."""
+    vectors = presence_fields(kind)
+    if not vectors:
+        return ()
+    everything = neutral(kind, asks_for=EVERYTHING)
+    nothing = neutral(kind)
+    return (
+        Stimulus(kind.NAME, lambda _: everything, "all fields"),
+        Stimulus(kind.NAME, lambda _: nothing, "no fields", checks={report.NAME: (_carries(vectors, 0, frozenset()),)}),
+        Stimulus(kind.NAME, lambda _: everything, "some fields", verify=_Parts(kind, report), once=True),
+    )
+
+
+class _Parts:
+    """Asks for half of the fields after the other: any two fields are told apart by one of the questions."""
+
+    def __init__(self, kind: type[Message], report: type[Message]) -> None:
+        self._kind = kind
+        self._report = report
+
+    def __call__(self, then: Aftermath) -> None:
+        if not then.outcome.outputs:
+            return
+        vectors, walker = presence_fields(self._kind), then.walker
+        observer = walker.client(OBSERVER)
+        full = observer.ask(neutral(self._kind, asks_for=EVERYTHING), self._report, to=walker.component)
+        has = frozenset(bit for bit, _, value in _fields(full, vectors) if value is not None)
+        for asked in _halves(max((place for (_, place), _, _ in _fields(full, vectors)), default=0) + 1):
+            query = neutral(self._kind, asks_for=asked)
+            right = _carries(vectors, asked, has)
+            observer.ask(query, self._report, right, to=walker.component)
+
+
+def _halves(count: int) -> Iterator[int]:
+    """Presence vectors with the bits whose number has a one in the first place, in the second place, and so on."""
+    for place in range((count - 1).bit_length()):
+        yield sum(1 << bit for bit in range(count) if bit >> place & 1)
+
+
+def _carries(vectors: Iterable[str], asked: int, has: frozenset[Bit]) -> Check:
+    """Of the optional fields that were asked for those that the component has, and no others."""
+
+    def problem(report: Message) -> str:
+        wrong = [name for bit, name, value in _fields(report, vectors) if (value is not None) != _right(bit)]
+        wrong += [] if asked else _inside(report, vectors)
+        return f"asked for {asked:X}h it is wrong about {', '.join(dict.fromkeys(wrong))}" if wrong else ""
+
+    def _right(bit: Bit) -> bool:
+        return bit in has and bool(asked >> bit[1] & 1)
+
+    return Check("carries what was asked for and nothing else", problem)
+
+
+def _fields(report: Message, vectors: Iterable[str]) -> Iterator[tuple[Bit, str, object]]:
+    """Bit, name and value of each optional field in the parts of a report that the vectors of its query are about."""
+    for vector in vectors:
+        name = vector.removesuffix(PRESENCE).rstrip("_")
+        part = report if not name and _optional(report) else _part(report, name)
+        if part is not None:
+            yield from (((vector, place), each, getattr(part, each)) for place, each in enumerate(_optional(part)))
+
+
+def _inside(report: Message, vectors: Iterable[str]) -> list[str]:
+    """All optional fields in parts of several records. Not each has a bit, but without any bit none is asked for."""
+    names = [each for vector in vectors if (each := vector.removesuffix(PRESENCE).rstrip("_"))]
+    parts = (getattr(report, slot.name) for slot in _slots(report) if any(name in slot.name for name in names))
+    several = (part for part in parts if isinstance(part, Struct) and not _optional(part))
+    records = (getattr(part, slot.name) for part in several for slot in _slots(part))
+    structs = (each for each in records if isinstance(each, Struct))
+    return [each for record in structs for each in _optional(record) if getattr(record, each) is not None]
+
+
+def _part(whole: Struct, name: str) -> Struct | None:
+    """The first record in `whole` that has optional fields and lies in what is called `name`."""
+    members = (getattr(whole, slot.name) for slot in _slots(whole) if name in slot.name)
+    records = (each for each in members if isinstance(each, Struct))
+    found = (each if _optional(each) else _part(each, name) for each in records)
+    return next((each for each in found if each is not None), None)
+
+
+def _optional(record: Struct) -> list[str]:
+    """The optional fields in the order of their bits."""
+    return [slot.name for slot in _slots(record) if slot.optional]
+
+
+def _slots(record: Struct) -> tuple[Slot, ...]:
+    layout = record.layout()
+    return layout.slots if isinstance(layout, Composite) else ()

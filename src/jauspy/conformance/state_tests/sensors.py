@@ -1,0 +1,218 @@
+"""A setting of each kind of sensor that can be looked at: one that disturbs nobody much for a moment."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import Any, Final
+
+from jauspy.codec.base import Message
+from jauspy.conformance.checks import Check, has, that
+from jauspy.conformance.results import Skipped
+from jauspy.conformance.state_tests.events import CREATE
+from jauspy.conformance.state_tests.explorer import OBSERVER, Aftermath, Stimulus, Walker
+from jauspy.messages.environment_sensing.v1_0.types import SensorIdRec
+from jauspy.messages.environment_sensing.v2_0.digital_video import (
+    QueryDigitalVideoSensorConfiguration as QueryVideo,
+    ReportDigitalVideoSensorConfiguration as ReportVideo,
+    SetDigitalVideoSensorConfiguration as SetVideo,
+)
+from jauspy.messages.environment_sensing.v2_0.h264_video_encoding import (
+    QueryH264VideoEncodingConfiguration as QueryEncoding,
+    ReportH264VideoEncodingConfiguration as ReportEncoding,
+    SetH264VideoEncodingConfiguration as SetEncoding,
+)
+from jauspy.messages.environment_sensing.v2_0.range_sensor import (
+    ConfirmSensorConfiguration,
+    QueryRangeSensorConfiguration as QueryRange,
+    ReportRangeSensorConfiguration as ReportRange,
+    SetRangeSensorConfiguration as SetRange,
+)
+from jauspy.messages.environment_sensing.v2_0.still_image import (
+    QueryStillImageDataExt,
+    QueryStillImageSensorConfiguration as QueryStill,
+    ReportStillImageDataExt,
+    ReportStillImageSensorConfiguration as ReportStill,
+    SetStillImageSensorConfiguration as SetStill,
+)
+from jauspy.messages.environment_sensing.v2_0.visual_sensor import (
+    QueryVisualSensorConfiguration as QueryVisual,
+    ReportVisualSensorConfiguration as ReportVisual,
+    SetVisualSensorConfiguration as SetVisual,
+)
+
+PRESENT: Final = "setting of a sensor"
+PRECISION: Final = 0.01
+"""Part of a number that may be lost on the wire and in a sensor."""
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """One field of the configuration of sensors."""
+
+    field: str
+    command: Callable[[int, Any], Message]
+    """From the id of a sensor, and the value."""
+    query: Message
+    report: type[Message]
+    records: Callable[[Any], Iterable[Any]]
+    """Of the report: one for each sensor."""
+    other: Callable[[Any], Any]
+    """Another value, for the moment of a step; the sensor may refuse it."""
+
+    def stimulus(self) -> Stimulus:
+        """The command that sets it."""
+        return Stimulus(
+            self.command(1, None).NAME,
+            lambda walker: self.command(_sensor(walker), self.other(_value(walker))),
+            before=self._read,
+            after=self._set_back,
+            checks={"ConfirmSensorConfiguration": has(request_id_rec__request_id=CREATE)},
+            verify=self._is_used,
+        )
+
+    def _told(self, report: Message) -> dict[int, Any]:
+        return {each.sensor_id: getattr(each, self.field) for each in self.records(report)}
+
+    def _read(self, walker: Walker, role: str) -> None:  # noqa: ARG002 - a Prepare
+        walker.tester.memory.pop(PRESENT, None)
+        report = walker.client(OBSERVER).ask(self.query, self.report, to=walker.component)
+        known = next((item for item in self._told(report).items() if item[1] is not None), None)
+        if known is None:
+            raise Skipped(f"{self.report.NAME} tells the {self.field} of no sensor, which would show what is set")
+        walker.tester.memory[PRESENT] = known
+
+    def _set_back(self, walker: Walker, role: str) -> None:
+        if PRESENT in walker.tester.memory:
+            walker.client(role).send(self.command(_sensor(walker), _value(walker)), to=walker.component)
+            walker.look()
+
+    def _is_used(self, then: Aftermath) -> None:
+        walker = then.walker
+        taken = then.outcome.acts and _is_confirmed(then)
+        wanted = self.other(_value(walker)) if taken else _value(walker)
+
+        def problem(report: Message) -> str:
+            value = self._told(report).get(_sensor(walker))
+            same = value is not None and abs(value - wanted) <= PRECISION * abs(wanted)
+            return "" if same else f"{self.field} of sensor {_sensor(walker)} is {value}, not {wanted}"
+
+        right = Check("shows what was confirmed, and nothing else", problem)
+        walker.client(OBSERVER).ask(self.query, self.report, right, to=walker.component)
+
+
+def _sensor(walker: Walker) -> int:
+    found: int = walker.tester.memory[PRESENT][0]
+    return found
+
+
+def _value(walker: Walker) -> Any:
+    return walker.tester.memory[PRESENT][1]
+
+
+def _is_confirmed(then: Aftermath) -> bool:
+    """Whether the sensor says that it is set so; the answer must be about that one alone."""
+    walker = then.walker
+    answer = ConfirmSensorConfiguration.decode(walker.client(then.role).confirmed[-1].payload)
+    about = [getattr(each, "sensor_id", None) for each in answer.confirm_sensor_list]
+    wrong = "" if about == [_sensor(walker)] else f"it is about {about}, and sensor {_sensor(walker)} was to be set"
+    walker.tester.check("the answer is about the sensor that was to be set", wrong)
+    return isinstance(answer.confirm_sensor_list[0], SensorIdRec)
+
+
+ALL: Final = 0
+"""Stands for every sensor."""
+JPEG, PNG = SetStill.StillImageFormat.JPEG, SetStill.StillImageFormat.PNG
+
+SETTINGS: Final = (
+    Setting(
+        "update_rate",
+        lambda sensor, rate: SetRange(
+            SetRange.RequestIdRec(CREATE), [SetRange.RangeSensorConfigurationRec(sensor, update_rate=rate)]
+        ),
+        QueryRange([QueryRange.QueryRangeSensorConfigurationRec(ALL, 0xFFFF)]),
+        ReportRange,
+        lambda report: report.range_sensor_configuration_list,
+        lambda rate: rate / 2,
+    ),
+    Setting(
+        "horizontal_field_of_view",
+        lambda sensor, angle: SetVisual(
+            SetVisual.RequestIdRec(CREATE),
+            [SetVisual.VisualSensorConfigurationRec(sensor, horizontal_field_of_view=angle)],
+        ),
+        QueryVisual([QueryVisual.QueryVisualSensorConfigurationRec(ALL, 0xFFFF)]),
+        ReportVisual,
+        lambda report: report.visual_sensor_configuration_list,
+        lambda angle: angle / 2,
+    ),
+    Setting(
+        "frame_rate",
+        lambda sensor, rate: SetVideo(
+            SetVideo.RequestIdRec(CREATE), [SetVideo.DigitalVideoSensorConfigurationRec(sensor, frame_rate=rate)]
+        ),
+        QueryVideo([QueryVideo.QueryDigitalVideoConfigurationRec(ALL, 0xFF)]),
+        ReportVideo,
+        lambda report: report.digital_video_sensor_configuration_list,
+        lambda rate: max(1, rate // 2) if rate != 1 else 2,
+    ),
+    Setting(
+        "still_image_format",
+        lambda sensor, coding: SetStill(
+            SetStill.RequestIdRec(CREATE),
+            [SetStill.StillImageSensorConfigurationRec(sensor, still_image_format=coding)],
+        ),
+        QueryStill([QueryStill.QueryStillImageSensorConfigurationRec(ALL, 0xFF)]),
+        ReportStill,
+        lambda report: report.still_image_sensor_configuration_list,
+        lambda coding: PNG if coding == JPEG else JPEG,
+    ),
+    Setting(
+        "group_of_pictures",
+        lambda sensor, pictures: SetEncoding(
+            SetEncoding.RequestIdRec(CREATE),
+            [
+                SetEncoding.H264ConfigurationSequence(
+                    SetEncoding.H264ConfigurationRec(sensor, group_of_pictures=pictures)
+                )
+            ],
+        ),
+        QueryEncoding([QueryEncoding.QueryH264VideoEncodingRec(ALL)]),
+        ReportEncoding,
+        lambda report: [each.h264_configuration_rec for each in report.h264_configuration_list],
+        lambda pictures: max(1, pictures // 2) if pictures != 1 else 2,
+    ),
+)
+SENSORS: Final = tuple(each.stimulus() for each in SETTINGS)
+
+
+PATIENCE: Final = 10.0
+"""Seconds that a picture may take, from a camera that has to be switched on."""
+
+_ANY: Final = {"isCoordinateTransformSupported": False}
+"""Whether it is makes no difference to what is sent."""
+
+_ALL: Final = QueryStillImageDataExt.QueryStillImageDataRec(
+    QueryStillImageDataExt.SensorID.ALL_SENSORS, QueryStillImageDataExt.ReportCoordinateSystem.NATIVE, 0xFF
+)
+
+
+def _has_pictures(report: ReportStillImageDataExt) -> bool:
+    pictures = report.still_image_data_list
+    return bool(pictures) and all(each.image_frame is not None or each.still_image_uri for each in pictures)
+
+
+PICTURES: Final = (
+    Stimulus("QueryStillImageDataExt", lambda _: QueryStillImageDataExt([]), "no camera", _ANY),
+    Stimulus(
+        "QueryStillImageDataExt",
+        lambda _: QueryStillImageDataExt([_ALL]),
+        "all cameras",
+        _ANY,
+        checks={
+            "ReportStillImageDataExt": (that("has a picture of each camera, or where to fetch it", _has_pictures),)
+        },
+        seconds=lambda _: PATIENCE,
+        once=True,  # control would time out meanwhile
+    ),
+)

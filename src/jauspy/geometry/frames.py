@@ -1,0 +1,132 @@
+"""The frames of a robot: the links of its description, as a tree, for given positions of its joints."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Final
+
+from jauspy.errors import ConfigError
+from jauspy.geometry.poses import Transform
+from jauspy.geometry.urdf import Joint, JointKind, RobotDescription, inertials
+from jauspy.geometry.vectors import Vector, add, cross, rotated, rotation_about, scaled, transposed
+
+ZERO_POSITIONS: Final[Mapping[str, float]] = {}
+"""All joints at zero."""
+
+
+def joint_frame(joint: Joint, position: float) -> Transform:
+    """The frame of a joint's child link in its parent link, at a position (rad or m)."""
+    if joint.kind is JointKind.PRISMATIC:
+        moved = Transform(position=scaled(joint.axis, position))
+    else:
+        moved = Transform(rotation_about(joint.axis, position))
+    return Transform.from_pose(joint.origin) @ moved
+
+
+class FrameTree:
+    """The links of a robot, each fixed to or moving in its parent."""
+
+    def __init__(self, description: RobotDescription) -> None:
+        self.description = description
+        self.root = description.root()
+        self.joints = _parents_first(description)
+
+    def poses(self, positions: Mapping[str, float] = ZERO_POSITIONS) -> dict[str, Transform]:
+        """Every link's frame in the root link's. Joints without a position are at zero; mimic joints follow."""
+        found = {self.root: Transform()}
+        for joint in self.joints:
+            position = positions.get(joint.mimics or joint.name, 0.0)
+            found[joint.child] = found[joint.parent] @ joint_frame(joint, position)
+        return found
+
+    def pose(self, link: str, positions: Mapping[str, float] = ZERO_POSITIONS) -> Transform:
+        """One link's frame in the root link's. Raises `ConfigError`, which lists the links, for an unknown one."""
+        if link not in self.description.links():
+            known = ", ".join(sorted(self.description.links()))
+            raise ConfigError(f"{self.description.name} has no link {link!r}; it has: {known}")
+        frame = Transform()
+        for joint in self.description.chain(self.root, link):
+            frame = frame @ joint_frame(joint, positions.get(joint.mimics or joint.name, 0.0))
+        return frame
+
+    def frames(self, base: Transform, positions: Mapping[str, float], common: str) -> Frames:
+        """The frames of all links, and the frame `common`, in which the root link has the pose `base`."""
+        poses = {common: Transform()} | {link: base @ pose for link, pose in self.poses(positions).items()}
+        return Frames(poses, {self.root: common} | {joint.child: joint.parent for joint in self.joints})
+
+    def between(self, link: str, other: str) -> list[Joint]:
+        """The joints, fixed ones included, that connect two links."""
+        chains = [self.description.chain(self.root, each) for each in (link, other)]
+        return [joint for one, two in (chains, chains[::-1]) for joint in one if joint not in two]
+
+    def is_fixed(self, link: str) -> bool:
+        """True if no joint between the root link and this one moves."""
+        return all(joint.kind is JointKind.FIXED for joint in self.description.chain(self.root, link))
+
+
+@dataclass(frozen=True, slots=True)
+class Frames:
+    """All frames of a robot at one moment."""
+
+    poses: Mapping[str, Transform]
+    """The pose of each frame in the common one."""
+    parents: Mapping[str, str]
+    """The parent of each frame but the common one."""
+
+    def pose(self, frame: str, within: str) -> Transform:
+        """The pose of one frame in another. Raises `ConfigError`, which lists the frames, for an unknown one."""
+        for name in (frame, within):
+            if name not in self.poses:
+                raise ConfigError(f"there is no frame {name!r}; there are: {', '.join(sorted(self.poses))}")
+        return self.poses[within].inverse() @ self.poses[frame]
+
+
+def _parents_first(description: RobotDescription) -> tuple[Joint, ...]:
+    reached, ordered = {description.root()}, list[Joint]()
+    waiting = list(description.joints.values())
+    while waiting:
+        ready = [joint for joint in waiting if joint.parent in reached]
+        ordered += ready
+        reached |= {joint.child for joint in ready}
+        waiting = [joint for joint in waiting if joint.child not in reached]
+    return tuple(ordered)
+
+
+GRAVITY: Final[Vector] = (0.0, 0.0, -9.81)
+"""m/s^2, in the frame of a root link that is level."""
+
+
+def gravity_wrench(
+    description: RobotDescription, link: str, positions: Callable[[], Mapping[str, float]]
+) -> Callable[[], tuple[Vector, Vector]]:
+    """A function of no arguments: force (N) and torque (Nm) of gravity on a link and all that it carries.
+
+    Both are in the link's frame, for the joint positions, by name, that `positions` returns at the call.
+    """
+    tree = FrameTree(description)
+    carried = _carried(tree, link)
+    bodies = [body for body in inertials(description.urdf) if body.link in carried]
+
+    def weigh() -> tuple[Vector, Vector]:
+        frames = tree.poses(positions())
+        here = frames[link]
+        down = rotated(transposed(here.rotation), GRAVITY)
+        force = torque = (0.0, 0.0, 0.0)
+        for body in bodies:
+            weight = scaled(down, body.mass)
+            middle = here.inverse() @ frames[body.link] @ Transform.from_pose(body.origin)
+            force = add(force, weight)
+            torque = add(torque, cross(middle.position, weight))
+        return force, torque
+
+    return weigh
+
+
+def _carried(tree: FrameTree, link: str) -> set[str]:
+    """A link and all links below it."""
+    found = {link}
+    for joint in tree.joints:
+        if joint.parent in found:
+            found.add(joint.child)
+    return found

@@ -1,0 +1,82 @@
+"""Commands to the parts that every robot has. Sent by any thread; the thread that owns the robot applies them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+from jauspy.platform.contract import Command, DriveBase, PartId, Robot
+from jauspy.platform.joints import JointGroup, Target
+from jauspy.platform.ranging import RangeFinder, ScanSettings
+
+CHASSIS: Final = PartId(DriveBase)
+
+
+@dataclass(frozen=True, slots=True)
+class DriveEffort(Command):
+    """Drive with fractions of the full effort, -1..1; positive z turns left."""
+
+    linear_x: float
+    rotational_z: float
+    part: PartId = CHASSIS
+
+    def apply(self, robot: Robot) -> None:
+        """Set the effort."""
+        robot.drive.set_effort(self.linear_x, self.rotational_z)
+
+
+@dataclass(frozen=True, slots=True)
+class DriveStop(Command):
+    """Brake the chassis to a standstill."""
+
+    part: PartId = CHASSIS
+
+    def apply(self, robot: Robot) -> None:
+        """Stop."""
+        robot.drive.stop()
+
+
+@dataclass(frozen=True, slots=True)
+class JointTargets(Command):
+    """What the joints of a group are to do, base to tip; None leaves a joint at what it does."""
+
+    group: str
+    targets: tuple[Target | None, ...]
+    hold: bool = False
+    """True to hold all joints first; those with a target then follow it."""
+
+    @property
+    def part(self) -> PartId:
+        """The group."""
+        return PartId(JointGroup, self.group)
+
+    def apply(self, robot: Robot) -> None:
+        """Hold, then follow the targets."""
+        group = robot.groups[self.group]
+        if self.hold:
+            group.hold()
+        group.command(self.targets)
+
+    def merged(self, pending: Command) -> JointTargets:
+        """The later target of each joint counts; a hold ends what was commanded before it."""
+        if self.hold or not isinstance(pending, JointTargets):
+            return self
+        targets = tuple(new or old for new, old in zip(self.targets, pending.targets, strict=True))
+        return JointTargets(self.group, targets, pending.hold)
+
+
+@dataclass(frozen=True, slots=True)
+class LidarSettings(Command):
+    """How a lidar is to measure, from its next scan on."""
+
+    lidar: str
+    settings: ScanSettings
+
+    @property
+    def part(self) -> PartId:
+        """The lidar."""
+        return PartId(RangeFinder, self.lidar)
+
+    def apply(self, robot: Robot) -> None:
+        """Configure the lidar."""
+        robot.lidars[self.lidar].configure(self.settings)

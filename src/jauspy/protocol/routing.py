@@ -1,0 +1,288 @@
+"""Routing: who gets a packet that a node manager has received. Sans-I/O.
+
+Packets are forwarded as the bytes they came in, with three exceptions: the ACK bit of a multicast for an unknown
+destination is set, packets that shared a datagram are sent one by one, and legacy headers are converted (see
+`judp.packets`).
+"""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Callable, Mapping, Sequence
+from typing import Final, Literal, TypeAlias
+
+from jauspy.errors import ProtocolError
+from jauspy.ids import JausID
+from jauspy.protocol import addressing, judp, junior
+from jauspy.protocol.address_book import ADDRESS_LIFETIME, AddressBook
+from jauspy.protocol.addressing import DEFAULT_NETWORK, GroupPort, LocalPort, NetworkPort, Port, UdpPort
+from jauspy.protocol.compression import Compression, is_compressed
+from jauspy.protocol.counters import Counters
+from jauspy.protocol.directory import ComponentDirectory, ComponentPort
+from jauspy.protocol.egress import PORT_KINDS, EgressQueue
+from jauspy.protocol.gateway import Gateway
+from jauspy.protocol.header import Broadcast, RawPacket
+from jauspy.protocol.pending import PendingDestinations
+from jauspy.protocol.registrar import DuplicateIdLog, Registrar
+from jauspy.protocol.sources import SourceChecks
+
+_LOGGER = logging.getLogger(__name__)
+
+RECEIVED_COUNTERS: Final[dict[type, str]] = {port: f"received.{kind}" for port, kind in PORT_KINDS.items()}
+
+CompressionUse: TypeAlias = Literal["off", "accept", "propose"]
+
+
+class Router:
+    """Routes between the components of this machine (`LocalPort`) and the networks (all other ports).
+
+    Args:
+        local_root: The directory of the components' sockets.
+        addresses: Static addresses, which never expire; learned ones expire after `address_lifetime` seconds.
+        networks: The names of all networks. Packets cross from one to another only through a `gateway`.
+        gateway, sources: What is accepted; both may be replaced at run time.
+        local_udp: Whether components of this machine may connect by UDP.
+        compression: The use of header compression on UDP.
+        is_dead: True for the path of a socket where nobody listens any more.
+        changed: Called with each id whose `cacheable_route` may have changed, or with None for all ids.
+    """
+
+    def __init__(
+        self,
+        local_root: str,
+        *,
+        addresses: Mapping[JausID, Sequence[NetworkPort]] | None = None,
+        networks: Sequence[str] = (DEFAULT_NETWORK,),
+        gateway: Gateway | None = None,
+        sources: SourceChecks | None = None,
+        address_lifetime: float = ADDRESS_LIFETIME,
+        local_udp: bool = True,
+        compression: CompressionUse = "accept",
+        is_dead: Callable[[str], bool] = lambda _: False,
+        changed: Callable[[int | None], None] = lambda _: None,
+    ) -> None:
+        self.counters = Counters(_LOGGER)
+        self._changed = changed
+        self.components = ComponentDirectory(changed)
+        static = {int(id): ports for id, ports in (addresses or {}).items()}
+        self.address_book = AddressBook(static, lifetime=address_lifetime)
+        self.gateway = gateway
+        self.sources = sources or SourceChecks()
+        self._networks = tuple(networks)
+        self._pending = PendingDestinations(self.counters)
+        self._egress = EgressQueue(self.counters, self.components, self.address_book)
+        if compression != "off":
+            self._egress.compression = Compression(self.counters, self._egress.send, probes=compression == "propose")
+        self._duplicate_ids = DuplicateIdLog(_LOGGER)
+        self._registrar = Registrar(
+            local_root,
+            self.components,
+            self._egress,
+            self._pending,
+            self.counters,
+            duplicate_ids=self._duplicate_ids,
+            is_dead=is_dead,
+            local_udp=local_udp,
+        )
+
+    def receive(self, data: bytes, source: Port, now: float) -> None:
+        """Route one datagram from a component or a network. Never raises; malformed input is counted."""
+        self.counters[RECEIVED_COUNTERS[type(source)]] += 1
+        control = junior.parse(data)
+        try:
+            if isinstance(source, LocalPort) or (
+                isinstance(source, UdpPort) and self._registrar.is_local(source, control)
+            ):
+                if control is not None:
+                    self._registrar.handle_control(control, source, now)
+                else:
+                    self._from_component(data, source, now)
+            elif isinstance(source, GroupPort):
+                return
+            elif control is not None:
+                self.counters.drop("connect_from_network", f"{source.host}:{source.port}")
+            else:
+                self._from_network(data, source, now)
+        except ProtocolError as error:
+            self.counters.drop(f"malformed.{error.reason}", error)
+
+    def poll_output(self) -> list[tuple[Port, bytes]]:
+        """The datagrams to send now, in order."""
+        return self._egress.drain()
+
+    def next_timeout(self) -> float | None:
+        """When `handle_timeout` is to be called, or None."""
+        return self._pending.next_timeout()
+
+    def handle_timeout(self, now: float) -> None:
+        """Probe again for unknown destinations, and drop messages that waited too long."""
+        for datagram in self._pending.handle_timeout(now):
+            self._probe(datagram, self._probe_networks(judp.first_header(datagram), now), now)
+
+    @property
+    def pending_messages(self) -> int:
+        """The number of messages that wait for unknown destinations."""
+        return len(self._pending)
+
+    def remove_dead(self, port: ComponentPort) -> None:
+        """Nobody listens on `port` any more: remove its components, and the addresses learned from it."""
+        self._registrar.remove_dead(port)
+        if isinstance(port, UdpPort):
+            self.address_book.forget(port)
+
+    def disconnected(self, port: NetworkPort) -> None:
+        """A connection has ended: remove the addresses learned from it."""
+        self.address_book.forget(port)
+        self.sources.forget(port)
+
+    def cacheable_route(self, source: int, destination: int, port: Port, now: float) -> LocalPort | UdpPort | None:
+        """Where every plain packet of these ids from `port` is sent; None if each must pass through `receive`.
+
+        The route holds until `changed` is called for one of the ids, and for a moment at most: rate limits, learned
+        addresses and their checks need to see packets in `receive`.
+        """
+        if self.gateway is not None or self.sources.are_limited or addressing.is_wildcard(destination):
+            return None
+        component = self.components.port(destination)
+        if isinstance(port, LocalPort):
+            if self.components.port(source) != port:
+                return None
+            route = component or self.address_book.find(destination, now)
+        elif self._is_verified_peer(source, port, now):
+            route = component
+        else:
+            return None
+        if isinstance(route, LocalPort):
+            return route
+        if not isinstance(route, UdpPort) or route is component:
+            return None
+        compression = self._egress.compression
+        return None if compression is not None and compression.applies_to(route) else route
+
+    def _is_verified_peer(self, id: int, port: Port, now: float) -> bool:
+        """True for a peer on a network whose address was checked and learned a moment ago."""
+        if isinstance(port, LocalPort | GroupPort) or id in self.components:
+            return False
+        if isinstance(port, UdpPort) and self.components.has_port(port):
+            return False
+        return self.sources.is_verified(id, port, now)
+
+    # --- from components -----------------------------------------------------------------------------------------
+
+    def _from_component(self, data: bytes, port: ComponentPort, now: float) -> None:
+        for raw, datagram, _ in judp.packets(data):
+            own = self._registrar.reply_port(port, raw.source)
+            if self._registrar.is_in_use(raw.source, elsewhere_than=own):
+                self.counters.drop("duplicate_id", f"{JausID.from_int(raw.source)} also sends from {own}")
+                self._duplicate_ids.warn_duplicate(raw.source, own, now)
+            elif self.sources.are_limited and not self.sources.within_rate(raw.source, raw.priority, now):
+                self.counters.drop("rate", JausID.from_int(raw.source))
+            elif self._registrar.register(raw.source, own):
+                self._route_from_component(raw, datagram, now)
+
+    def _route_from_component(self, raw: RawPacket, datagram: bytes, now: float) -> None:
+        destination = raw.destination
+        if addressing.is_wildcard(destination):
+            self._egress.deliver_broadcast(destination, datagram, exclude=raw.source)
+            if raw.broadcast != Broadcast.LOCAL:
+                self._egress.multicast(datagram, self._networks, now)
+                self._egress.broadcast_to_static(destination, datagram, self._networks)
+        elif (own := self.components.port(destination)) is not None:
+            self._egress.deliver(own, datagram)
+        elif (address := self.address_book.find(destination, now)) is not None:
+            self._egress.forward(address, destination, datagram, now)
+        elif destination == 0:
+            self.counters.drop("no_destination", JausID.from_int(raw.source))
+        else:
+            self._egress.deliver_broadcast(destination, datagram, exclude=raw.source)
+            if (probe := self._pending.add(destination, datagram, now)) is not None:
+                self._probe(probe, self._probe_networks(raw, now), now)
+
+    # --- from networks -------------------------------------------------------------------------------------------
+
+    def _from_network(self, data: bytes, port: NetworkPort, now: float) -> None:
+        if self._egress.echoes.seen(data, port.network, now):
+            self.counters["echoes"] += 1
+            return
+        compression = self._egress.compression
+        if compression is not None and type(port) is UdpPort and is_compressed(data):
+            if not compression.applies_to(port):
+                self._changed(None)
+            data = compression.expand(data, port, now)
+            if not data:
+                return
+        for raw, datagram, legacy_version in judp.packets(data):
+            verified = self.sources.is_verified(raw.source, port, now)
+            if (why := self._refusal(raw, datagram, port, now, verified=verified)) is not None:
+                self.counters.drop(why, f"{JausID.from_int(raw.source)} from {port.host}:{port.port} on {port.network}")
+                continue
+            if legacy_version is not None:
+                self._egress.peer_versions.learn(raw.source, legacy_version)
+            if not verified:
+                self._learn(raw.source, port, now)
+            self._route_from_network(raw, datagram, port.network, now)
+
+    def _refusal(self, raw: RawPacket, datagram: bytes, port: NetworkPort, now: float, *, verified: bool) -> str | None:
+        """Why a packet from this address is not accepted, as a counter's name; None if it is."""
+        source = raw.source
+        if self._registrar.is_in_use(source):
+            self._duplicate_ids.warn_duplicate(source, port, now)
+            return "hijack"
+        if not verified and not addressing.is_incomplete(source) and not self.sources.check_address(source, port, now):
+            return "address_mismatch"
+        if self.sources.are_limited and not self.sources.within_rate(source, raw.priority, now):
+            return "rate"
+        if self.gateway is not None and (why := self.gateway.refusal(raw, datagram, port.network, now)) is not None:
+            return f"gateway.{why}"
+        return None
+
+    def _route_from_network(self, raw: RawPacket, datagram: bytes, network: str, now: float) -> None:
+        destination = raw.destination
+        if addressing.is_wildcard(destination):
+            self._egress.deliver_broadcast(destination, datagram)
+            self._relay_broadcast(raw, datagram, network, now)
+        elif (own := self.components.port(destination)) is not None:
+            self._egress.deliver(own, datagram)
+        elif self._egress.deliver_broadcast(destination, datagram):
+            pass
+        elif self.gateway is None or not (onward := self.gateway.onward(raw, network)):
+            self.counters.drop("not_here", JausID.from_int(destination))
+        elif (address := self.address_book.find(destination, now)) is None:
+            if (probe := self._pending.add(destination, datagram, now)) is not None:
+                self._probe(probe, onward, now)
+        elif address.network in onward:
+            self._egress.forward(address, destination, datagram, now)
+            self.counters["relayed"] += 1
+        else:
+            self.counters.drop("not_here", JausID.from_int(destination))
+
+    def _relay_broadcast(self, raw: RawPacket, datagram: bytes, network: str, now: float) -> None:
+        if self.gateway is not None and (onward := self.gateway.onward(raw, network)):
+            for each in self._networks:  # networks in a ring bring it back from any of them
+                self._egress.echoes.add(datagram, each, now)
+            self._egress.multicast(datagram, onward, now)
+            self._egress.broadcast_to_static(raw.destination, datagram, onward)
+            self.counters["relayed"] += 1
+
+    # --- addresses -----------------------------------------------------------------------------------------------
+
+    def _probe(self, datagram: bytes, networks: Sequence[str], now: float) -> None:
+        self._egress.multicast(judp.with_ack_required(datagram), networks, now)
+
+    def _probe_networks(self, raw: RawPacket, now: float) -> tuple[str, ...]:
+        """The networks where an unknown destination may be; never the one of the source."""
+        if self.gateway is None:
+            return self._networks
+        home = self.address_book.find(raw.source, now)
+        if home is not None:
+            return self.gateway.onward(raw, home.network)
+        return self.gateway.reach(raw.source, raw.destination)
+
+    def _learn(self, id: int, port: NetworkPort, now: float) -> None:
+        if addressing.is_incomplete(id):
+            return
+        if self.address_book.learn(id, port, now):
+            self._changed(id)
+            for datagram in self._pending.pop(id):
+                if port.network in self._probe_networks(judp.first_header(datagram), now):
+                    self._egress.forward(port, id, datagram, now)

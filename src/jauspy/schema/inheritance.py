@@ -1,0 +1,59 @@
+"""Inheritance of service definitions (AS5684 `inherits_from`): a service has at most one parent.
+
+Everything that asks for ancestors uses this module. A `ParentOf` says what the parent of a service is:
+`parents_among` makes one for definitions that are loaded. Definitions read as XML elements, as the linter has
+them, bring their own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import TypeAlias, TypeVar
+
+from jauspy.errors import SchemaError
+from jauspy.schema.model import Service
+
+T = TypeVar("T")
+ParentOf: TypeAlias = Callable[[T], T | None]
+"""Returns the parent of a service, None when it inherits from nothing."""
+
+
+def parents_among(services: Iterable[Service]) -> ParentOf[Service]:
+    """Parents by id and version; what is returned raises `SchemaError` for a parent that is not in `services`."""
+    by_key = {service.key: service for service in services}
+
+    def parent_of(service: Service) -> Service | None:
+        reference = service.inherits_from
+        if reference is None:
+            return None
+        if reference.key not in by_key:
+            raise SchemaError(f"{service.name} inherits from {reference.id} {reference.version}, which is not loaded")
+        return by_key[reference.key]
+
+    return parent_of
+
+
+def lineage(service: T, parent_of: ParentOf[T]) -> tuple[T, ...]:
+    """The service, then its ancestors, nearest first. A cycle ends where it would repeat a service."""
+    line = [service]
+    while (parent := parent_of(line[-1])) is not None and parent not in line:
+        line.append(parent)
+    return tuple(line)
+
+
+def is_a(service: Service, urn: str, parent_of: ParentOf[Service]) -> bool:
+    """True when the service has this URN, or inherits from one that has it, whatever its version."""
+    return any(each.id == urn for each in lineage(service, parent_of))
+
+
+def most_derived_first(services: Iterable[Service], parent_of: ParentOf[Service]) -> tuple[Service, ...]:
+    """These services and all their ancestors, one per URN, the longest lineage first: the order of a component.
+
+    Where lineages bring different versions of one service, the version that comes first is kept.
+    """
+    found: dict[str, tuple[Service, int]] = {}
+    for service in services:
+        line = lineage(service, parent_of)
+        for position, each in enumerate(line):
+            found.setdefault(each.id, (each, len(line) - position))
+    return tuple(service for service, _ in sorted(found.values(), key=lambda pair: -pair[1]))

@@ -1,0 +1,95 @@
+"""The programs in examples/ run, each in a process of its own, against a node manager and a robot."""
+
+from __future__ import annotations
+
+import asyncio
+import re
+import signal
+import sys
+from pathlib import Path
+
+import pytest
+
+from jauspy.testing import LocalNode
+
+EXAMPLES = Path(__file__).parents[1] / "examples"
+
+
+async def run(name: str, *arguments: str) -> str:
+    """What the program prints, which must end without an error and without a word on stderr."""
+    process = await asyncio.create_subprocess_exec(
+        sys.executable, EXAMPLES / name, *arguments, stdout=asyncio.subprocess.PIPE, stderr=asyncio.subprocess.PIPE
+    )
+    async with asyncio.timeout(100):
+        output, errors = await process.communicate()
+    assert (process.returncode, errors.decode()) == (0, "")
+    return output.decode()
+
+
+async def start(name: str, *arguments: str) -> asyncio.subprocess.Process:
+    """A component's program, which runs until it is interrupted."""
+    return await asyncio.create_subprocess_exec(sys.executable, EXAMPLES / name, *arguments)
+
+
+async def stop(process: asyncio.subprocess.Process) -> None:
+    process.send_signal(signal.SIGINT)
+    async with asyncio.timeout(20):
+        assert await process.wait() == 0
+
+
+def numbers(text: str) -> list[float]:
+    return [float(each) for each in re.findall(r"-?\d+(?:\.\d+)?", text)]
+
+
+async def test_ocu(node_manager: LocalNode) -> None:
+    async with node_manager.robot() as robot:
+        output = await run("ocu.py", node_manager.local)
+        assert numbers(output.splitlines()[-1])[0] >= 2.0
+        assert robot.snapshot is not None
+        assert robot.snapshot.pose.x >= 2.0
+
+
+async def test_sync_ocu(node_manager: LocalNode) -> None:
+    async with node_manager.robot():
+        output = await run("sync_ocu.py", node_manager.local)
+    assert numbers(output.splitlines()[-1])[0] >= 90.0
+
+
+async def test_waypoints(node_manager: LocalNode) -> None:
+    async with node_manager.robot() as robot:
+        output = await run("waypoints.py", node_manager.local)
+        assert robot.snapshot is not None
+        assert abs(robot.snapshot.pose.x) + abs(robot.snapshot.pose.y) < 0.6
+    assert output.splitlines()[-1] == "arrived"
+    assert "heading for waypoint 2" in output
+
+
+async def test_two_robots(node_manager: LocalNode) -> None:
+    async with node_manager.robot(), node_manager.robot("inc1_pprm"):
+        lines = (await run("two_robots.py", node_manager.local)).splitlines()
+    assert len(lines) == 2
+    assert all(numbers(line)[1] > 0.5 for line in lines)
+
+
+async def test_video_opencv(node_manager: LocalNode) -> None:
+    pytest.importorskip("cv2", reason="needs the extra 'video'")
+    async with node_manager.robot():
+        lines = (await run("video_opencv.py", node_manager.local)).splitlines()
+    assert len(lines) >= 30
+
+
+async def test_component(node_manager: LocalNode) -> None:
+    from jauspy.messages.ugv import QueryPlatformSpecifications
+
+    component = await start("component.py", node_manager.local)
+    async with node_manager.ocu("42.1.1") as ocu:
+        report = await ocu.query("101.1.121", QueryPlatformSpecifications(), retries=40)
+    assert report.platform_spec.vehicle_weight == pytest.approx(38.0, abs=0.1)
+    await stop(component)
+
+
+async def test_own_service(node_manager: LocalNode) -> None:
+    component = await start("own_service.py", node_manager.local)
+    output = await run("own_service.py", "client", node_manager.local)
+    assert numbers(output.splitlines()[-1])[0] > 0.1
+    await stop(component)
