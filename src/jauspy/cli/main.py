@@ -98,7 +98,7 @@ class VerbGroup(typer.core.TyperGroup):
         """Replace the placeholder of a verb, which has only its line of help, by the verb itself."""
         name, command, rest = super().resolve_command(ctx, args)
         verb = GROUPS[str(self.name)].get(str(name))
-        return name, _load(str(name), verb[0]) if verb else command, rest
+        return name, load_verb(str(name), verb[0]) if verb else command, rest
 
     def invoke(self, ctx: Any) -> Any:
         """Run the verb; with `--debug` errors keep their traceback."""
@@ -124,7 +124,7 @@ class SchemaGroup(VerbGroup):
     error_status = 2
 
 
-def _load(name: str, target: str) -> Any:
+def load_verb(name: str, target: str) -> Any:
     """The command of a verb, from `module:function`."""
     module, _, function = target.partition(":")
     verb = getattr(importlib.import_module(module), function)
