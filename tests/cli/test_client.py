@@ -23,7 +23,7 @@ def claims(monkeypatch):
 
 @pytest.mark.parametrize("text", ["0.0.0", "101.1.0", "101.0.1", "0.1.1"])
 def test_ids_of_nobody_are_refused(text):
-    with pytest.raises(ConfigError, match=f"{text} is nobody's id"):
+    with pytest.raises(ConfigError, match=f"{text} is not the id of a component"):
         client.destination(text)
 
 

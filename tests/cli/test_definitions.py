@@ -116,7 +116,7 @@ def test_a_message_of_one_service_and_version():
     ("verb", "message", "sentence"),
     [
         ("query", ["QueryLamp"], "was sent QueryLamp 6 times"),
-        ("query", ["SetLamp", "brightness=3"], "SetLamp is no query"),
+        ("query", ["SetLamp", "brightness=3"], "SetLamp is not a query"),
         ("send", ["SetLamp", "brightness=3"], "sent, but 101.1.7 does not answer"),
         ("send", ["QueryLamp"], "QueryLamp is a query"),
     ],

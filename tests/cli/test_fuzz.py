@@ -43,7 +43,7 @@ def test_a_file_without_messages_is_left_out(tmp_path):
         "codec", tmp_path / "empty.hex", tmp_path / "seeds.hex", "--cases", 10, "--message", "ConfirmControl"
     )
     assert with_both.exit_code == 0
-    assert f"there is no JAUS message in {tmp_path / 'empty.hex'}; the campaign goes on" in with_both.stderr
+    assert f"{tmp_path / 'empty.hex'} has no JAUS messages and is ignored" in with_both.stderr
     assert with_both.stdout == run("codec", tmp_path / "seeds.hex", "--cases", 10, "--message", "ConfirmControl").stdout
 
 

@@ -48,7 +48,7 @@ async def test_lines_of_any_length_are_read(monkeypatch, tmp_path):
     )
     say.chmod(0o755)
     monkeypatch.setattr(sys, "executable", str(say))
-    async with ChildProcess("talker", [], heard=heard.append) as child:
+    async with ChildProcess("talker", [], on_error_line=heard.append) as child:
         child.signal(signal.SIGUSR1)
         assert str(await child.ended()) == "talker: ended with exit status 3"
     assert heard[-1] == "last"

@@ -103,11 +103,11 @@ def test_is_drawn_on_a_terminal_and_ends_in_order(free_port, local_root) -> None
         env={**os.environ, "TERM": "xterm", "COLUMNS": "120", "LINES": "50"},
     )
     os.close(theirs)
-    said = read_until(ours, "101.1.107", "CM-VIS", "Ctrl-C stops all of it")
+    said = read_until(ours, "101.1.107", "CM-VIS", "Ctrl-C stops the robot")
     family = psutil.Process(process.pid).children(recursive=True)
     assert "of real time" in said
     process.send_signal(signal.SIGINT)
-    ended = read_until(ours, "all of it has stopped")
+    ended = read_until(ours, "everything has stopped")
     assert process.wait(20) == 130
     os.close(ours)
     order = [ended.index(f"stopping the {what}") for what in ("modules", "node manager")]

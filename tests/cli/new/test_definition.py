@@ -60,16 +60,16 @@ def test_what_is_there_stays():
         (["charge:"], "NAME:UNITS"),
         (["charge:per<cent"], "NAME:UNITS"),
         (["1charge:percent"], "NAME:UNITS"),
-        (["a:one", "A:one"], "name of its own"),
+        (["a:one", "A:one"], "two fields have the same name"),
         ([f"f{n}:one" for n in range(17)], "up to 16"),
-        (["a:one", "--first-id", "FFFF"], "no message id"),
-        (["a:one", "--first-id", "xyz"], "no message id"),
-        (["a:one", "--first-id", "-5"], "no message id"),
+        (["a:one", "--first-id", "FFFF"], "not a message id"),
+        (["a:one", "--first-id", "xyz"], "not a message id"),
+        (["a:one", "--first-id", "-5"], "not a message id"),
         (["_:one"], "NAME:UNITS"),
         (["", "a:one"], "NAME:UNITS"),
         (
             ["a:one", "--first-id", "2202"],
-            "2202 is QueryHeartbeatPulse of urn:jaus:jss:core:Liveness ; D000 to D737 are free",
+            "2202 is QueryHeartbeatPulse of urn:jaus:jss:core:Liveness; D000 to D737 are free",
         ),
         (["a:one", "--first-id", "D737"], "D738 is "),
         (["a:one", "--first-id", "D739"], "; D73A to D73F are free"),
@@ -87,7 +87,7 @@ def test_what_cannot_be(arguments: list[str], problem: str):
 @pytest.mark.parametrize(
     ("urn", "problem"),
     [
-        ("urn:example:", "'urn:example:' is not the URN of a service; use urn:, an organisation,"),
+        ("urn:example:", "'urn:example:' is not the URN of a service; urn:, an organisation,"),
         ("", "'' is not the URN of a service"),
         ("Battery", "'Battery' is not the URN of a service"),
         ("urn:Battery", "as in urn:example:Battery"),
@@ -97,7 +97,7 @@ def test_what_cannot_be(arguments: list[str], problem: str):
         ("urn:example::Battery", "not the URN of a service"),
         ("urn:example:2nd", "a name that begins with a letter"),
         ("urn:example:Läm<p", "not the URN of a service"),
-        ("urn:jaus:jss:core:Events", "is a public service; yours needs another name"),
+        ("urn:jaus:jss:core:Events", "is a public service; choose another name"),
     ],
 )
 def test_names_that_a_service_cannot_have(urn: str, problem: str):
