@@ -115,7 +115,7 @@ def test_wrong_use():
     assert "name a profile and a target" in nothing.stderr
     assert invoke("igvc-2015", "--target", "1.1").exit_code == 2
     assert invoke("igvc-1815", "--list").exit_code == 2
-    assert "0.0.0 is nobody" in invoke("igvc-2015", "--target", "0.0.0").stderr
+    assert "0.0.0 is not the id of a component" in invoke("igvc-2015", "--target", "0.0.0").stderr
     assert "42.1.1 is an id that the test itself speaks as" in invoke("igvc-2015", "--target", "42.1.1").stderr
 
 

@@ -39,7 +39,7 @@ async def test_a_child_that_ends_is_noticed(free_port, local_root):
 
 
 async def test_lines_of_any_length_are_read(monkeypatch, tmp_path):
-    heard = []
+    lines = []
     say = tmp_path / "say"
     say.write_text(
         "#!/bin/sh\ntrap go=1 USR1\nhead -c 200000 /dev/zero | tr '\\0' x; echo\n"
@@ -48,24 +48,24 @@ async def test_lines_of_any_length_are_read(monkeypatch, tmp_path):
     )
     say.chmod(0o755)
     monkeypatch.setattr(sys, "executable", str(say))
-    async with ChildProcess("talker", [], on_error_line=heard.append) as child:
+    async with ChildProcess("talker", [], on_error_line=lines.append) as child:
         child.signal(signal.SIGUSR1)
         assert str(await child.ended()) == "talker: ended with exit status 3"
-    assert heard[-1] == "last"
-    assert "".join(heard[:-1]) == "y" * 200000
+    assert lines[-1] == "last"
+    assert "".join(lines[:-1]) == "y" * 200000
     async with ChildProcess("talker", []) as child:
         child.signal(signal.SIGUSR1)
-        told = str(await child.ended())
-    assert told.startswith("talker: yyy")
-    assert told.endswith(" last")
+        message = str(await child.ended())
+    assert message.startswith("talker: yyy")
+    assert message.endswith(" last")
 
 
 PARENT = """
 import asyncio, sys
-from jauspy.cli.processes import Child
+from jauspy.cli.processes import ChildProcess
 
 async def main():
-    async with Child("node manager", ["node-manager", "--port", sys.argv[1], "--local-root", sys.argv[2]]) as child:
+    async with ChildProcess("node manager", ["node-manager", "--port", sys.argv[1], "--local-root", sys.argv[2]]) as child:
         print(child.pid, flush=True)
         await asyncio.Event().wait()
 

@@ -6,7 +6,7 @@ import asyncio
 import math
 from contextlib import AsyncExitStack
 from pathlib import Path
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import cv2
 import numpy as np
@@ -20,8 +20,10 @@ from jauspy.geometry.vectors import Vector, difference
 from jauspy.messages.manipulator import QueryPanTiltJointPositions, SetPanTiltJointPositions
 from jauspy.ocu.frames import LOCAL, RobotFrames
 from jauspy.ocu.robot import ComponentClient
-from jauspy.platform.camera import Image
 from jauspy.platform.description import RobotModel
+
+if TYPE_CHECKING:
+    from jauspy.platform.camera import Image
 
 ARM_CAMERA: Final = "arm"
 STILL_FILE: Final = "still.jpg"
