@@ -12,7 +12,7 @@ CASES ?= 200000
 SECONDS ?= 600
 
 .DEFAULT_GOAL := help
-.PHONY: help setup dev demo test test-slow check lint types imports docs unit wheel-test bench fuzz soak format generate clean
+.PHONY: help setup dev demo test test-slow coverage check lint types imports docs unit wheel-test bench fuzz soak format generate clean
 
 help:
 	@sed -n 's/^# //p' Makefile | head -3

@@ -9,7 +9,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from jauspy.codec.generator import generate
+from jauspy.codec.source import generate
 from jauspy.schema import load_builtin
 
 TARGET = Path(__file__).parents[1] / "src" / "jauspy" / "messages"

@@ -16,7 +16,7 @@ WIDTH: Final = 120
 CLASSES: Final = {
     "Subscription": "subscription",
     "Control": "control",
-    "Elements": "elements",
+    "Elements": "lists",
     "ServiceClient": "service",
     "ComponentClient": "robot",
     "Robot": "robot",
@@ -28,7 +28,7 @@ BASES: Final = {
     "Elements": "Facade[{name}], MutableSequence[Element]",
     "OCU": "OpensPortal",
 }
-SKIPPED: Final = {"OCU": {"open", "close", "__aenter__", "__aexit__"}, "Control": {"sent"}}
+SKIPPED: Final = {"OCU": {"open", "close", "__aenter__", "__aexit__"}, "Control": {"on_sent"}}
 """What `sync/base.py` has, and what is the OCU's own business."""
 SPECIAL: Final = {"__aenter__": "__enter__", "__aexit__": "__exit__", "__aiter__": "__iter__"}
 KEPT: Final = {"__len__", "__getitem__"}

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from jauspy import messages as messages, ocu as ocu, sync as sync, testing as testing
-    from jauspy.codec.base import Message as Message
-    from jauspy.codec.dynamic import load as load
+    from jauspy.codec.build import load as load
+    from jauspy.codec.message import Message as Message
     from jauspy.codec.registry import Registry as Registry
     from jauspy.component import Component as Component, run as run
     from jauspy.errors import (
@@ -48,15 +48,15 @@ _EXPORTS = {
     "EventRejected": "jauspy.errors",
     "JausError": "jauspy.errors",
     "JausID": "jauspy.ids",
-    "load": "jauspy.codec.dynamic",
-    "Message": "jauspy.codec.base",
+    "load": "jauspy.codec.build",
+    "Message": "jauspy.codec.message",
     "OCU": "jauspy.ocu",
     "ProtocolError": "jauspy.errors",
     "Registry": "jauspy.codec.registry",
     "RequestError": "jauspy.errors",
     "ResponseTimeout": "jauspy.errors",
     "Robot": "jauspy.ocu",
-    "run": "jauspy.component.program",
+    "run": "jauspy.component.component",
     "SchemaError": "jauspy.errors",
     "Service": "jauspy.services.service",
     "ServiceClient": "jauspy.ocu",

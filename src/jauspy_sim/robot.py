@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Final
 
 import mujoco
 
+from jauspy.platform.contract import OptionalPart
 from jauspy.platform.description import RobotModel
 from jauspy.platform.force_torque import SampledForceTorque
 from jauspy.platform.scanner import Scanner
@@ -98,6 +99,11 @@ class SimulatedRobot:
         return self._cameras.cameras
 
     @property
+    def optional_parts(self) -> Sequence[OptionalPart]:
+        """Those of the chassis."""
+        return self._drive.optional_parts
+
+    @property
     def time(self) -> float:
         """Seconds simulated, a whole number of steps."""
         return self._steps * TIMESTEP
@@ -113,7 +119,7 @@ class SimulatedRobot:
         self._owed -= steps
         before = self._drive.twist()
         self._run(steps)
-        self._drive.moved(before, steps * TIMESTEP)
+        self._drive.update_acceleration(before, steps * TIMESTEP)
         for lidar in self._lidars.values():
             lidar.wait(self.time)
         self._cameras.show()

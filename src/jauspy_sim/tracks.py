@@ -7,10 +7,9 @@ import math
 import mujoco
 import numpy as np
 
-from jauspy.geometry.poses import Acceleration, Pose, Twist
-from jauspy.platform.acceleration import mean_acceleration
+from jauspy.geometry.poses import Pose, Twist
+from jauspy.platform.chassis import SkidSteerDrive
 from jauspy.platform.description import TrackSetup
-from jauspy.platform.skid_steer import mix
 from jauspy_sim.views import view
 
 
@@ -22,10 +21,11 @@ def roll_pitch_yaw(w: float, x: float, y: float, z: float) -> tuple[float, float
     return roll, pitch, yaw
 
 
-class TrackedDrive:
+class TrackedDrive(SkidSteerDrive):
     """A `DriveBase`: free joint `base`, joints and motors of the belts, their names after `prefix`."""
 
     def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, prefix: str, tracks: TrackSetup) -> None:
+        super().__init__()
         self._model = model
         self._data = data
         self._qpos = view(data.qpos)
@@ -40,22 +40,16 @@ class TrackedDrive:
         self._motors = [int(model.actuator(name).id) for name in names]
         self._forces = [float(model.actuator_ctrlrange[motor][1]) for motor in self._motors]
         self._gear_friction = [float(model.dof_frictionloss[dof]) for dof in self._belt_dofs]
-        self._acceleration = Acceleration()
         self.stop()
 
-    def set_effort(self, linear_x: float, rotational_z: float) -> None:
-        """Drive with fractions of the motors' full force, -1..1; positive z turns left. Zero brakes, with all of it."""
-        left, right = mix(linear_x, rotational_z)
+    def set_track_efforts(self, left: float, right: float) -> None:
+        """Drive the belts with fractions of the motors' full force, -1..1; zero for both brakes, with all of it."""
         braking = not (left or right)
         efforts = (left,) * self._lefts + (right,) * self._rights
         rows = zip(self._motors, self._forces, self._belt_dofs, self._gear_friction, efforts, strict=True)
         for motor, force, dof, friction, effort in rows:
             self._data.ctrl[motor] = -force * effort  # on the ground a belt runs backward when the robot drives forward
             self._model.dof_frictionloss[dof] = force if braking else friction
-
-    def stop(self) -> None:
-        """Brake, and hold the robot also on a slope."""
-        self.set_effort(0.0, 0.0)
 
     def pose(self) -> Pose:
         """Pose of `base_link` in the world."""
@@ -69,14 +63,6 @@ class TrackedDrive:
         mujoco.mju_quat2Mat(rotation, self._data.qpos[self._base_position][3:])
         linear = velocity[:3] @ rotation.reshape(3, 3)  # a free joint's linear velocity is in the world's frame
         return Twist(*linear.tolist(), *velocity[3:].tolist())
-
-    def acceleration(self) -> Acceleration:
-        """Mean of the last `advance`."""
-        return self._acceleration
-
-    def moved(self, before: Twist, dt: float) -> None:
-        """The simulation went on for `dt` seconds, at whose beginning the twist was `before`."""
-        self._acceleration = mean_acceleration(before, self.twist(), dt)
 
     def rewind_belts(self) -> None:
         """Put the belts back to position zero: only their surface speed shall act."""

@@ -59,7 +59,10 @@ def test_what_fails_is_explained(robot):
     _, port = robot
     listed = invoke("ugv-1.0", "--list", "--target", "105.1.1", "--connect", f"udp://127.0.0.1:{port}", "--timeout", 5)
     assert listed.exit_code == 0
-    assert "Controlled.Available.Ready/SetSkidSteerEffort/pilot  SetSkidSteerEffort from the pilot" in listed.stdout
+    assert (
+        "Controlled.Available.Ready/SetSkidSteerEffort/controller  SetSkidSteerEffort from the controller"
+        in listed.stdout
+    )
     result = invoke("igvc-2015", "--target", "105.1.1", "--connect", f"udp://127.0.0.1:{port}", "--only", "24")
     assert result.exit_code == 1
     assert "24 the client is in control: fail" in result.stdout
@@ -124,7 +127,7 @@ def test_a_file_that_cannot_be_written_is_told_before_the_run(kind, tmp_path, fr
     where = ("igvc-2015", "--target", "1.1.1", "--connect", f"udp://127.0.0.1:{free_port}")
     missing = invoke(*where, f"--{kind}", tmp_path / "none" / "x")
     assert missing.exit_code == 2
-    assert f"there is no directory {tmp_path / 'none'}" in missing.stderr
+    assert f"there is not a directory {tmp_path / 'none'}" in missing.stderr
     assert missing.stdout == ""
     assert "it is a directory" in invoke(*where, f"--{kind}", tmp_path).stderr
 

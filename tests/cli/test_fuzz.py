@@ -8,7 +8,7 @@ import pytest
 from typer.testing import CliRunner
 
 from jauspy.cli.main import app
-from jauspy.codec.items_numbers import Number
+from jauspy.codec.items import Number
 from jauspy.messages import registry
 from jauspy.messages.core import ConfirmControl
 

@@ -10,7 +10,7 @@ from jauspy.cli import up
 from jauspy.node import NodeConfig, NodeManager
 from jauspy.protocol import junior
 from jauspy.testing import until
-from jauspy.transport import local_socket
+from jauspy.transport import local as local_socket
 
 
 @pytest.fixture(autouse=True)

@@ -9,7 +9,7 @@ import psutil
 import pytest
 
 from jauspy.cli.processes import ChildFailed, ChildProcess
-from jauspy.transport.local_socket import is_alive
+from jauspy.transport.local import is_alive
 
 
 async def test_a_child_is_ready_when_it_says_so_and_gone_afterwards(free_port, local_root):
@@ -65,7 +65,8 @@ import asyncio, sys
 from jauspy.cli.processes import ChildProcess
 
 async def main():
-    async with ChildProcess("node manager", ["node-manager", "--port", sys.argv[1], "--local-root", sys.argv[2]]) as child:
+    arguments = ["node-manager", "--port", sys.argv[1], "--local-root", sys.argv[2]]
+    async with ChildProcess("node manager", arguments) as child:
         print(child.pid, flush=True)
         await asyncio.Event().wait()
 

@@ -13,7 +13,7 @@ import pytest
 
 from jauspy.modules.robots import load
 from jauspy.protocol.junior import SOCKET_NAME
-from jauspy.transport.local_socket import is_alive
+from jauspy.transport.local import is_alive
 
 INC1 = load("inc1")
 MODULES = [str(INC1.id_of(module)) for module in INC1.modules]

@@ -23,8 +23,7 @@ from jauspy.cloud.depth_process import DepthProcess
 from jauspy.cloud.message import XYZ_RGB, Cloud
 from jauspy.cloud.socket import CloudPublisher, CloudSubscriber
 from jauspy.errors import TransportError
-from jauspy.modules.description import robot_model
-from jauspy.modules.robots import load
+from jauspy.modules.robots import load, robot_model
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.kinematic import KinematicRobot
 from jauspy.testing import until

@@ -10,8 +10,8 @@ import pytest
 from hypothesis import strategies as st
 
 import jauspy
-from jauspy.codec import runtime as rt
-from jauspy.codec.dynamic import load_schema
+from jauspy.codec import declare as rt
+from jauspy.codec.build import load_schema
 from jauspy.codec.registry import Registry
 from jauspy.codec.wire import FLOATS, SIZES, limits
 from jauspy.schema import model as m

@@ -10,8 +10,8 @@ from typing import Any
 
 import pytest
 
-from jauspy.codec import careful
-from jauspy.codec.base import Message
+from jauspy.codec import slow_path
+from jauspy.codec.message import Message
 from jauspy.errors import DecodeError
 from jauspy.fuzz.campaign import Plan, fuzzer
 from jauspy.messages import registry
@@ -97,7 +97,7 @@ def test_work_of_64_kb(number: int, inputs: Any) -> None:
     most = 100 * work(lambda: ReportServices.decode(normal()))
     for cls, data in inputs[number::4]:
         assert work(lambda cls=cls, data=data: cls.decode(data)) <= most, cls
-        assert work(lambda cls=cls, data=data: careful.decode_tolerant(cls, data)) <= most, cls
+        assert work(lambda cls=cls, data=data: slow_path.decode_tolerant(cls, data)) <= most, cls
 
 
 def test_memory_of_64_kb(inputs: Any) -> None:
@@ -105,7 +105,7 @@ def test_memory_of_64_kb(inputs: Any) -> None:
     assert most < 2**30  # a normal message takes less than 160 bytes for each of its own
     for cls, data in inputs[::3]:
         assert memory(lambda cls=cls, data=data: cls.decode(data)) <= most, cls
-        assert memory(lambda cls=cls, data=data: careful.decode_tolerant(cls, data)) <= most, cls
+        assert memory(lambda cls=cls, data=data: slow_path.decode_tolerant(cls, data)) <= most, cls
 
 
 def test_work_grows_with_the_size_only() -> None:
@@ -115,5 +115,5 @@ def test_work_grows_with_the_size_only() -> None:
         works = []
         for size in (8192, 16384, 32768):
             data = (cls.CODE.to_bytes(2, "little") + fill * size)[:size]
-            works.append(work(lambda cls=cls, data=data: careful.decode_tolerant(cls, data)))
+            works.append(work(lambda cls=cls, data=data: slow_path.decode_tolerant(cls, data)))
         assert works[2] <= 2.5 * works[1] <= 6 * works[0]

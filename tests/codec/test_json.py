@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from hypothesis import HealthCheck, given, settings, strategies as st
 
-from jauspy.codec.items_numbers import odd_from_json, odd_to_json
+from jauspy.codec.items import odd_from_json, odd_to_json
 from jauspy.codec.registry import Registry
 from jauspy.errors import CodecError, EncodeError
 from jauspy.messages import registry

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from jauspy.codec.base import MAX_NESTING, Message
+from jauspy.codec.message import MAX_NESTING, Message
 from jauspy.errors import EncodeError
 from jauspy.messages import registry
 from jauspy.messages.core import CreateEvent, QueryTime

@@ -1,4 +1,4 @@
-"""Random valid messages of every kind survive the way to bytes and back, on both roads, and in JSON."""
+"""Random valid messages of every kind survive the way to bytes and back, on both paths, and in JSON."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ import pytest
 from hypothesis import HealthCheck, given, settings, strategies as st
 from tests.helpers.sampling import sampled
 
-from jauspy.codec import careful, reference
-from jauspy.codec.base import Message
+from jauspy.codec import reference, slow_path
+from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
 from jauspy.errors import DecodeError
 from jauspy.messages import registry
@@ -26,12 +26,12 @@ ODD = ("Everything", "Options", "Nothing", "Shapes", "Points", "Rounded")
 def check(message: Message) -> bytes:
     data = message.encode()
     assert message._pack() == data
-    assert careful.encode(message, clamp=False, strict=True) == data
+    assert slow_path.encode(message, clamp=False, strict=True) == data
     decoded = type(message).decode(data)
     assert type(message)._unpack(data, None) == decoded
-    assert careful.decode(type(message), data) == decoded
+    assert slow_path.decode(type(message), data) == decoded
     assert decoded.encode() == data
-    assert careful.decode_tolerant(type(message), data) == (decoded, [])
+    assert slow_path.decode_tolerant(type(message), data) == (decoded, [])
     assert type(message).decode(data, strict=False) == (decoded, [])
     assert type(message).from_dict(json.loads(json.dumps(decoded.to_dict()))) == decoded
     return data

@@ -16,13 +16,14 @@ from unittest.mock import patch
 from tests.conformance.injectors import Injector, _spoilt, code, delayed, field, instead, patched, says
 from tests.conformance.mistakes import goes_on, stuck, wrong_report
 
-from jauspy.codec.base import Message, Struct
-from jauspy.codec.items import Composite
-from jauspy.conformance import Bench, Part
+from jauspy.codec.layout import Composite
+from jauspy.codec.message import Message, Struct
+from jauspy.conformance import Bench, Part, state_tables
 from jauspy.conformance.state_tests import sample_messages
-from jauspy.conformance.state_tests.explorer import AUTHORITY, CLIENTS, OBSERVER
+from jauspy.conformance.state_tests.explorer import AUTHORITY
 from jauspy.conformance.state_tests.sensors import PATIENCE as PICTURE_PATIENCE
 from jauspy.conformance.state_tests.state_test import Trial
+from jauspy.conformance.tester import CLIENTS, OBSERVER
 from jauspy.ids import JausID
 from jauspy.messages import core, registry
 from jauspy.messages.environment_sensing.v2_0.range_sensor import ConfirmSensorConfiguration
@@ -52,7 +53,16 @@ def armed() -> Iterator[None]:
         finally:
             Moment.now = False
 
-    with patch.object(Trial, "attempt", watched):
+    row = state_tables.attempt
+
+    def watched_row(*arguments: Any) -> None:
+        Moment.now = True
+        try:
+            row(*arguments)
+        finally:
+            Moment.now = False
+
+    with patch.object(Trial, "attempt", watched), patch.object(state_tables, "attempt", watched_row):
         yield
 
 
@@ -226,11 +236,18 @@ def faster(confirmation: Any) -> None:
 CODES: Final = (
     *("request_id", "response_code", "query_type", "command_result", "authority_code"),
     *("element_uid", "previous_uid", "next_uid", "element_count"),
+    *("subsystem_id", "node_id", "component_id", "status"),
 )
 SET_TIMER: Final = Host.set_timer
 STATES: Final[tuple[type[Message], ...]] = (core.ReportStatus, core.ReportControl, core.ReportEvents)
 """What the observer asks for in every step."""
-SECOND: Final[tuple[type[Message], ...]] = (core.ConfirmControl, core.CommandEvent, core.ReportEvents, core.Event)
+SECOND: Final[tuple[type[Message], ...]] = (
+    core.ConfirmControl,
+    core.RejectControl,
+    core.CommandEvent,
+    core.ReportEvents,
+    core.Event,
+)
 """What comes after another answer."""
 STREAM: Final = (core.Event,)
 LOWER: Final = core.ReportAuthority(AUTHORITY - 1).encode()
@@ -277,6 +294,15 @@ FAMILIES: Final = (
     _second("gives a short second answer", answers(spoilt, *SECOND)),
     _second("gives a late second answer", delays(lambda payload, to: _is(payload, SECOND))),
     _second("gives another second answer", answers(changed(other_codes), *SECOND)),
+    *(
+        Family(f"{how} to the client that was in control", "^RejectControl ", inject)
+        for how, inject in (
+            ("says nothing", answers(silence, core.RejectControl)),
+            ("is short", answers(spoilt, core.RejectControl)),
+            ("is late", delays(lambda payload, to: _is(payload, (core.RejectControl,)))),
+            ("says something else", answers(changed(other_codes), core.RejectControl)),
+        )
+    ),
     _effects("does not show effects", shown(silence)),
     _effects("shows effects in short", shown(spoilt)),
     _effects("shows effects late", delays(_shows)),

@@ -30,11 +30,11 @@ from tests.conformance.mistakes import (
     unmasked,
 )
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.conformance import Bench, Part
 from jauspy.messages import core, mobility
-from jauspy.modules import announcement
-from jauspy.services import sending
+from jauspy.modules import hosts
+from jauspy.services import messaging
 
 
 def rules(name: str, trips: str, inject: Injector, *, motion: bool = False, only: str = "") -> Fault:
@@ -47,11 +47,11 @@ def waypoints(name: str, trips: str, inject: Injector) -> Fault:
 
 
 def announces_every(seconds: float) -> Injector:
-    return patched(announcement, PERIOD=seconds)
+    return patched(hosts, ANNOUNCEMENT_PERIOD=seconds)
 
 
 def never_content() -> Injector:
-    return patched(announcement.Announcement, intercept=lambda self, packet: False)
+    return patched(hosts.Announcement, intercept=lambda self, packet: False)
 
 
 def strange_stamp(report: Any) -> None:
@@ -146,7 +146,7 @@ IGVC_2011: Final = (
         "3.3 3.4 3.6 5.1",
         chatty(core.Standby, core.Resume, core.Shutdown, mobility.SetLocalPose),
     ),
-    rules("reports ignore the presence vector", "4.1 4.2 5.2", patched(sending, mask=unmasked)),
+    rules("reports ignore the presence vector", "4.1 4.2 5.2", patched(messaging, mask=unmasked)),
     rules("velocity is empty", "4.1 4.2", instead(mobility.ReportVelocityState, nothing_in_it)),
     rules("SetLocalPose is ignored", "5.2", deaf_to(mobility.SetLocalPose)),
     rules("poses have no time", "5.3", field(mobility.ReportLocalPose, time_stamp=None)),

@@ -10,7 +10,7 @@ from unittest.mock import patch
 
 from tests.conformance.simulated import examined, robot
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.conformance import Bench, Part, Report, waypoint_drive
 from jauspy.ids import JausID
 from jauspy.protocol import judp

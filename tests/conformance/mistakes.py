@@ -10,7 +10,7 @@ from unittest.mock import patch
 
 from tests.conformance.injectors import Injector, _spoilt, code, hears, instead, packets, says
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.conformance import Bench, Part, waypoint_drive
 from jauspy.ids import JausID
 from jauspy.messages import core, mobility

@@ -12,9 +12,9 @@ from functools import cache
 from jauspy.conformance import Bench, Part, Profile, Report, Settings, find, run
 from jauspy.ids import JausID
 from jauspy.modules import robots
-from jauspy.modules.description import robot_model
 from jauspy.modules.hosts import host_of
 from jauspy.modules.robot import announced
+from jauspy.modules.robots import robot_model
 from jauspy.platform import backends
 from jauspy.platform.description import RobotModel
 from jauspy.platform.stills import Still, StillSettings

@@ -113,7 +113,7 @@ def test_whatever_ends_the_run_the_robot_is_left_in_order():
 
 def test_what_is_shut_down_fails_once():
     bench = robot(timeout=5, component=1, tick=None)
-    only = "NotControlled.Available.Standby/Query", "Controlled.Available.Ready/Shutdown/pilot"
+    only = "NotControlled.Available.Standby/Query", "Controlled.Available.Ready/Shutdown/controller"
     assert examined("core-1.1", bench, COMPONENT, only=only).status == 0
     report = examined("core-1.1", bench, COMPONENT, only=only)
     first, *others = report.results

@@ -81,13 +81,13 @@ def test_steps_have_names_of_their_own():
 
 def test_what_ends_the_component_comes_last():
     ids = [step.id for step in planned()]
-    end = ids.index("Controlled.Available.Ready/Shutdown/pilot")
+    end = ids.index("Controlled.Available.Ready/Shutdown/controller")
     after = [id for id in ids[end + 1 :] if not id.startswith(("NotControlled.NotAvailable.Shutdown/", "untried/"))]
     assert after == []
 
 
-KNOWN = "NotControlled.Available.Standby/QueryTime/rival/all-fields", core.ReportTime
-OPEN = "NotControlled.Available.Standby/CreateCommandEvent/rival/a-new-one", core.ConfirmEventRequest
+KNOWN = "NotControlled.Available.Standby/QueryTime/other-client/all-fields", core.ReportTime
+OPEN = "NotControlled.Available.Standby/CreateCommandEvent/other-client/a-new-one", core.ConfirmEventRequest
 """A step with one right outcome, and one whose outcome is up to the target, with what our robot answers."""
 
 

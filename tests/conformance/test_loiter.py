@@ -13,7 +13,7 @@ from jauspy.messages.mobility import (
     SetTravelSpeedExt,
     ZPosition,
 )
-from jauspy.services import sending
+from jauspy.services import messaging
 
 READY = "Controlled.Available.Ready"
 STILL = SetTravelSpeedExt.Speed(SetTravelSpeedExt.Speed.Choice.SPEED_OVER_GROUND, 0.0)
@@ -76,9 +76,9 @@ def test_who_loiters_as_it_is_told_passes(kind):
 @pytest.mark.parametrize(
     ("kind", "action", "step"),
     [
-        (LocalLoiterer, "set_local_loiter", "SetLocalLoiter/pilot"),
-        (GlobalLoiterer, "set_global_loiter", "SetGlobalLoiter/pilot"),
-        (LocalLoiterer, "set_travel_speed_ext", "SetTravelSpeedExt/pilot"),
+        (LocalLoiterer, "set_local_loiter", "SetLocalLoiter/controller"),
+        (GlobalLoiterer, "set_global_loiter", "SetGlobalLoiter/controller"),
+        (LocalLoiterer, "set_travel_speed_ext", "SetTravelSpeedExt/controller"),
     ],
 )
 def test_what_is_taken_and_not_used_is_noticed(kind, action, step, monkeypatch):
@@ -87,5 +87,5 @@ def test_what_is_taken_and_not_used_is_noticed(kind, action, step, monkeypatch):
 
 
 def test_a_height_that_was_not_asked_for_is_noticed(monkeypatch):
-    monkeypatch.setattr(sending, "mask", lambda report, query: report)
-    assert f"{READY}/QueryLocalLoiter/rival/no-fields" in failed(judged(LocalLoiterer()))
+    monkeypatch.setattr(messaging, "mask", lambda report, query: report)
+    assert f"{READY}/QueryLocalLoiter/other-client/no-fields" in failed(judged(LocalLoiterer()))

@@ -38,7 +38,7 @@ def test_settings_are_put_back(profile, target, query):
     asking = Profile("asking", "x", (Step("1", "x", look),))
     examined(asking, bench, target)
     command = query.NAME.replace("Query", "Set", 1)
-    report = examined(profile, bench, target, only=(f"{READY}/{command}/pilot",))
+    report = examined(profile, bench, target, only=(f"{READY}/{command}/controller",))
     assert report.status == 0
     examined(asking, bench, target)
     assert told[0] == told[1]
@@ -46,7 +46,7 @@ def test_settings_are_put_back(profile, target, query):
 
 def test_the_clock_is_put_back():
     bench = robot(component=1, tick=None)
-    only = "NotControlled.Available.Standby/SetTime/rival", f"{READY}/SetTime/pilot"
+    only = "NotControlled.Available.Standby/SetTime/other-client", f"{READY}/SetTime/controller"
     assert examined("core-1.1", bench, JausID(105, 1, 1), only=only).status == 0
     (part,) = bench.parts.values()
     assert abs(part.host.service(Time).offset.total_seconds()) < 0.1

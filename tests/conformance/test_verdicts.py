@@ -150,9 +150,9 @@ def test_only_some_steps():
 def test_steps_made_from_jsidl_are_told_by_their_states():
     report = examined("core-1.1", robot(component=1, tick=None), JausID(105, 1, 1), only=("Standby",))
     assert report.problem == (
-        "no step begins with Standby; they begin with NotControlled.Available.Standby, Controlled.Available.Standby, "
-        "NotControlled.NotAvailable.Emergency, Controlled.Available.Ready, Controlled.NotAvailable.Emergency, "
-        "NotControlled.NotAvailable.Shutdown, untried"
+        "no step begins with Standby; they begin with table, NotControlled.Available.Standby, "
+        "Controlled.Available.Standby, NotControlled.NotAvailable.Emergency, Controlled.Available.Ready, "
+        "Controlled.NotAvailable.Emergency, NotControlled.NotAvailable.Shutdown, untried"
     )
 
 

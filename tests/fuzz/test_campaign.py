@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.codec.wire import SIZES
 from jauspy.errors import ConfigError, DecodeError
 from jauspy.fuzz.campaign import Plan, fuzzer, run
@@ -21,14 +21,16 @@ from jauspy.messages import registry
 CAPTURE = Path(__file__).parents[1] / "golden" / "sae_management.hex"
 
 
-def test_nothing_is_found() -> None:
-    outcome = run(Plan(2000, seed=1, payloads=tuple(file_payloads(CAPTURE))))
+@pytest.mark.parametrize("cases", [400, pytest.param(4000, marks=pytest.mark.slow)])
+def test_nothing_is_found(cases: int) -> None:
+    outcome = run(Plan(cases, seed=1, payloads=tuple(file_payloads(CAPTURE))))
     assert outcome.findings == {}
-    assert outcome.cases == 2000
-    assert 1000 < outcome.accepted < 1900  # half are valid by construction, some stay valid when damaged
+    assert outcome.cases == cases
+    assert 0.5 < outcome.accepted / cases < 0.95  # half are valid by construction, some stay valid when damaged
     assert outcome.messages == len(registry)
 
 
+@pytest.mark.slow
 def test_several_processes_do_the_same() -> None:
     names = ("ReportServices", "CreateEvent", "ReportVelocityState")
     alone = run(Plan(1000, seed=3, only=names))

@@ -10,7 +10,7 @@ import pytest
 from typer.testing import CliRunner
 
 from jauspy.cli.main import app
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.errors import DecodeError
 from jauspy.fuzz import checks
 from jauspy.fuzz.campaign import Plan, fuzzer

@@ -13,8 +13,8 @@ from typing import Any
 
 import pytest
 
-from jauspy.codec import runtime as rt
-from jauspy.codec.base import Message
+from jauspy.codec import declare as rt
+from jauspy.codec.message import Message
 from jauspy.codec.names import attribute
 from jauspy.codec.registry import Registry
 from jauspy.messages import registry

@@ -8,6 +8,7 @@ from collections.abc import Callable, Sequence
 
 from jauspy.geometry.poses import Acceleration, Pose, Twist
 from jauspy.geometry.urdf import Joint, JointKind
+from jauspy.platform.contract import OptionalPart
 from jauspy.platform.force_torque import ForceTorqueSensor
 from jauspy.platform.joints import JointGroup, JointState, Target
 from jauspy.platform.ranging import RangeFinder
@@ -91,6 +92,7 @@ class FakeRobot:
         self.groups: dict[str, JointGroup] = {}
         self.lidars: dict[str, RangeFinder] = {}
         self.force_torque: dict[str, ForceTorqueSensor] = {}
+        self.optional_parts: list[OptionalPart] = []
         self.drive = FakeDrive()
         self.time = 0.0
         self.closed = 0

@@ -10,8 +10,8 @@ from jauspy.messages import environment_sensing as m, registry
 from jauspy.messages.core import RequestControl, Resume
 from jauspy.modules import robots
 from jauspy.modules.config import AccessControlConfig
-from jauspy.modules.description import robot_model
 from jauspy.modules.hosts import host_of
+from jauspy.modules.robots import robot_model
 from jauspy.platform.kinematic import KinematicRobot
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.services.environment_sensing.digital_resource_discovery import RTP

@@ -10,7 +10,7 @@ from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages.core import QueryIdentification, ReportIdentification
 from jauspy.modules import robots
-from jauspy.modules.announcement import PERIOD, Announcement
+from jauspy.modules.hosts import ANNOUNCEMENT_PERIOD, Announcement
 from jauspy.protocol.header import Packet
 from jauspy.services.core import Discovery
 from jauspy.services.host import Host
@@ -37,12 +37,16 @@ def test_it_asks_until_it_is_answered(host):
     announcement = Announcement(host, CONSOLE)
     (first,) = host.poll_output(0.0)
     assert (first.destination, QueryIdentification.decode(first.payload).CODE) == (CONSOLE, QueryIdentification.CODE)
-    assert asked(host, 3 * PERIOD) == [PERIOD, 2 * PERIOD, 3 * PERIOD]
+    assert asked(host, 3 * ANNOUNCEMENT_PERIOD) == [
+        ANNOUNCEMENT_PERIOD,
+        2 * ANNOUNCEMENT_PERIOD,
+        3 * ANNOUNCEMENT_PERIOD,
+    ]
     assert not announcement.intercept(Packet(OTHER, ME, ANSWER))
     assert not announcement.intercept(Packet(CONSOLE, ME, QueryIdentification(2).encode()))
-    assert asked(host, PERIOD) == [4 * PERIOD]
+    assert asked(host, ANNOUNCEMENT_PERIOD) == [4 * ANNOUNCEMENT_PERIOD]
     assert announcement.intercept(Packet(CONSOLE, ME, ANSWER))
-    assert asked(host, 10 * PERIOD) == []
+    assert asked(host, 10 * ANNOUNCEMENT_PERIOD) == []
 
 
 @pytest.mark.parametrize(("id", "problem"), [("42", "is not a JAUS id"), ("42.1.255", "stands for many")])

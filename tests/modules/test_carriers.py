@@ -13,15 +13,14 @@ from jauspy.geometry.denavit_hartenberg import manipulator_geometry
 from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.poses import JAUS_FROM_REP_103, Transform, jaus_frame
 from jauspy.geometry.vectors import X, Z, rotation_about
-from jauspy.modules.carriers import carrier_of
-from jauspy.modules.description import robot_model
-from jauspy.modules.robots import load
+from jauspy.modules.mounting import joint_of
+from jauspy.modules.robots import load, robot_model
 from jauspy.services.environment_sensing import OnJoint
 
 
 def carrier(robot: str, link: str) -> OnJoint:
     config = load(robot)
-    found = carrier_of(config, robot_model(config), link)
+    found = joint_of(config, robot_model(config), link)
     assert found is not None
     return found
 
@@ -52,7 +51,7 @@ def test_the_last_joint_before_the_sensor(robot: str, link: str, id: str, joint:
 @pytest.mark.parametrize("link", ["lidar_link", "base_link", "left_finger", "left_track"])
 def test_none_without_a_joint_that_an_arm_or_a_mount_moves(link: str) -> None:
     config = load("inc1")
-    assert carrier_of(config, robot_model(config), link) is None
+    assert joint_of(config, robot_model(config), link) is None
 
 
 @pytest.mark.parametrize("robot", ["inc1", "inc1_pprm"])
@@ -86,4 +85,4 @@ def test_a_camera_on_a_mount_is_where_the_reported_numbers_say() -> None:
 def test_a_link_that_is_not_there() -> None:
     config = load("inc1")
     with pytest.raises(ConfigError, match="no joints lead from link 'base_link' to link 'nose'"):
-        carrier_of(config, robot_model(config), "nose")
+        joint_of(config, robot_model(config), "nose")

@@ -14,7 +14,7 @@ from jauspy.cloud.socket import CloudSubscriber
 from jauspy.errors import ConfigError
 from jauspy.modules import robots
 from jauspy.modules.cloud import Clouds, points, stream
-from jauspy.modules.description import robot_model
+from jauspy.modules.robots import robot_model
 from jauspy.platform.kinematic import KinematicRobot
 from jauspy.platform.ranging import LidarSetup, RangeScan
 from jauspy.platform.scanner import Scanner

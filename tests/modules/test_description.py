@@ -5,8 +5,7 @@ from pathlib import Path
 import pytest
 
 from jauspy.errors import ConfigError
-from jauspy.modules.description import robot_model
-from jauspy.modules.robots import known, load
+from jauspy.modules.robots import known, load, robot_model
 
 
 @pytest.mark.parametrize("name", known())

@@ -11,7 +11,7 @@ from importlib.util import find_spec
 import pytest
 from tests.modules.workcell import BACKENDS, OTHER, Workcell, told
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.geometry.kinematics import forward_kinematics
 from jauspy.geometry.poses import Transform, rotation_vector
 from jauspy.geometry.vectors import Vector, quaternion, rotation_from_quaternion
@@ -307,7 +307,7 @@ def test_the_tool_moves_along_a_straight_line_and_stops(backend: str, robot: str
     assert arm.velocities() == pytest.approx([0.0] * len(STARTS[robot]), abs=0.02)
     driver = arm.host.service(EndEffectorVelocityStateDriver)
     assert driver is not None
-    assert not driver.moves, "the joints just hold"
+    assert not driver.is_moving, "the joints just hold"
 
 
 def test_commands_that_are_sent_again_and_again_keep_to_the_motion_profile(arm: Handler) -> None:

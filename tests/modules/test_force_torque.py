@@ -11,8 +11,8 @@ import pytest
 from jauspy.ids import JausID
 from jauspy.messages.environment_sensing.v2_0 import force_torque_sensor as m
 from jauspy.modules import robots
-from jauspy.modules.description import robot_model
 from jauspy.modules.hosts import host_of
+from jauspy.modules.robots import robot_model
 from jauspy.platform.backends import find
 from jauspy.platform.joints import ControlMode, Target
 

@@ -2,9 +2,8 @@
 
 import pytest
 
-from jauspy.modules.description import robot_model
 from jauspy.modules.realtime import RealTime
-from jauspy.modules.robots import load
+from jauspy.modules.robots import load, robot_model
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.platform.kinematic import KinematicBackend
 

@@ -6,7 +6,7 @@ from datetime import UTC, datetime
 
 import pytest
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages import registry
@@ -23,9 +23,9 @@ from jauspy.messages.core import (
     Standby,
 )
 from jauspy.messages.mobility import SetWrenchEffort
+from jauspy.modules.catalogue import MobilityContext
 from jauspy.modules.config import ModuleConfig
-from jauspy.modules.mobility import cm_mob
-from jauspy.modules.watchdog import PERIOD, may_move
+from jauspy.modules.hosts import WATCHDOG_PERIOD, may_move, module_host
 from jauspy.services.core import Identity
 from jauspy.services.mobility import GlobalPose, Vehicle
 
@@ -36,13 +36,13 @@ FORWARD = SetWrenchEffort(propulsive_linear_effort_x=40.0)
 class Module:
     """A CM-MOB, its clock and its drive."""
 
-    def __init__(self, drive, origin: GlobalPose | None = None, **config) -> None:
-        self.drive = drive
+    def __init__(self, robot, origin: GlobalPose | None = None, **config) -> None:
+        self.drive = robot.drive
         self.now = 10.0
-        self.host = cm_mob(
+        self.host = module_host(
             ME,
-            Vehicle(drive, origin=origin),
             ModuleConfig(type="CM-MOB", component=102, **config),
+            MobilityContext(robot, Vehicle(robot.drive, origin=origin)),
             identities={4: Identity("CM-MOB", 60001)},
             utc_now=lambda: datetime(2026, 1, 1, tzinfo=UTC),
             now=self.now,
@@ -70,7 +70,7 @@ class Module:
 
 @pytest.fixture
 def module(fake_robot) -> Module:
-    return Module(fake_robot.drive)
+    return Module(fake_robot)
 
 
 @pytest.fixture
@@ -100,17 +100,17 @@ def test_offers_everything_by_default(module):
 
 
 def test_offers_services_on_the_globe_where_there_is_an_origin(fake_robot):
-    assert Module(fake_robot.drive, GlobalPose(38.6, -77.2)).services() == ALL | GLOBAL
+    assert Module(fake_robot, GlobalPose(38.6, -77.2)).services() == ALL | GLOBAL
 
 
 @pytest.mark.parametrize("service", sorted(GLOBAL))
 def test_a_service_on_the_globe_needs_an_origin(fake_robot, service):
-    with pytest.raises(ConfigError, match="need an origin"):
-        Module(fake_robot.drive, services=("Discovery", service)).tell(RequestControl(100))
+    with pytest.raises(ConfigError, match="needs an origin"):
+        Module(fake_robot, services=("Discovery", service)).tell(RequestControl(100))
 
 
 def test_offers_only_what_is_chosen(fake_robot):
-    module = Module(fake_robot.drive, services=("Discovery", "LocalPoseSensor"))
+    module = Module(fake_robot, services=("Discovery", "LocalPoseSensor"))
     assert module.services() == {"Transport", "Events", "AccessControl", "Management", "Discovery", "LocalPoseSensor"}
 
 
@@ -121,7 +121,7 @@ def test_says_who_it_is(module):
 
 
 def test_access_control_is_as_configured(fake_robot):
-    module = Module(fake_robot.drive, access_control={"timeout": 2, "default_authority": 50})
+    module = Module(fake_robot, access_control={"timeout": 2, "default_authority": 50})
     module.tell(RequestControl(authority_code=49))
     assert module.host.controller is None
     module.tell(RequestControl(authority_code=50))
@@ -153,17 +153,17 @@ def test_stops_when_the_client_is_silent(driving):
 
 def test_watchdog_stops_what_may_not_move(module):
     module.drive.set_effort(0.4, 0.0)  # as if a service had a mistake
-    module.run(PERIOD)
+    module.run(WATCHDOG_PERIOD)
     assert module.drive.effort == (0.0, 0.0)
     module.drive.set_effort(0.4, 0.0)
-    module.run(PERIOD)
+    module.run(WATCHDOG_PERIOD)
     assert module.drive.effort == (0.0, 0.0)
 
 
 def test_watchdog_stops_what_went_on_after_standby(driving):
     driving.tell(Standby())
     driving.drive.set_effort(0.4, 0.0)
-    driving.run(PERIOD)
+    driving.run(WATCHDOG_PERIOD)
     assert driving.drive.effort == (0.0, 0.0)
 
 
@@ -173,13 +173,13 @@ def test_watchdog_looks_on_after_a_drive_that_failed(module, monkeypatch):
 
     with monkeypatch.context() as broken:
         broken.setattr(module.drive, "stop", fail)
-        module.run(PERIOD)
+        module.run(WATCHDOG_PERIOD)
     module.drive.set_effort(0.4, 0.0)
-    module.run(PERIOD)
+    module.run(WATCHDOG_PERIOD)
     assert module.drive.effort == (0.0, 0.0)
 
 
 def test_an_effort_of_zero_brakes_although_16_bits_have_no_zero(fake_robot):
-    module = Module(fake_robot.drive)
+    module = Module(fake_robot)
     module.tell(RequestControl(200), Resume(), SetWrenchEffort(propulsive_linear_effort_x=0.0))
     assert fake_robot.drive.effort == (0.0, 0.0)

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from tests.modules.workcell import BACKENDS, OTHER, Workcell
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.errors import ConfigError
 from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.poses import Transform, jaus_frame
@@ -24,7 +24,7 @@ from jauspy.messages.core import (
 )
 from jauspy.messages.environment_sensing import QueryVisualSensorConfiguration
 from jauspy.modules import robots
-from jauspy.modules.description import robot_model
+from jauspy.modules.robots import robot_model
 from jauspy.platform.joints import joint_positions
 
 

@@ -5,9 +5,8 @@ import threading
 import pytest
 from tests.helpers.robot import FakeJoints
 
-from jauspy.modules.description import robot_model
 from jauspy.modules.realtime import RealTime
-from jauspy.modules.robots import load
+from jauspy.modules.robots import load, robot_model
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.platform.kinematic import KinematicBackend
 from jauspy.platform.ranging import LidarSetup, ScanSettings

@@ -7,7 +7,7 @@ from collections.abc import AsyncIterator
 
 import pytest
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.errors import ConfigError, TransportError
 from jauspy.ids import JausID
 from jauspy.messages import registry

@@ -14,14 +14,14 @@ from typing import Any, TypeVar
 
 import pytest
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.ids import JausID
 from jauspy.messages.core import CreateEvent, Event, RequestControl
 from jauspy.messages.environment_sensing.v1_0.types import ManipulatorGeometricPropertiesRec
 from jauspy.messages.environment_sensing.v2_0 import range_sensor as m
 from jauspy.modules import robots
-from jauspy.modules.description import robot_model
 from jauspy.modules.hosts import host_of
+from jauspy.modules.robots import robot_model
 from jauspy.platform.backends import find
 from jauspy.platform.ranging import LidarSetup
 

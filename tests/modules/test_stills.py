@@ -15,9 +15,9 @@ from jauspy.messages.environment_sensing.v1_0.types import SensorIdRec, StillIma
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.stills import Still, StillFormat, StillSettings
 from jauspy.platform.video_settings import VideoSettings
+from jauspy.services.deferred import REPLY_TIMEOUT
 from jauspy.services.environment_sensing import StillImage, VideoCamera, VisualSensor
 from jauspy.services.host import Host
-from jauspy.services.later import PATIENCE
 
 Query, Wanted = m.QueryStillImageDataExt, m.SetStillImageSensorConfiguration
 Record = m.ReportStillImageDataExt.StillImageDataRec
@@ -111,9 +111,9 @@ def test_a_camera_without_a_picture_is_reported_without_one(module, reason):
     module.tell(asking(1))
     if reason == "lost":
         module.video.develop(None)
-    ((_, report),) = module.run(PATIENCE)
+    ((_, report),) = module.run(REPLY_TIMEOUT)
     assert report.still_image_data_list == [Record(1, NATIVE)]
-    counted = {"refused": "still_refused", "lost": "still_lost", "silent": "later_overdue"}[reason]
+    counted = {"refused": "still_refused", "lost": "still_lost", "silent": "deferred_overdue"}[reason]
     assert module.host.counters[counted] == 1
 
 
@@ -228,7 +228,7 @@ def test_several_cameras_of_one_component():
     host.receive(asking(0).encode(), OTHER, 0.0)
     assert [video.under_way[0][0].width for video in videos] == [640, 320]
     videos[1].develop(Still(b"right", 0.0))
-    assert host.next_timeout() == PATIENCE
+    assert host.next_timeout() == REPLY_TIMEOUT
     videos[0].develop(Still(b"left", 0.0))
     host.handle_timeout(0.0)
     (sent,) = host.poll_output(0.0)
@@ -236,9 +236,9 @@ def test_several_cameras_of_one_component():
     assert [(each.sensor_id, each.image_frame.data) for each in pictures] == [(1, b"left"), (2, b"right")]
     host.receive(asking(1, 2).encode(), OTHER, 1.0)
     videos[0].develop(Still(b"left", 0.0))
-    host.handle_timeout(1.0 + PATIENCE)
-    host.handle_timeout(1.0 + PATIENCE)
-    (sent,) = host.poll_output(2.0 + PATIENCE)
+    host.handle_timeout(1.0 + REPLY_TIMEOUT)
+    host.handle_timeout(1.0 + REPLY_TIMEOUT)
+    (sent,) = host.poll_output(2.0 + REPLY_TIMEOUT)
     left, right = registry.decode(sent.payload).still_image_data_list
     assert (left.image_frame.data, right.image_frame) == (b"left", None)
 
@@ -256,7 +256,7 @@ async def test_a_picture_by_a_real_camera(format):
 
     module = Module(video=lambda camera: CameraProcess(camera, VideoSettings(320, 240)))
     ready = asyncio.Event()
-    module.host.prompt = ready.set
+    module.host.on_timer_change = ready.set
     async with module.video:
         module.control()
         module.tell(setting(still_image_format=Format[format.name], frame_size=Size.CIF_352_X288))

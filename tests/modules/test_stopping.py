@@ -13,16 +13,15 @@ from importlib.util import find_spec
 
 import pytest
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.ids import JausID
 from jauspy.messages import manipulator as m
 from jauspy.messages.core import ReleaseControl, RequestControl, Resume, SetEmergency
 from jauspy.messages.mobility import SetWrenchEffort
 from jauspy.modules import realtime, robots
 from jauspy.modules.config import AccessControlConfig
-from jauspy.modules.description import robot_model
-from jauspy.modules.hosts import host_of
-from jauspy.modules.watchdog import may_move
+from jauspy.modules.hosts import host_of, may_move
+from jauspy.modules.robots import robot_model
 from jauspy.platform.backends import find
 from jauspy.platform.joints import ControlMode, Target
 

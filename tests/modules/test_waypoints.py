@@ -7,7 +7,7 @@ import math
 import pytest
 from tests.modules.world import CLIENT, ORIGIN, OTHER, World
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.geometry.geodesy import Geodetic, to_ned
 from jauspy.ids import JausID
 from jauspy.messages.core import (

@@ -10,14 +10,14 @@ from typing import Any
 import pytest
 from tests.modules.cameras import FakeVideo
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.ids import JausID
 from jauspy.messages import manipulator as m, registry
 from jauspy.messages.core import CommandEvent, RequestControl, Resume
 from jauspy.modules import robots
 from jauspy.modules.config import AccessControlConfig
-from jauspy.modules.description import robot_model
 from jauspy.modules.hosts import host_of
+from jauspy.modules.robots import robot_model
 from jauspy.platform.backends import find
 
 CLIENT, OTHER = JausID(42, 1, 1), JausID(42, 2, 1)
@@ -51,8 +51,8 @@ class Workcell:
             self.host.receive(message.encode(), client, self.now)
         sent = self.host.poll_output(self.now)
         for each in sent:
-            if each.told is not None:
-                each.told(True)  # as a client's endpoint acknowledges it
+            if each.on_acknowledged is not None:
+                each.on_acknowledged(True)  # as a client's endpoint acknowledges it
         return [registry.decode(each.payload, service=_service(each.payload)) for each in sent]
 
     def ask(self, query: Message) -> Any:

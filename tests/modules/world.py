@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Iterable
 from datetime import UTC, datetime, timedelta
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.ids import JausID
 from jauspy.messages import registry
 from jauspy.messages.core import (
@@ -18,9 +18,10 @@ from jauspy.messages.core import (
 )
 from jauspy.messages.mobility import QueryActiveElement, QueryGlobalPose, QueryLocalPose, QueryVelocityState
 from jauspy.modules import robots
+from jauspy.modules.catalogue import MobilityContext
 from jauspy.modules.config import ModuleConfig
-from jauspy.modules.description import robot_model
-from jauspy.modules.mobility import cm_mob
+from jauspy.modules.hosts import module_host
+from jauspy.modules.robots import robot_model
 from jauspy.platform.backends import find
 from jauspy.platform.chassis import chassis_of
 from jauspy.services.mobility import GlobalPose, Vehicle
@@ -41,8 +42,13 @@ class World:
         self.now = 0.0
         self.vehicle = Vehicle(self.robot.drive, name="inc1", chassis=chassis_of(model), origin=origin)
         config = ModuleConfig(type="CM-MOB", component=102, access_control={"timeout": 0})
-        self.host = cm_mob(
-            ME, self.vehicle, config, identities={}, utc_now=lambda: START + timedelta(seconds=self.now), now=self.now
+        self.host = module_host(
+            ME,
+            config,
+            MobilityContext(self.robot, self.vehicle),
+            identities={},
+            utc_now=lambda: START + timedelta(seconds=self.now),
+            now=self.now,
         )
 
     def tell(self, *messages: Message, client: JausID = CLIENT) -> list[Message]:

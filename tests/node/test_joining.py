@@ -11,7 +11,7 @@ from jauspy.node import NodeConfig, NodeManager
 from jauspy.protocol import judp, junior
 from jauspy.protocol.header import Broadcast, Packet
 from jauspy.testing import until
-from jauspy.transport import memberships
+from jauspy.transport import multicast as memberships
 
 ABSENT = "192.0.2.1"  # for documentation (RFC 5737), so nobody's
 ID = JausID.parse("126.1.11")

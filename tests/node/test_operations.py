@@ -8,6 +8,7 @@ import logging
 import os
 import socket
 import stat
+import threading
 from pathlib import Path
 
 import dpkt
@@ -62,7 +63,7 @@ async def test_the_status_tells_components_peers_queues_and_drops(root: Path, in
 
 
 async def test_no_node_manager_no_status(root: Path) -> None:
-    with pytest.raises(TransportError, match=r"no node manager tells its status at .*is this its --local-root"):
+    with pytest.raises(TransportError, match=r"no node manager serves its status at .*is this its --local-root"):
         await status.read(root)
 
 
@@ -98,7 +99,7 @@ async def test_metrics_for_prometheus(root: Path, introduce, udp, free_port: int
 async def test_readers_of_the_metrics_that_say_nothing_are_bounded(
     root: Path, free_port: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(metrics, "PATIENCE", 60.0)
+    monkeypatch.setattr(metrics, "REQUEST_TIMEOUT", 60.0)
     async with NodeManager(config(root, metrics=f"127.0.0.1:{free_port}")):
         with contextlib.ExitStack() as stack:
             for _ in range(metrics.MAX_READERS + 1):
@@ -210,7 +211,7 @@ async def test_a_packet_that_is_too_long_for_the_mirror_is_counted_and_it_goes_o
 async def test_a_pipe_as_mirror_needs_a_reader_and_one_that_stops_reading_holds_up_nothing(
     root: Path, tmp_path: Path, introduce, udp, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(mirror, "PATIENCE", 0.05)
+    monkeypatch.setattr(mirror, "STOP_TIMEOUT", 0.05)
     pipe = tmp_path / "pipe"
     os.mkfifo(pipe)
     with pytest.raises(TransportError, match="a pipe that nobody reads yet"):
@@ -225,6 +226,11 @@ async def test_a_pipe_as_mirror_needs_a_reader_and_one_that_stops_reading_holds_
                 assert await receive(component) == large
     finally:
         os.close(reader)
+    writers = [thread for thread in threading.enumerate() if thread.name == "mirror"]
+    for thread in writers:  # writing to the closed pipe fails: the thread closes its file and ends
+        await asyncio.to_thread(thread.join, 20)
+    assert not any(thread.is_alive() for thread in writers)
+    assert str(pipe) not in {os.path.realpath(each) for each in Path("/proc/self/fd").iterdir()}
 
 
 async def test_a_mirror_that_cannot_be_written_is_told_and_nothing_stays_open(root: Path, tmp_path: Path) -> None:

@@ -17,7 +17,7 @@ from jauspy.node import NodeConfig, NodeManager
 from jauspy.node.config import SerialConfig
 from jauspy.protocol import jserial, judp
 from jauspy.protocol.header import Broadcast, Packet
-from jauspy.transport import LocalTransport, SerialLine, serial_link
+from jauspy.transport import LocalTransport, SerialLine, serial as serial_link
 
 HERE, FAR = JausID.parse("100.1.2"), JausID.parse("200.1.1")
 
@@ -199,7 +199,7 @@ async def test_without_pyserial_it_says_what_to_install(monkeypatch: pytest.Monk
 
     monkeypatch.setattr(builtins, "__import__", without)
     from jauspy.protocol.counters import Counters
-    from jauspy.transport.serial_link import SerialLink
+    from jauspy.transport.serial import SerialLink
 
     with pytest.raises(TransportError, match=r"jauspy\[serial\]"):
         SerialLink(SerialLine("/dev/x"), Counters(serial_link._LOGGER), print).open()

@@ -11,12 +11,12 @@ import pytest
 
 from jauspy.errors import TransportError
 from jauspy.ids import EVERYONE, JausID
-from jauspy.node import NodeConfig, NodeManager, tcp
+from jauspy.node import NodeConfig, NodeManager, links
 from jauspy.protocol import judp
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.header import Broadcast, Packet
 from jauspy.testing import until
-from jauspy.transport import LocalTransport, TcpTransport, stream
+from jauspy.transport import LocalTransport, TcpTransport, tcp as stream
 
 HERE, FAR, OTHER = JausID.parse("100.1.2"), JausID.parse("200.1.1"), JausID.parse("200.1.2")
 
@@ -213,7 +213,7 @@ SPEAKS = "02 001000 01 02016400 0101c800 1112 0100"
 
 
 async def test_connections_are_bounded(node: NodeManager, here: Inbox, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(tcp, "MAX_CONNECTIONS", 1)
+    monkeypatch.setattr(links, "MAX_CONNECTIONS", 1)
     async with peer(node) as first:
         first.send(SPEAKS)
         await here.next()
@@ -225,7 +225,7 @@ async def test_connections_are_bounded(node: NodeManager, here: Inbox, monkeypat
 async def test_who_connects_and_says_nothing_gives_its_place_to_the_next(
     node: NodeManager, here: Inbox, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(tcp, "MAX_CONNECTIONS", 2)
+    monkeypatch.setattr(links, "MAX_CONNECTIONS", 2)
     async with peer(node) as silent:
         silent.send(SPEAKS[:-2])
         await until(lambda: node.counters["tcp.accepted"] == 1)
@@ -295,7 +295,7 @@ async def test_pauses_between_attempts_grow_and_begin_anew_after_a_connection(
             pauses.clear()
         while not pauses:
             await sleep(0.001)
-    assert pauses[0] == stream.FIRST_RETRY
+    assert pauses[0] == stream.MIN_RETRY_INTERVAL
     await dialer.close()
 
 
@@ -316,7 +316,7 @@ async def test_a_component_connects_again(root: Path, free_port: int) -> None:
 
 async def test_nobody_there_and_a_taken_port_say_what_to_do(root: Path, free_port: int) -> None:
     with pytest.raises(TransportError, match="TCP switched on"):
-        await TcpTransport(FAR, ("127.0.0.1", free_port), patience=0.2).open()
+        await TcpTransport(FAR, ("127.0.0.1", free_port), timeout=0.2).open()
     with socket.create_server(("127.0.0.1", 0)) as taken:
         port = taken.getsockname()[1]
         manager = NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root, tcp=True, tcp_port=port))

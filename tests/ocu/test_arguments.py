@@ -100,7 +100,7 @@ async def test_of_an_ocu(ocu, call, words):
         (lambda: jauspy.OCU(5), r"^a JAUS id is text"),
         (lambda: jauspy.OCU(timeout="x"), r"^timeout is a number"),
         (lambda: jauspy.OCU(name=5), r"^an OCU's name is text"),
-        (lambda: jauspy.OCU(registry="vendor/*.xml"), r"^registry is what `jauspy.load` gives, not the str 'vendor"),
+        (lambda: jauspy.OCU(registry="vendor/*.xml"), r"^registry is what `jauspy.load` returns, not the str 'vendor"),
     ],
 )
 def test_of_making_one(call, words):

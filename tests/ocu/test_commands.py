@@ -21,8 +21,8 @@ from jauspy.messages.core import (
 )
 from jauspy.messages.mobility import SetLocalWaypoint, SetTravelSpeed, SetWrenchEffort
 from jauspy.protocol.header import Ack
-from jauspy.services.completion import Completion
 from jauspy.services.core import AccessControl, Discovery, Events, Liveness, Management, Time
+from jauspy.services.state_machine import CommandCompletion
 
 SET_TIME = SetTime(time_stamp=TimeStamp(milliseconds=0, seconds=1, minutes=2, hour=3, day=4))
 
@@ -31,7 +31,7 @@ class SlowClock(Time):
     """Takes its time to be set, until a test says that it is."""
 
     begun = 0
-    ended = Completion()
+    ended = CommandCompletion()
 
     def set_time(self, msg) -> None:
         self.ended(False)

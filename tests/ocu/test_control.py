@@ -317,7 +317,7 @@ async def test_a_restart_of_the_robot_is_not_taken_for_control(world):
         await crash(world, robot)
         again = await world.robot(timeout=1)
         await asyncio.wait_for(control.until_lost(), 2)
-        assert "nobody is in control; it was started anew" in control.lost
+        assert "nobody is in control; it was restarted" in control.lost
         with pytest.raises(ControlRejected, match="was lost"):
             await driver.send(FULL)
         assert again.host.controller is None
@@ -338,7 +338,7 @@ async def test_a_restart_is_noticed_even_when_it_is_not_said_who_is_in_control(w
 
 
 async def test_a_restart_is_noticed_when_control_never_times_out(world, monkeypatch):
-    monkeypatch.setattr(module, "LOOK", 0.1)
+    monkeypatch.setattr(module, "CHECK_INTERVAL", 0.1)
     robot = await world.robot(timeout=0)
     driver = await driver_of(await world.ocu())
     async with driver.control() as control:

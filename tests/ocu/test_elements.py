@@ -19,7 +19,7 @@ from jauspy.messages.core import (
     SetElement,
 )
 from jauspy.messages.mobility import ExecuteList, ReportActiveElement, SetGlobalWaypoint, SetLocalWaypoint
-from jauspy.ocu.progress import POLL
+from jauspy.ocu.lists import ACTIVE_ELEMENT_INTERVAL
 from jauspy.services.core import AccessControl, Discovery, Events, ListDriver, ListManager, Liveness, Management
 from jauspy.services.core.element_list import ElementList
 from jauspy.testing import LocalNode, until
@@ -411,7 +411,7 @@ async def test_progress_by_asking_where_events_are_refused(virtual_network, ocu,
             seen = []
             async for index in found.waypoints.progress():
                 seen.append(index)
-                asyncio.get_running_loop().call_later(3 * POLL, driver.arrive, component)
+                asyncio.get_running_loop().call_later(3 * ACTIVE_ELEMENT_INTERVAL, driver.arrive, component)
         assert seen == [0, 1]
 
 

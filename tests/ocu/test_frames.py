@@ -19,9 +19,8 @@ from jauspy.messages.manipulator import (
     SetPanTiltJointPositions,
 )
 from jauspy.messages.mobility import SetWrenchEffort
-from jauspy.modules.description import robot_model
 from jauspy.modules.robot import RobotRunner
-from jauspy.modules.robots import load
+from jauspy.modules.robots import load, robot_model
 from jauspy.ocu import OCU, Robot
 from jauspy.ocu.frames import RobotFrames
 from jauspy.testing import until
@@ -75,7 +74,7 @@ async def test_all_frames_are_where_they_really_are(robot: RobotRunner, ocu: OCU
     found = await ocu.discover(101)
     await move_everything(robot, found)
     reader = RobotFrames(found, MODEL, CONFIG.movers)
-    frames = await reader.look()
+    frames = await reader.read()
     assert reader.assumed == []
     seen = robot.snapshot
     assert seen is not None
@@ -93,7 +92,7 @@ async def test_all_frames_are_where_they_really_are(robot: RobotRunner, ocu: OCU
 async def test_what_nobody_reports_is_assumed_to_be_where_it_starts(robot: RobotRunner, ocu: OCU) -> None:
     found = await ocu.discover(101)
     nameless = RobotFrames(found, MODEL)
-    frames = await nameless.look()
+    frames = await nameless.read()
     pan, tilt = MODEL.groups["pan_tilt"].joints
     assert set(nameless.assumed) == {"gripper_link_to_left_finger", pan, tilt}, "only their component could tell"
     assert nameless.assumed_between("chassis_camera_link", "local") == [pan, tilt]
@@ -109,13 +108,13 @@ async def test_another_robot_than_the_description_says(robot: RobotRunner, ocu: 
     with pytest.raises(
         ConfigError, match=r"101\.1\.105 reports 1 joints, and the description has 2 there: base_link_to_pan"
     ):
-        await RobotFrames(found, MODEL, {105: "pan_tilt"}).look()
+        await RobotFrames(found, MODEL, {105: "pan_tilt"}).read()
 
 
 async def test_a_robot_that_tells_no_pose(robot: RobotRunner, ocu: OCU) -> None:
     found = await ocu.discover(101)
     (without,) = [each for each in found.components if each.id.component == 104]
     node = type(found.nodes[0])(1, "", 0, (without,))
-    blind = Robot(found._link, type(found.info)(101, "blind", 0, (node,)))
+    blind = Robot(found._connection, type(found.info)(101, "blind", 0, (node,)))
     with pytest.raises(ConfigError, match="does not offer mobility:LocalPoseSensor"):
-        await RobotFrames(blind, MODEL).look()
+        await RobotFrames(blind, MODEL).read()

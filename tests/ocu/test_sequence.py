@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import pytest
 
-from jauspy.ocu.sequence import LATE, Sequence
+from jauspy.ocu.subscription import MAX_DELAY, SequenceTracker
 
 
 def told(*numbers: int, rate: float = 10.0) -> list[int | None]:
     """What each of these numbers, one period apart, says of those before."""
-    sequence, period = Sequence(), 1.0 / rate
+    sequence, period = SequenceTracker(), 1.0 / rate
     return [sequence.missing(number & 0xFF, rate, index * period) for index, number in enumerate(numbers)]
 
 
@@ -30,14 +30,14 @@ def test_numbers(numbers, missing):
 
 @pytest.mark.parametrize("rate", [0.0, 0.1, 10.0, 100.0])
 def test_after_a_long_silence_nothing_is_late(rate):
-    sequence = Sequence()
+    sequence = SequenceTracker()
     assert sequence.missing(0, rate, 0.0) == 0
-    assert sequence.missing(201, rate, LATE) == 200
-    assert sequence.missing(202, rate, LATE) == 0
+    assert sequence.missing(201, rate, MAX_DELAY) == 200
+    assert sequence.missing(202, rate, MAX_DELAY) == 0
 
 
 def test_at_a_high_rate_the_silence_is_shorter():
-    sequence = Sequence()
+    sequence = SequenceTracker()
     assert sequence.missing(0, 500.0, 0.0) == 0
     assert sequence.missing(151, 500.0, 0.25) is None
     assert sequence.missing(151, 500.0, 0.3) == 150

@@ -22,7 +22,7 @@ from jauspy.messages.core import (
 )
 from jauspy.messages.mobility import QueryLocalPose, QueryVelocityState, ReportLocalPose, ReportVelocityState
 from jauspy.ocu import subscription as module
-from jauspy.ocu.event_requests import EventRequests
+from jauspy.ocu.subscription import EventClient
 from jauspy.protocol.header import Packet
 from jauspy.protocol.judp import pack
 from jauspy.services.core import Discovery, Events, Liveness
@@ -246,7 +246,7 @@ async def test_a_stream_that_dries_up_ends_with_an_error(world):
 
 
 async def test_a_vanished_component_ends_a_subscription_to_changes(world, monkeypatch):
-    monkeypatch.setattr(module, "CHECK_INTERVAL", 0.05)
+    monkeypatch.setattr(module, "RENEWAL_INTERVAL", 0.05)
     robot = await world.robot()
     sensor = await sensor_of(await world.ocu(timeout=0.03, retries=1))
     async with sensor.subscribe(QueryStatus()) as statuses:
@@ -258,7 +258,7 @@ async def test_a_vanished_component_ends_a_subscription_to_changes(world, monkey
 
 
 async def test_events_are_renewed_and_made_anew_after_a_restart(world, monkeypatch):
-    monkeypatch.setattr(EventRequests, "lifetime", lambda _: asyncio.sleep(0, 0.3))
+    monkeypatch.setattr(EventClient, "lifetime", lambda _: asyncio.sleep(0, 0.3))
     robot = await world.robot()
     sensor = await sensor_of(await world.ocu())
     async with sensor.subscribe(POSE, rate=20.0, silence=5.0) as poses:
@@ -299,7 +299,7 @@ async def test_a_component_that_comes_back_late_is_heard_again(world):
 
 
 async def test_a_subscription_to_changes_is_made_anew_after_a_restart(world, monkeypatch):
-    monkeypatch.setattr(module, "CHECK_INTERVAL", 0.1)
+    monkeypatch.setattr(module, "RENEWAL_INTERVAL", 0.1)
     robot = await world.robot()
     sensor = await sensor_of(await world.ocu())
     async with sensor.subscribe(QueryStatus()) as statuses:
@@ -351,7 +351,7 @@ async def test_an_event_that_is_being_cancelled_is_not_made_anew(world):
     sensor = await sensor_of(await world.ocu())
     world.network.delay = 0.02
     async with sensor.subscribe(QueryStatus()):
-        await asyncio.sleep(module.CHECK_INTERVAL - 0.02)
+        await asyncio.sleep(module.RENEWAL_INTERVAL - 0.02)
     await asyncio.sleep(1)
     assert not events_of(robot).subscriptions.all()
     assert len(world.network.sent(CreateEvent)) == 1
@@ -372,7 +372,7 @@ async def test_events_that_change_their_numbers_in_a_restart_are_not_mixed_up(wo
 
 
 async def test_silence_about_changes_is_said_and_may_end(world, monkeypatch):
-    monkeypatch.setattr(module, "CHECK_INTERVAL", 0.05)
+    monkeypatch.setattr(module, "RENEWAL_INTERVAL", 0.05)
     robot = await world.robot()
     sensor = await sensor_of(await world.ocu(timeout=0.03, retries=1))
     async with sensor.subscribe(QueryStatus()) as statuses:
@@ -388,7 +388,7 @@ async def test_silence_about_changes_is_said_and_may_end(world, monkeypatch):
 
 
 async def test_reports_go_on_when_a_renewal_is_not_answered(world, monkeypatch):
-    monkeypatch.setattr(EventRequests, "lifetime", lambda _: asyncio.sleep(0, 0.3))
+    monkeypatch.setattr(EventClient, "lifetime", lambda _: asyncio.sleep(0, 0.3))
     await world.robot()
     sensor = await sensor_of(await world.ocu(timeout=0.03, retries=1))
     async with sensor.subscribe(POSE, rate=50.0) as poses:

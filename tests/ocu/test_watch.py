@@ -9,9 +9,8 @@ import pytest
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages.core import ReportIdentification, ReportServices
-from jauspy.ocu import Appeared, Changed, Component, Node, ServiceInfo, Subsystem, Vanished
-from jauspy.ocu.findings import MAX_COMPONENTS
-from jauspy.ocu.sightings import SETTLE, Sightings
+from jauspy.ocu import Appeared, Changed, ComponentInfo, NodeInfo, ServiceInfo, SubsystemInfo, Vanished
+from jauspy.ocu.subsystems import INTRODUCTION_TIME, MAX_COMPONENTS, SubsystemTree
 from jauspy.protocol.header import Packet
 from jauspy.protocol.judp import pack
 from jauspy.services.core import Discovery, Identity, Liveness
@@ -30,7 +29,7 @@ def kinds(news) -> list[str]:
     found = []
     for each in news:
         thing = each.before if isinstance(each, Vanished) else each.now
-        what = thing.short if isinstance(thing, ServiceInfo) else type(thing).__name__.lower()
+        what = thing.short if isinstance(thing, ServiceInfo) else type(thing).__name__.removesuffix("Info").lower()
         found.append(f"{sign[type(each)]}{what} {each.id}")
     return found
 
@@ -78,9 +77,9 @@ async def test_the_whole_is_told_before_its_parts_and_each_once(virtual_network,
     async with virtual_network.component(ME, [named("robot"), Liveness()], core=False):
         await asyncio.sleep(60)
         assert [each for each in kinds(news) if "Transport" not in each and "Events" not in each] == ALL
-        assert isinstance(news[0].now, Subsystem)
-        assert isinstance(news[1].now, Node)
-        assert isinstance(news[2].now, Component)
+        assert isinstance(news[0].now, SubsystemInfo)
+        assert isinstance(news[1].now, NodeInfo)
+        assert isinstance(news[2].now, ComponentInfo)
         assert (news[0].now.name, news[2].now.name) == ("robot", "component")
 
 
@@ -188,17 +187,17 @@ async def test_what_is_there_does_not_vanish_because_its_reader_is_slow(virtual_
 
 
 async def test_what_is_only_listed_vanishes_with_its_silence_although_it_stays_listed():
-    sightings = Sightings()
+    tree = SubsystemTree()
     listing = ReportServices.decode(_listing(9))
-    sightings.add(listing, ME, 0.0)
-    assert list(sightings) == [ME, JausID(101, 1, 9)]
-    sightings.add(ReportIdentification(4, 60001, "nine"), JausID(101, 1, 9), 1.0)
-    sightings.add(listing, ME, 10.0)
-    sightings.expire(5.0)
-    sightings.add(listing, ME, 11.0)
-    assert list(sightings) == [ME]
-    sightings.add(ReportIdentification(4, 60001, "nine"), JausID(101, 1, 9), 12.0)
-    assert list(sightings) == [ME, JausID(101, 1, 9)]
+    tree.add(listing, ME, 0.0)
+    assert list(tree) == [ME, JausID(101, 1, 9)]
+    tree.add(ReportIdentification(4, 60001, "nine"), JausID(101, 1, 9), 1.0)
+    tree.add(listing, ME, 10.0)
+    tree.expire(5.0)
+    tree.add(listing, ME, 11.0)
+    assert list(tree) == [ME]
+    tree.add(ReportIdentification(4, 60001, "nine"), JausID(101, 1, 9), 12.0)
+    assert list(tree) == [ME, JausID(101, 1, 9)]
 
 
 def _listing(component: int) -> bytes:
@@ -208,14 +207,14 @@ def _listing(component: int) -> bytes:
 
 
 def test_a_flood_of_ids_is_bounded():
-    sightings = Sightings()
+    tree = SubsystemTree()
     for number in range(MAX_COMPONENTS + 100):
-        sightings.add(ReportIdentification(4, 60001, "x"), JausID(1 + number // 200, 1, 1 + number % 200), 0.0)
-    assert len(list(sightings)) == MAX_COMPONENTS
-    assert len(sightings.subsystems(SETTLE)) == MAX_COMPONENTS // 200 + 1
-    sightings.expire(1.0)
-    assert list(sightings) == []
-    assert sightings._names == {}
+        tree.add(ReportIdentification(4, 60001, "x"), JausID(1 + number // 200, 1, 1 + number % 200), 0.0)
+    assert len(list(tree)) == MAX_COMPONENTS
+    assert len(tree.subsystems(INTRODUCTION_TIME)) == MAX_COMPONENTS // 200 + 1
+    tree.expire(1.0)
+    assert list(tree) == []
+    assert tree._names == {}
 
 
 async def test_garbage_is_no_news(virtual_network, news):

@@ -4,8 +4,7 @@ import math
 
 import pytest
 
-from jauspy.modules.description import robot_model
-from jauspy.modules.robots import load
+from jauspy.modules.robots import load, robot_model
 from jauspy.platform.kinematic import KinematicBackend, SkidSteerParameters, track_speed
 
 INC1 = robot_model(load("inc1"))

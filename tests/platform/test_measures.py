@@ -9,11 +9,9 @@ import pytest
 
 from jauspy.errors import ConfigError
 from jauspy.geometry.urdf import RobotDescription, parse_urdf
-from jauspy.modules.description import robot_model
-from jauspy.modules.robots import load
-from jauspy.platform.chassis import chassis_of
+from jauspy.modules.robots import load, robot_model
+from jauspy.platform.chassis import chassis_of, measure
 from jauspy.platform.description import GroupSetup, RobotModel, TrackSetup
-from jauspy.platform.measures import measure
 
 URDF = """
 <robot name="cart">

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from jauspy.platform.skid_steer import clamp, mix
+from jauspy.platform.chassis import clamp, mix
 
 
 @pytest.mark.parametrize(

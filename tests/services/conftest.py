@@ -8,7 +8,7 @@ from datetime import UTC, datetime, timedelta
 import pytest
 from tests.helpers.robot import FakeDrive
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.ids import JausID
 from jauspy.messages import registry
 from jauspy.services.core import AccessControl, Discovery, Events, Liveness, Management, Time

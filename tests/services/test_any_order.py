@@ -54,7 +54,7 @@ def step(rig, drive, random: Random) -> None:
     """One thing that happens to a component."""
     chance, client = random.random(), rig.ID.parse(f"42.1.{random.randint(1, 3)}")
     if chance < 0.7:
-        inputs = [each for each in rig.host._built.inputs.values() if each in TARGETS]
+        inputs = [each for each in rig.host._bound.inputs.values() if each in TARGETS]
         kind = random.choice(OFTEN if random.random() < 0.5 else inputs)
         payload = Maker(random, random.choice(list(Style)), INNER).message(TARGETS[kind])
         rig.host.receive(payload, client, rig.now)

@@ -153,9 +153,9 @@ def test_once_its_client_has_the_confirmation_an_equal_request_is_another_one(ro
     for count in (1, 2):
         robot.host.receive(command(SetWrenchEffort(propulsive_linear_effort_x=50.0)).encode(), robot.ID.parse(A), 0.0)
         sent = robot.host.poll_output(0.0)
-        assert [each.told is not None for each in sent] == [True, True], "both are to be acknowledged"
+        assert [each.on_acknowledged is not None for each in sent] == [True, True], "both are to be acknowledged"
         for each in sent:
-            each.told(True)
+            each.on_acknowledged(True)
         assert len(drive.efforts) == before + count
 
 
@@ -165,7 +165,7 @@ def test_what_is_remembered_of_ended_commands_is_bounded(robot, drive) -> None:
     for number in range(100):
         effort = SetWrenchEffort(propulsive_linear_effort_x=number / 2)
         assert len(robot.tell(A, command(effort, request=number))) == 2
-    assert len(robot.host.service(Events).ended) == 64
+    assert len(robot.host.service(Events).completed) == 64
 
 
 def test_cancelling_ends_the_event_and_not_the_command(rig) -> None:

@@ -7,7 +7,8 @@ inputs, legal and illegal ones, and must agree on actions and states until every
 
 from __future__ import annotations
 
-from collections import Counter, deque
+import logging
+from collections import deque
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from functools import cache
@@ -16,14 +17,13 @@ from itertools import product
 import pytest
 
 from jauspy.codec.names import snake
-from jauspy.schema import guards, load_builtin, model
+from jauspy.protocol.counters import Counters
+from jauspy.schema import behavior, load_builtin, model
 from jauspy.schema.state_tree import merge_machines, short_name
-from jauspy.services.bind import Binder
-from jauspy.services.isolation import Bugs
-from jauspy.services.lineage import definitions_of
-from jauspy.services.machine import Machine
+from jauspy.services.binding import Binder
+from jauspy.services.definitions import definitions_of
 from jauspy.services.service import Service
-from jauspy.services.trigger import Trigger
+from jauspy.services.state_machine import ActionErrors, MachineInstance, Trigger
 
 DEEPEST = 2
 """Pushed states that are followed; more of them are more of the same."""
@@ -150,15 +150,15 @@ def _fits(transition: model.Transition, message: str | None, event: str) -> bool
     return event != "Receive" or not transition.parameters or transition.parameters[0].type == message
 
 
-def _value(guard: guards.Guard, truth: Callable[[guards.Call], bool]) -> bool:
+def _value(guard: behavior.Guard, truth: Callable[[behavior.Call], bool]) -> bool:
     match guard:
-        case guards.Call():
+        case behavior.Call():
             return truth(guard)
-        case guards.Not(operand):
+        case behavior.Not(operand):
             return not _value(operand, truth)
-        case guards.And(operands):
+        case behavior.And(operands):
             return all(_value(each, truth) for each in operands)
-        case guards.Or(operands):
+        case behavior.Or(operands):
             return any(_value(each, truth) for each in operands)
 
 
@@ -190,7 +190,7 @@ class Pair:
         binder.raise_problems()
         start = merged[name].start()
         self.plain = Plain(definitions, name, self.plain_script)
-        self.machine = Machine(bound[name], start, Bugs(Counter()))
+        self.machine = MachineInstance(bound[name], start, ActionErrors(Counters(logging.getLogger("test"))))
         self.plain.active = str(start)
         self.codes = {m.name: m.code for each in reversed(definitions) for m in each.outputs}
         self.codes |= {m.name: m.code for each in reversed(definitions) for m in each.inputs}
@@ -226,7 +226,7 @@ class Pair:
     def truths(self, message: str | None, event: str) -> Iterator[dict[str, bool]]:
         """All that the predicates which this input may ask can say."""
         fitting = [each for each in self.plain.candidates() if each.guard.strip() and _fits(each, message, event)]
-        names = sorted({_predicate(call) for each in fitting for call in guards.calls(_parse(each.guard))})
+        names = sorted({_predicate(call) for each in fitting for call in behavior.calls(_parse(each.guard))})
         for values in product((False, True), repeat=len(names)):
             yield dict(zip(names, values, strict=True))
 
@@ -249,11 +249,11 @@ def _input(transition: model.Transition) -> tuple[str | None, str]:
 
 
 @cache
-def _parse(guard: str) -> guards.Guard:
-    return guards.parse(guard)
+def _parse(guard: str) -> behavior.Guard:
+    return behavior.parse(guard)
 
 
-def _predicate(call: guards.Call) -> str:
+def _predicate(call: behavior.Call) -> str:
     return snake(call.name.rpartition(".")[2])
 
 

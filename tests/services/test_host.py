@@ -1,7 +1,6 @@
 from __future__ import annotations
 
 import logging
-from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -26,11 +25,12 @@ from jauspy.messages.core import (
     SetEmergency,
 )
 from jauspy.messages.mobility import QueryWrenchEffort, ReportWrenchEffort, SetWrenchEffort
+from jauspy.protocol.counters import Counters
 from jauspy.protocol.header import Broadcast, Priority
-from jauspy.schema import Schema, load_builtin, load_files, needed
+from jauspy.schema import Schema, load_builtin, load_files, loader
 from jauspy.services.core import AccessControl, Liveness, Management
+from jauspy.services.messaging import Outgoing, OutputQueue
 from jauspy.services.mobility import PrimitiveDriver, Vehicle
-from jauspy.services.outbox import Outbox, Outgoing
 from jauspy.services.service import Service
 
 A, B = "42.1.1", "42.2.1"
@@ -95,8 +95,8 @@ def outgoing(number: int, priority: Priority = Priority.STANDARD) -> Outgoing:
 
 
 def test_the_output_queue_drops_the_oldest_of_the_lowest_priority() -> None:
-    counters: Counter[str] = Counter()
-    box = Outbox(3, counters)
+    counters = Counters(logging.getLogger("test"))
+    box = OutputQueue(3, counters)
     for each in (
         outgoing(1),
         outgoing(2, Priority.LOW),
@@ -209,7 +209,7 @@ def test_internal_events_that_bring_up_more_are_bounded(make) -> None:
     rig.tell(A, bytes.fromhex("0500"))
     assert rig.host.status is ReportStatus.Status.STANDBY
     for _ in range(1000):
-        rig.host._agenda._busy = True
+        rig.host._triggers._busy = True
         rig.host.fire("Timedout")
     assert rig.host.counters["event_dropped"] > 0
 
@@ -286,8 +286,8 @@ def test_only_the_definitions_that_are_needed_are_read(monkeypatch, request) -> 
         read.extend(paths)
         return load_files(paths)
 
-    needed.load_needed.cache_clear()
-    monkeypatch.setattr(needed, "load_files", count)
+    loader.load_needed.cache_clear()
+    monkeypatch.setattr(loader, "load_files", count)
     robot = request.getfixturevalue("robot")
     types = 2
     assert len(read) == len(robot.host.services) + types
@@ -372,4 +372,4 @@ def test_closing_stops_what_moves_in_an_emergency_too(robot, drive) -> None:
 def test_an_id_that_no_component_can_have_is_not_asked_for(robot, id) -> None:
     with pytest.raises(ConfigError, match=f"{id} cannot be a component's id"):
         robot.host.ask_for_id(JausID.parse(id))
-    assert robot.host.wanted_id is None
+    assert robot.host.requested_id is None

@@ -15,7 +15,7 @@ from jauspy.messages.core import (
     UpdateEvent,
 )
 from jauspy.services.core import Time
-from jauspy.services.later import MOST, PATIENCE
+from jauspy.services.deferred import MAX_DEFERRED_REPLIES, REPLY_TIMEOUT
 
 A, B = "42.1.1", "42.2.1"
 NOON, ONE = TimeStamp(0, 0, 0, 12, 1), TimeStamp(0, 0, 0, 13, 1)
@@ -31,14 +31,14 @@ class SlowTime(Time):
         self.open = []
 
     def report_time(self):
-        self.open.append(self.host.later(lambda: STAYED_OUT))
+        self.open.append(self.host.defer(lambda: STAYED_OUT))
         return self.open[-1]
 
     def strike(self, stamp=NOON):
         """All answers that are under way come now."""
         open, self.open = self.open, []
         for each in open:
-            each.fulfil(ReportTime(time_stamp=stamp))
+            each.set_result(ReportTime(time_stamp=stamp))
 
 
 @pytest.fixture
@@ -63,7 +63,7 @@ def contents(sent):
 
 def test_the_answer_is_sent_when_it_is_there(rig, clock):
     prompted = []
-    rig.host.prompt = lambda: prompted.append(rig.host.next_timeout())
+    rig.host.on_timer_change = lambda: prompted.append(rig.host.next_timeout())
     assert rig.tell(A, QueryTime(3)) == []
     rig.now = 2.0
     clock.strike()
@@ -85,7 +85,7 @@ def test_an_answer_that_is_there_at_once(rig, clock):
     clock.strike()
     rig.run(0.0)
     told = []
-    later.then(told.append)
+    later.add_done_callback(told.append)
     assert told == [ReportTime(time_stamp=NOON)]
 
 
@@ -99,7 +99,7 @@ def test_who_asks_again_meanwhile_is_answered_once(rig, clock):
         (B, ReportTime(time_stamp=NOON)),
         (A, ReportTime()),
     ]
-    assert rig.host.counters["asked_again"] == 2
+    assert rig.host.counters["repeated_query"] == 2
     rig.tell(A, QueryTime(1))
     clock.strike(ONE)
     assert contents(rig.run(0.0)) == [ReportTime(time_stamp=ONE)]
@@ -107,33 +107,33 @@ def test_who_asks_again_meanwhile_is_answered_once(rig, clock):
 
 def test_what_stays_out_is_answered_otherwise_and_what_comes_then_is_ignored(rig, clock):
     rig.tell(A, QueryTime(1))
-    assert rig.run(PATIENCE - 0.1) == []
+    assert rig.run(REPLY_TIMEOUT - 0.1) == []
     assert [(to, message) for _, to, message in rig.run(0.2)] == [(A, STAYED_OUT)]
-    assert rig.host.counters["later_overdue"] == 1
+    assert rig.host.counters["deferred_overdue"] == 1
     clock.strike()
     assert rig.run(1.0) == []
 
 
 def test_one_that_has_nothing_to_say(rig, clock):
     rig.tell(A, QueryTime(1))
-    clock.open[0].fulfil(None)
+    clock.open[0].set_result(None)
     assert rig.run(1.0) == []
 
 
 def test_there_is_a_limit(rig, clock):
-    for number in range(MOST):
+    for number in range(MAX_DEFERRED_REPLIES):
         assert rig.tell(f"42.3.{number + 1}", QueryTime(1)) == []
     assert rig.run(0.0) == []
     rig.tell(A, QueryTime(1))
     assert rig.run(0.0) == [(0.0, A, STAYED_OUT)]
-    assert rig.host.counters["later_refused"] == 1
+    assert rig.host.counters["deferred_refused"] == 1
     clock.strike()
-    assert len(rig.run(0.0)) == MOST
+    assert len(rig.run(0.0)) == MAX_DEFERRED_REPLIES
 
 
 def test_a_bug_in_what_is_told_is_contained(rig, clock):
     rig.tell(A, QueryTime(1))
-    clock.open[0].fulfil(ReportTime(time_stamp="noon"))
+    clock.open[0].set_result(ReportTime(time_stamp="noon"))
     assert rig.run(0.0) == []
     assert rig.host.counters["unencodable"] == 1
 
@@ -141,12 +141,12 @@ def test_a_bug_in_what_is_told_is_contained(rig, clock):
 @pytest.mark.parametrize(
     ("wrong", "what"), [(ReportHeartbeatPulse(), "ReportHeartbeatPulse"), ("noon", "'noon'")], ids=["message", "text"]
 )
-def test_a_promise_fulfilled_with_something_else_is_a_bug_and_not_sent(rig, clock, caplog, wrong, what):
+def test_a_result_that_is_not_the_report_is_recorded_and_not_sent(rig, clock, caplog, wrong, what):
     for client in (A, B):
         rig.tell(client, QueryTime(1))
-        clock.open[-1].fulfil(wrong)
+        clock.open[-1].set_result(wrong)
     assert rig.run(0.0) == []
-    assert f"fulfilled with a ReportTime or None, and was with {what}" in caplog.text
+    assert f"the result must be a ReportTime or None; it was {what}" in caplog.text
     assert "SlowTime.report_time failed on QueryTime" in caplog.text
     clock.open.clear()
     rig.tell(A, QueryTime(1))
@@ -158,9 +158,9 @@ def test_a_bug_of_one_who_waits_for_it_is_none_for_the_others(rig, clock):
     rig.tell(A, QueryTime(1))
     (later,) = clock.open
     rig.tell(B, QueryTime(1))
-    clock.open[1].then(lambda _: 1 / 0)
+    clock.open[1].add_done_callback(lambda _: 1 / 0)
     told = []
-    clock.open[1].then(told.append)
+    clock.open[1].add_done_callback(told.append)
     clock.strike()
     assert [to for _, to, _ in rig.run(0.0)] == [A, B]
     assert told == [later.report]
@@ -170,14 +170,14 @@ def test_a_bug_of_one_who_waits_for_it_is_none_for_the_others(rig, clock):
 def test_a_bug_in_what_is_answered_otherwise_leaves_nothing_open(make, caplog):
     class Poor(Time):
         def report_time(self):
-            return self.host.later(lambda: 1 / 0)
+            return self.host.defer(lambda: 1 / 0)
 
     rig = make(Poor())
-    for _ in range(2 * MOST):
+    for _ in range(2 * MAX_DEFERRED_REPLIES):
         rig.tell(A, QueryTime(1))
-        assert rig.run(PATIENCE) == []
-    assert rig.host.counters["later_overdue"] == 2 * MOST
-    assert rig.host.counters["later_refused"] == rig.host.counters["asked_again"] == 0
+        assert rig.run(REPLY_TIMEOUT) == []
+    assert rig.host.counters["deferred_overdue"] == 2 * MAX_DEFERRED_REPLIES
+    assert rig.host.counters["deferred_refused"] == rig.host.counters["repeated_query"] == 0
     assert "Poor.report_time failed on QueryTime" in caplog.text
     assert len(caplog.records) == 7
 
@@ -211,7 +211,7 @@ def test_events_on_change_tell_only_of_changes(rig, clock):
 
 def test_an_event_that_stays_out_tells_what_there_is_otherwise(rig):
     rig.tell(A, CreateEvent(1, PERIODIC, 1.0, QueryTime(1)))
-    assert contents(rig.run(PATIENCE + 0.5)) == [STAYED_OUT]
+    assert contents(rig.run(REPLY_TIMEOUT + 0.5)) == [STAYED_OUT]
 
 
 def test_an_event_that_was_cancelled_or_changed_meanwhile_is_told_nothing(rig, clock):

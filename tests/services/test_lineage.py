@@ -4,7 +4,7 @@ import pytest
 
 from jauspy.errors import ConfigError
 from jauspy.schema import model
-from jauspy.services.lineage import definitions_of
+from jauspy.services.definitions import definitions_of
 from jauspy.services.service import Service
 
 

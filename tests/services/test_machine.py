@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections import Counter
+import logging
 from dataclasses import replace
 
 import pytest
@@ -10,13 +10,12 @@ import pytest
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages.core import ReportTime
+from jauspy.protocol.counters import Counters
 from jauspy.schema import model
 from jauspy.schema.state_tree import merge_machines
-from jauspy.services.bind import Binder
-from jauspy.services.isolation import Bugs
-from jauspy.services.machine import MAX_PUSHED, Machine, Outcome
+from jauspy.services.binding import Binder
 from jauspy.services.service import Service
-from jauspy.services.trigger import STAY, Trigger
+from jauspy.services.state_machine import MAX_PUSHED, STAY, ActionErrors, MachineInstance, Trigger, TriggerOutcome
 
 CLIENT = JausID(42, 1, 1)
 CODES = {"Go": 1, "Back": 2, "Ask": 3, "Other": 4}
@@ -83,7 +82,7 @@ for _name in ("a", "b", "c", "in_top", "out_top", "in_a", "out_a", "in_b", "out_
 
 class Rig:
     def __init__(self, *definitions: model.Service, **services: Service) -> None:
-        self.counters: Counter[str] = Counter()
+        self.counters = Counters(logging.getLogger("test"))
         self.sent: list[tuple[object, bool]] = []
         self.service = Actions()
         by_urn = {d.id: services.get(d.id, self.service) for d in definitions}
@@ -96,13 +95,13 @@ class Rig:
         merged.check_initials()
         bound = binder.states(merged.root)
         binder.raise_problems()
-        self.machine = Machine(
+        self.machine = MachineInstance(
             bound,
             merged.start(),
-            Bugs(self.counters),
+            ActionErrors(self.counters),
         )
 
-    def get(self, what: str) -> Outcome:
+    def get(self, what: str) -> TriggerOutcome:
         return self.machine.handle(Trigger(CODES.get(what, what), what, CLIENT))
 
     @property
@@ -137,7 +136,7 @@ def test_start_enters_from_the_outside_in_and_initial_states() -> None:
 
 def test_simple_runs_actions_then_exit_then_entry_and_keeps_what_is_around() -> None:
     rig = Rig(two_states(a=(on("Go", "simple", "Top.B", do="a b"),)))
-    assert rig.get("Go") is Outcome.TAKEN
+    assert rig.get("Go") is TriggerOutcome.TAKEN
     assert rig.log == ["a", "b", "out_a", "in_b"]
     assert rig.machine.state == "Top.B"
 
@@ -168,15 +167,15 @@ def test_a_false_guard_passes_on_to_the_next() -> None:
 
 def test_simple_without_end_state_stays_as_in_jsidl_1_0() -> None:
     rig = Rig(two_states(a=(on("Ask", "simple", do="a"),)))
-    assert rig.get("Ask") is Outcome.TAKEN
+    assert rig.get("Ask") is TriggerOutcome.TAKEN
     assert (rig.machine.state, rig.log) == ("Top.A", ["a"])
 
 
 def test_internal_without_actions_swallows() -> None:
     rig = Rig(two_states(a=(on("Ask"),), top=(on("Ask", do="c"),)))
-    assert rig.get("Ask") is Outcome.IGNORED
+    assert rig.get("Ask") is TriggerOutcome.IGNORED
     assert rig.log == []
-    assert rig.get("Other") is Outcome.IGNORED
+    assert rig.get("Other") is TriggerOutcome.IGNORED
 
 
 def test_receive_without_parameters_takes_every_message_last_of_all() -> None:
@@ -184,7 +183,7 @@ def test_receive_without_parameters_takes_every_message_last_of_all() -> None:
     rig = Rig(two_states(a=(on("Ask", do="a"),), top=(rest,)))
     rig.get("Ask")
     rig.get("Other")
-    assert rig.get("Timedout") is Outcome.IGNORED
+    assert rig.get("Timedout") is TriggerOutcome.IGNORED
     assert rig.log == ["a", "c"]
 
 
@@ -220,7 +219,7 @@ def test_endless_pushing_is_bounded() -> None:
 
 def test_pop_of_nothing_stays() -> None:
     rig = Rig(two_states(a=(on("Back", "pop", do="a"),)))
-    assert rig.get("Back") is Outcome.TAKEN
+    assert rig.get("Back") is TriggerOutcome.TAKEN
     assert (rig.machine.state, rig.log) == ("Top.A", ["a"])
 
 
@@ -232,7 +231,7 @@ def test_an_action_may_veto_the_change() -> None:
 
 def test_a_failing_action_keeps_the_state_and_skips_the_rest() -> None:
     rig = Rig(two_states(a=(on("Go", "simple", "Top.B", do="a fail b"),)))
-    assert rig.get("Go") is Outcome.FAILED
+    assert rig.get("Go") is TriggerOutcome.FAILED
     assert (rig.machine.state, rig.log, rig.counters["action_failed"]) == ("Top.A", ["a"], 1)
 
 
@@ -254,8 +253,8 @@ def test_a_failing_predicate_makes_its_guard_false(guard: str) -> None:
 
 def test_asking_does_not_change_the_state() -> None:
     rig = Rig(two_states(a=(on("Go", "simple", "Top.B", do="a"), on("Ask", do="b"))))
-    assert rig.machine.ask(Trigger(CODES["Go"])) is Outcome.IGNORED
-    assert rig.machine.ask(Trigger(CODES["Ask"])) is Outcome.TAKEN
+    assert rig.machine.ask(Trigger(CODES["Go"])) is TriggerOutcome.IGNORED
+    assert rig.machine.ask(Trigger(CODES["Ask"])) is TriggerOutcome.TAKEN
     assert (rig.machine.state, rig.log) == ("Top.A", ["b"])
 
 
@@ -334,7 +333,7 @@ def test_a_private_parent_does_not_lend_its_actions() -> None:
 
     parent = two_states()
     asks = definition("Child", state("Top", state("A", transitions=(on("Ask", do="a"),))), start="Top", parent="S")
-    assert Rig(asks, parent, Child=Own()).get("Ask") is Outcome.TAKEN
+    assert Rig(asks, parent, Child=Own()).get("Ask") is TriggerOutcome.TAKEN
     with pytest.raises(ConfigError, match=r"Child, state Top\.A: action a needs a method of Own: def a\("):
         Rig(asks, parent, Child=Own(), S=Private())
 
@@ -396,7 +395,7 @@ def test_a_report_that_is_not_the_message_is_a_bug(answer: object) -> None:
     service = Sends()
     service.answer = answer
     rig = Rig(sending("'ReportStatus'", "transportData"), S=service)
-    assert rig.get("Ask") is Outcome.FAILED
+    assert rig.get("Ask") is TriggerOutcome.FAILED
     assert rig.sent == []
 
 
@@ -412,7 +411,7 @@ def test_a_default_transition_takes_what_no_other_of_its_state_takes() -> None:
             top=(on("Ask", do="c"),),
         )
     )
-    assert [rig.get(what) for what in ("Go", "Ask", "Other", "Tick")] == [Outcome.TAKEN] * 4
+    assert [rig.get(what) for what in ("Go", "Ask", "Other", "Tick")] == [TriggerOutcome.TAKEN] * 4
     assert rig.log == ["b", "a", "a", "a"]
 
 
@@ -440,23 +439,23 @@ def test_default_transitions_of_the_machine_come_last_of_all() -> None:
     ],
     ids=["one action", "first wins", "guarded", "two actions", "swallowed", "another message", "changes the state"],
 )
-def test_the_only_step_is_one_action_on_which_nothing_has_a_say(transitions, found) -> None:
+def test_the_sole_action_is_one_action_on_which_nothing_has_a_say(transitions, found) -> None:
     rig = Rig(definition("S", state("Now", transitions=transitions), state("Next"), start="Now"))
-    step = rig.machine.only_step(CODES["Ask"])
+    step = rig.machine.sole_action(CODES["Ask"])
     assert (step is not None) is found
     if step is not None:
         step.call(Trigger(CODES["Ask"]))
         assert rig.log == ["a"]
 
 
-def test_each_state_has_its_own_only_step() -> None:
+def test_each_state_has_its_own_sole_action() -> None:
     now = state("Now", transitions=(on("Ask", do="a"), on("Go", "simple", "Next")))
     later = state("Next", transitions=(on("Ask", do="b"), on("Back", "simple", "Now")))
     rig = Rig(definition("S", now, later, start="Now"))
     for move, action in (("", "a"), ("Go", "b"), ("Back", "a")):
         if move:
             rig.get(move)
-        step = rig.machine.only_step(CODES["Ask"])
+        step = rig.machine.sole_action(CODES["Ask"])
         assert step is not None
         step.call(Trigger(CODES["Ask"]))
         assert rig.log == [action]

@@ -7,8 +7,8 @@ from random import Random
 import pytest
 from hypothesis import given, strategies as st
 
-from jauspy.codec.base import Message
 from jauspy.codec.layout import Composite, Repeat, Slot
+from jauspy.codec.message import Message
 from jauspy.fuzz.messages import Maker, Style, Target, targets
 from jauspy.messages import registry
 from jauspy.messages.core import QueryStatus, ReportStatus
@@ -22,7 +22,7 @@ from jauspy.messages.mobility import (
 )
 from jauspy.messages.mobility.v1_1.navigation_state import QueryNavigation, ReportNavigation
 from jauspy.schema import load_builtin
-from jauspy.services.presence import mask
+from jauspy.services.messaging import apply_presence_vectors
 
 FULL = ReportVelocityState(1.0, 2.0, 3.0, 4.0, 0.1, 0.2, 0.3, 0.4)
 NAMES = ("velocity_x", "velocity_y", "velocity_z", "velocity_rms", "roll_rate", "pitch_rate", "yaw_rate", "rate_rms")
@@ -31,7 +31,7 @@ NAMES = ("velocity_x", "velocity_y", "velocity_z", "velocity_rms", "roll_rate", 
 @given(st.integers(0, 0xFFFF), st.sets(st.sampled_from(NAMES)))
 def test_a_report_has_what_is_asked_for_and_there(asked: int, missing: set[str]) -> None:
     report = ReportVelocityState(**{name: getattr(FULL, name) for name in NAMES if name not in missing})
-    masked = mask(report, QueryVelocityState(asked))
+    masked = apply_presence_vectors(report, QueryVelocityState(asked))
     for bit, name in enumerate(NAMES):
         wanted = asked >> bit & 1 and name not in missing
         assert getattr(masked, name) == (getattr(FULL, name) if wanted else None)
@@ -41,16 +41,16 @@ def test_a_report_has_what_is_asked_for_and_there(asked: int, missing: set[str])
 
 def test_the_report_of_the_service_itself_is_left_alone() -> None:
     report = ReportVelocityState(1.0)
-    assert mask(report, QueryVelocityState(0)) == ReportVelocityState()
+    assert apply_presence_vectors(report, QueryVelocityState(0)) == ReportVelocityState()
     assert report == ReportVelocityState(1.0)
-    assert mask(report, QueryVelocityState(1)) is report
+    assert apply_presence_vectors(report, QueryVelocityState(1)) is report
 
 
 def test_vectors_named_after_a_part_mask_that_part() -> None:
     report = ReportVelocityStateExt(
         VelocityVehicleXYZRec(1.0, 2.0, 3.0), ReportVelocityStateExtRec(roll_rate=0.5, yaw_rate=1.0)
     )
-    masked = mask(report, QueryVelocityStateExt(0b101, 0b10))
+    masked = apply_presence_vectors(report, QueryVelocityStateExt(0b101, 0b10))
     assert masked == ReportVelocityStateExt(
         VelocityVehicleXYZRec(1.0, None, 3.0), ReportVelocityStateExtRec(roll_rate=0.5)
     )
@@ -60,18 +60,18 @@ def test_vectors_named_after_a_part_mask_that_part() -> None:
 def test_a_part_of_several_records_is_empty_when_nothing_of_it_is_asked_for() -> None:
     """QueryNavigation has one vector for the components of velocity and for what else there is of it."""
     report = made(TARGETS[ReportNavigation])
-    nothing = mask(report, QueryNavigation(0, 0, 0, 0))
+    nothing = apply_presence_vectors(report, QueryNavigation(0, 0, 0, 0))
     assert (
         nothing.report_velocity_state_ext_seq.velocity_var == type(report.report_velocity_state_ext_seq.velocity_var)()
     )
-    something = mask(report, QueryNavigation(0, 0, 1, 0))
+    something = apply_presence_vectors(report, QueryNavigation(0, 0, 1, 0))
     assert something.report_velocity_state_ext_seq.velocity_var == report.report_velocity_state_ext_seq.velocity_var
 
 
 @pytest.mark.parametrize("status", list(ReportStatus.Status))
 def test_without_a_vector_nothing_is_masked(status) -> None:
     report = ReportStatus(status=status, reserved=0)
-    assert mask(report, QueryStatus()) is report
+    assert apply_presence_vectors(report, QueryStatus()) is report
 
 
 ALL, NOTHING = -1, 0
@@ -94,11 +94,11 @@ def test_no_vector_of_any_query_is_without_effect(query: type[Message], vector: 
     report, asked = made(TARGETS[query.REPORT]), made(TARGETS[query])
     for each in vectors(query):
         setattr(asked, each, ALL)
-    assert mask(report, asked) == report
+    assert apply_presence_vectors(report, asked) == report
     less = copy(asked)
     setattr(less, vector, NOTHING)
-    assert mask(report, less) != report
-    assert len(mask(report, less).encode()) < len(report.encode())
+    assert apply_presence_vectors(report, less) != report
+    assert len(apply_presence_vectors(report, less).encode()) < len(report.encode())
 
 
 def records(kind: type[Message], field: str = "") -> list[Slot]:
@@ -124,7 +124,7 @@ def test_a_vector_for_a_sensor_is_for_its_record(query: type[Message]) -> None:
         """The sensors whose records lack something, when this is asked of each; 0 is all."""
         first, *_ = getattr(asked, wanted.name)
         setattr(asked, wanted.name, [replace(first, sensor_id=i, query_presence_vector=v) for i, v in vectors])
-        both = zip(getattr(report, told.name), getattr(mask(report, asked), told.name), strict=True)
+        both = zip(getattr(report, told.name), getattr(apply_presence_vectors(report, asked), told.name), strict=True)
         return [before.sensor_id for before, after in both if before != after]
 
     assert changed((0, ALL)) == []

@@ -38,8 +38,8 @@ from jauspy.messages.core import (
 )
 from jauspy.messages.mobility import QueryLocalPose, QueryVelocityState, QueryWrenchEffort, SetWrenchEffort
 from jauspy.services.core import AccessControl, Events, Liveness, Management, Time
-from jauspy.services.machine import Machine
 from jauspy.services.mobility import LocalPoseSensor, PrimitiveDriver, Vehicle, VelocityStateSensor
+from jauspy.services.state_machine import MachineInstance
 
 CLIENTS = ("42.1.1", "42.2.1")
 STRANGER = "7.1.1"
@@ -160,14 +160,14 @@ def test_events_are_the_same_with_and_without_it(script, failing) -> None:
     for step in (*beats, *script):
         short.do(*step)
         with pytest.MonkeyPatch.context() as patch:
-            patch.setattr(Machine, "only_step", lambda *_: None)
+            patch.setattr(MachineInstance, "sole_action", lambda *_: None)
             plain.do(*step)
         assert short.said == plain.said
 
 
 def test_most_queries_take_it(monkeypatch) -> None:
     life = Life("stay")
-    monkeypatch.setattr(Machine, "ask", lambda *_: pytest.fail("the whole way"))
+    monkeypatch.setattr(MachineInstance, "ask", lambda *_: pytest.fail("the whole way"))
     for query in (QueryStatus(), QueryLocalPose(0b11), QueryVelocityState(1), QueryTime(3)):
         life.do("tell", CLIENTS[0], CreateEvent(1, 0, 1.0, query))
     life.do("run", 0.01, None)

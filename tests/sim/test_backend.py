@@ -3,8 +3,7 @@
 import pytest
 
 from jauspy.errors import ConfigError
-from jauspy.modules.description import robot_model
-from jauspy.modules.robots import load
+from jauspy.modules.robots import load, robot_model
 from jauspy_sim import backend as backend_module
 from jauspy_sim.backend import MujocoBackend
 

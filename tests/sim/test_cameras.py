@@ -16,8 +16,7 @@ pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 import mujoco
 import numpy as np
 
-from jauspy.modules.description import robot_model
-from jauspy.modules.robots import load
+from jauspy.modules.robots import load, robot_model
 from jauspy.platform.camera import CameraSetup
 from jauspy_sim import gl
 from jauspy_sim.rays import PIXELS, THOROUGH, RayPainter
@@ -139,7 +138,7 @@ def test_the_environment_decides_about_gl(monkeypatch, set_to, chosen):
 def test_each_way_to_gl_paints(way):
     """In a process of its own: one process has one way."""
     code = (
-        "from jauspy.modules.description import robot_model; from jauspy.modules.robots import load;"
+        "from jauspy.modules.robots import robot_model; from jauspy.modules.robots import load;"
         "from jauspy_sim.robot import SimulatedRobot;"
         "robot = SimulatedRobot.open(robot_model(load('inc1')), 'demo'); eye = robot.cameras['chassis'].open();"
         "print(eye.look(320, 240).image.std() > 10.0, eye.description)"
@@ -166,7 +165,7 @@ def test_looking_does_not_change_where_the_robot_goes():
 def test_no_picture_is_taken_in_the_robots_process():
     """Importing and running the backend loads neither GL nor the packages of the extra `video`."""
     code = (
-        "import sys; from jauspy.modules.description import robot_model; from jauspy.modules.robots import load;"
+        "import sys; from jauspy.modules.robots import robot_model; from jauspy.modules.robots import load;"
         "from jauspy_sim.robot import SimulatedRobot; SimulatedRobot.open(robot_model(load('inc1')), 'demo');"
         "print(sorted({'OpenGL', 'av', 'cv2'} & set(sys.modules)))"
     )

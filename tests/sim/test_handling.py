@@ -6,8 +6,7 @@ import pytest
 
 pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 
-from jauspy.modules.description import robot_model
-from jauspy.modules.robots import load
+from jauspy.modules.robots import load, robot_model
 from jauspy.platform.joints import ControlMode, Target
 from jauspy_sim.robot import SimulatedRobot
 

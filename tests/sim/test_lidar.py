@@ -9,8 +9,7 @@ import pytest
 
 pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 
-from jauspy.modules.description import robot_model
-from jauspy.modules.robots import load
+from jauspy.modules.robots import load, robot_model
 from jauspy.platform.ranging import RangeScan
 from jauspy_sim.robot import SimulatedRobot
 

@@ -11,8 +11,7 @@ from jauspy_sim.backend import MujocoBackend
 
 pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 
-from jauspy.modules.description import robot_model
-from jauspy.modules.robots import known, load
+from jauspy.modules.robots import known, load, robot_model
 from jauspy_sim.assembly import TIMESTEP, build, known_worlds, prefix
 from jauspy_sim.robot import SimulatedRobot
 from jauspy_sim.tracks import roll_pitch_yaw

@@ -9,8 +9,7 @@ pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 import mujoco
 import numpy as np
 
-from jauspy.modules.description import robot_model
-from jauspy.modules.robots import load
+from jauspy.modules.robots import load, robot_model
 from jauspy_sim.assembly import build
 from jauspy_sim.lidar import cast_rays
 from jauspy_sim.terrain import DRAWN, FELT

@@ -17,7 +17,7 @@ from jauspy.errors import ControlRejected, ElementRejected, ResponseTimeout, Tra
 from jauspy.messages.core import QueryControl, QueryStatus, ReportStatus
 from jauspy.messages.mobility import QueryLocalPose, SetWrenchEffort
 from jauspy.modules.robots import load
-from jauspy.ocu import Appeared, Subsystem, Vanished
+from jauspy.ocu import Appeared, SubsystemInfo, Vanished
 from jauspy.sync import OCU
 from jauspy.sync.portal import Portal
 from jauspy.testing import LocalNode
@@ -117,9 +117,9 @@ def test_watching(node_manager, ocu):
     with OCU("43.1.1", node_manager.local):
         first = next(news)
         assert isinstance(first, Appeared)
-        assert isinstance(first.now, Subsystem)
+        assert isinstance(first.now, SubsystemInfo)
         assert first.id.subsystem == 43
-    assert any(isinstance(each, Vanished) and isinstance(each.before, Subsystem) for each in news)
+    assert any(isinstance(each, Vanished) and isinstance(each.before, SubsystemInfo) for each in news)
     news.close()
 
 

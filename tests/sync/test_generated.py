@@ -23,7 +23,7 @@ def test_the_committed_facade_is_what_the_generator_gives():
 def test_nothing_public_is_missing_and_nothing_is_left_to_await(name):
     asynchronous = getattr(jauspy.ocu, name)
     facade = getattr(jauspy.sync, name)
-    public = {each for each in vars(asynchronous) if not each.startswith("_")} - {"sent"}
+    public = {each for each in vars(asynchronous) if not each.startswith("_")} - {"on_sent"}
     assert public <= set(dir(facade))
     for each in public:
         member = getattr(facade, each)

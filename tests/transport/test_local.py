@@ -22,7 +22,7 @@ def manager(root: Path) -> NodeManager:
 
 
 async def test_without_a_node_manager_it_says_what_to_do(root: Path) -> None:
-    transport = LocalTransport(A, root, patience=0.1)
+    transport = LocalTransport(A, root, timeout=0.1)
     with pytest.raises(TransportError, match=f"jauspy node-manager --local-root {root}', or name the directory"):
         await transport.open()
     assert list(root.iterdir()) == []
@@ -41,11 +41,11 @@ async def test_a_socket_of_another_kind_in_the_node_managers_place(root: Path) -
     with socket.socket(socket.AF_UNIX, socket.SOCK_STREAM) as other:
         other.bind(str(root / junior.SOCKET_NAME))
         with pytest.raises(TransportError, match="JuniorRTE is a socket of another kind"):
-            await LocalTransport(A, root, patience=0.05).open()
+            await LocalTransport(A, root, timeout=0.05).open()
 
 
 async def test_waits_for_a_node_manager_that_is_late(root: Path) -> None:
-    transport = LocalTransport(A, root, patience=None)
+    transport = LocalTransport(A, root, timeout=None)
     await transport.open()
     assert not transport.connected
     async with manager(root):
@@ -91,7 +91,7 @@ async def test_takes_over_the_socket_of_a_dead_component(root: Path) -> None:
 
 async def test_leaves_a_file_alone_that_is_no_socket(root: Path) -> None:
     (root / str(int(A))).write_text("mine")
-    with pytest.raises(TransportError, match="is no socket"):
+    with pytest.raises(TransportError, match="is not a socket"):
         await LocalTransport(A, root).open()
     assert (root / str(int(A))).read_text() == "mine"
 
@@ -122,7 +122,7 @@ async def test_what_the_node_manager_has_not_taken_is_counted(root: Path) -> Non
     with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as node:
         node.bind(str(root / junior.SOCKET_NAME))
         node.setblocking(False)
-        transport = LocalTransport(A, root, patience=None)
+        transport = LocalTransport(A, root, timeout=None)
         await transport.open()
         for _ in range(500):
             transport.send(judp.pack(Packet(A, B, bytes(4000))))
@@ -140,7 +140,7 @@ async def test_a_failed_send_is_enough_to_look_for_the_node_manager_again(
     root: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """It does not wait for its next keep-alive, which here never comes."""
-    monkeypatch.setattr(local, "KEEP_ALIVE", 3600.0)
+    monkeypatch.setattr(local, "KEEP_ALIVE_INTERVAL", 3600.0)
     transport = LocalTransport(A, root)
     async with manager(root):
         await transport.open()

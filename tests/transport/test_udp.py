@@ -12,7 +12,7 @@ from jauspy.errors import TransportError
 from jauspy.ids import EVERYONE, JausID
 from jauspy.protocol import judp
 from jauspy.protocol.header import Broadcast, Packet
-from jauspy.transport import UdpTransport, memberships, multicast
+from jauspy.transport import UdpTransport, multicast, multicast as memberships
 
 US, PEER, OTHER = (JausID.parse(text) for text in ("42.1.1", "101.1.1", "102.1.1"))
 GROUP = "239.255.0.7"

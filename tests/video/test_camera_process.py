@@ -22,8 +22,7 @@ import psutil
 
 from jauspy import workers
 from jauspy.errors import ConfigError
-from jauspy.modules.description import robot_model
-from jauspy.modules.robots import load
+from jauspy.modules.robots import load, robot_model
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.kinematic import KinematicRobot
 from jauspy.platform.kinematic_camera import SKY
@@ -251,7 +250,7 @@ async def test_it_ends_with_the_robots_process(tmp_path):
     program.write_text(
         """
 import asyncio, dataclasses, math
-from jauspy.modules.description import robot_model
+from jauspy.modules.robots import robot_model
 from jauspy.modules.robots import load
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.kinematic import KinematicRobot

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from jauspy.codec.dynamic import load_schema
+from jauspy.codec.build import load_schema
 from jauspy.codec.registry import Registry
 from jauspy.schema import model as m
 

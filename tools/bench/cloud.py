@@ -17,9 +17,8 @@ from jauspy.cloud.depth import DepthSettings, DepthStream
 from jauspy.cloud.depth_process import DepthProcess
 from jauspy.cloud.message import Cloud
 from jauspy.cloud.socket import CloudSubscriber
-from jauspy.modules.description import robot_model
 from jauspy.modules.realtime import RealTime
-from jauspy.modules.robots import load
+from jauspy.modules.robots import load, robot_model
 from jauspy.platform import backends
 from jauspy.platform.contract import Robot
 from jauspy.platform.joints import ControlMode, Target

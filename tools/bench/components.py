@@ -29,7 +29,7 @@ import psutil
 from _processes import free_port, node_manager, ready
 
 import jauspy
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.ids import JausID
 from jauspy.messages import core
 from jauspy.protocol import judp, junior

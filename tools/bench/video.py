@@ -29,9 +29,8 @@ from tempfile import TemporaryDirectory
 import numpy as np
 
 from jauspy.modules.config import RobotConfig
-from jauspy.modules.description import robot_model
 from jauspy.modules.realtime import RealTime
-from jauspy.modules.robots import load
+from jauspy.modules.robots import load, robot_model
 from jauspy.platform import backends
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.video.camera_process import CameraProcess

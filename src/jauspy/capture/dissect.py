@@ -5,9 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Final
 
-from jauspy.codec.base import Message, too_short
-from jauspy.codec.entries import NO_HINTS, Collision, Entry, Hints
-from jauspy.codec.registry import Registry
+from jauspy.codec.message import Message, too_short
+from jauspy.codec.registry import NO_HINTS, Collision, Hints, MessageEntry, Registry
 from jauspy.errors import DecodeError, EncodeError, ProtocolError
 from jauspy.protocol import judp, junior
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet
@@ -33,7 +32,7 @@ class Content:
     deviations: tuple[str, ...] = ()
     problem: str = ""
     broken: bool = False
-    others: tuple[Entry, ...] = ()
+    others: tuple[MessageEntry, ...] = ()
 
     @property
     def code(self) -> int | None:

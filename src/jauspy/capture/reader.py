@@ -2,18 +2,129 @@
 
 from __future__ import annotations
 
+import re
+import socket
 import struct
-from collections import Counter
+from collections import Counter, OrderedDict
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from io import BufferedReader
 from typing import Final
 
 import dpkt
 
-from jauspy.capture import link
-from jauspy.capture.ip import Assembler
 from jauspy.errors import ConfigError
+
+# A capture is a peer, too: fragments of packets that never complete must not fill the memory.
+MAX_OPEN_PACKETS: Final = 64
+MAX_PACKET: Final = 65535
+
+_Key = tuple[bytes, bytes, int]
+
+
+@dataclass(frozen=True, slots=True)
+class Udp:
+    """One UDP datagram: `source` and `destination` are (address, port)."""
+
+    source: tuple[str, int]
+    destination: tuple[str, int]
+    payload: bytes
+
+
+@dataclass(slots=True)
+class _Parts:
+    pieces: dict[int, bytes] = field(default_factory=dict)
+    size: int = 0
+    total: int | None = None
+
+    def add(self, offset: int, data: bytes, *, last: bool) -> None:
+        if offset not in self.pieces:
+            self.pieces[offset] = data
+            self.size += len(data)
+        if last:
+            self.total = offset + len(data)
+
+    def whole(self) -> bytes | None:
+        """All bytes in order, once there is no gap; where pieces overlap, the earlier one counts."""
+        if self.total is None:
+            return None
+        data = bytearray()
+        for offset in sorted(self.pieces):
+            if offset > len(data):
+                return None
+            data += self.pieces[offset][len(data) - offset :]
+        return bytes(data[: self.total]) if len(data) >= self.total else None
+
+
+class Assembler:
+    """Turns IPv4 packets, in the order of the capture, into UDP datagrams; `skipped` counts what it leaves out."""
+
+    def __init__(self) -> None:
+        self.skipped: Counter[str] = Counter()
+        self._open: OrderedDict[_Key, _Parts] = OrderedDict()
+
+    def add(self, packet: bytes) -> Udp | None:
+        """The datagram that this packet is, or completes; None when it is neither."""
+        if not packet or packet[0] >> 4 != 4:
+            self.skipped["not UDP over IPv4"] += 1
+            return None
+        try:
+            header = dpkt.ip.IP(packet)
+        except dpkt.UnpackError:
+            self.skipped["malformed IP packet"] += 1
+            return None
+        if header.p != dpkt.ip.IP_PROTO_UDP:
+            self.skipped["not UDP over IPv4"] += 1
+            return None
+        data = packet[header.hl * 4 : header.len or len(packet)]
+        if header.mf or header.offset:
+            whole = self._collect(header, data)
+            if whole is None:
+                return None
+            data = whole
+        return self._udp(header, data)
+
+    def finish(self) -> None:
+        """Count the packets whose fragments never all came."""
+        if self._open:
+            self.skipped["IP packet with missing fragments"] += len(self._open)
+            self._open.clear()
+
+    def _collect(self, header: dpkt.ip.IP, data: bytes) -> bytes | None:
+        key = (header.src, header.dst, header.id)
+        offset = header.offset * 8
+        if offset + len(data) > MAX_PACKET:
+            self.skipped["malformed IP packet"] += 1
+            return None
+        parts = self._open.setdefault(key, _Parts())
+        parts.add(offset, data, last=not header.mf)
+        whole = parts.whole()
+        if whole is not None:
+            del self._open[key]
+        elif parts.size > 2 * MAX_PACKET:
+            del self._open[key]
+            self.skipped["malformed IP packet"] += 1
+        elif len(self._open) > MAX_OPEN_PACKETS:
+            self._open.popitem(last=False)
+            self.skipped["IP packet with missing fragments"] += 1
+        return whole
+
+    def _udp(self, header: dpkt.ip.IP, data: bytes) -> Udp | None:
+        try:
+            udp = dpkt.udp.UDP(data)
+        except dpkt.UnpackError:
+            self.skipped["malformed UDP datagram"] += 1
+            return None
+        length = udp.ulen or len(data)
+        if length < 8:
+            self.skipped["malformed UDP datagram"] += 1
+            return None
+        if length > len(data):
+            self.skipped["UDP datagram cut short by the capture"] += 1
+            return None
+        source, destination = socket.inet_ntoa(header.src), socket.inet_ntoa(header.dst)
+        return Udp((source, udp.sport), (destination, udp.dport), data[8:length])
+
 
 JAUS_PORT: Final = 3794  # registered for JAUS; AS5669A puts JUDP there
 
@@ -80,8 +191,8 @@ class CaptureReader:
         self._file = _Whole(file)
         self._frames = _open(file.peek(4)[:4], self._file, name)
         self._link_type: int = self._frames.datalink()
-        if self._link_type not in link.NAMES:
-            known = ", ".join(dict.fromkeys(link.NAMES.values()))
+        if self._link_type not in NAMES:
+            known = ", ".join(dict.fromkeys(NAMES.values()))
             raise ConfigError(f"{name}: link type {self._link_type} is not supported; these are: {known}")
 
     @property
@@ -91,7 +202,7 @@ class CaptureReader:
 
     def __iter__(self) -> Iterator[Datagram]:
         for number, (time, frame) in enumerate(self._each_frame(), 1):
-            packet = link.ip_packet(self._link_type, frame)
+            packet = ip_packet(self._link_type, frame)
             if packet is None:
                 self.skipped["not UDP over IPv4"] += 1
                 continue
@@ -120,3 +231,86 @@ def _open(head: bytes, file: _Whole, name: str) -> dpkt.pcap.Reader | dpkt.pcapn
         return kind(file)
     except (dpkt.Error, struct.error, ValueError) as error:
         raise ConfigError(f"{name} is not a readable pcap or pcapng file ({error})") from None
+
+
+# Link types as the pcap formats number them (https://www.tcpdump.org/linktypes.html). Raw IP has three numbers:
+# the registered one, and two that some systems write instead.
+NULL: Final = 0
+ETHERNET: Final = 1
+RAW: Final = (12, 14, 101)
+LOOP: Final = 108
+LINUX_SLL: Final = 113
+IPV4: Final = 228
+LINUX_SLL2: Final = 276
+
+NAMES: Final = {
+    NULL: "null/loopback",
+    ETHERNET: "Ethernet",
+    LOOP: "OpenBSD loopback",
+    LINUX_SLL: "Linux cooked",
+    IPV4: "raw IPv4",
+    LINUX_SLL2: "Linux cooked v2",
+    **dict.fromkeys(RAW, "raw IP"),
+}
+
+_IPV4_TYPE: Final = 0x0800
+_VLAN_TYPES: Final = (0x8100, 0x88A8, 0x9100)
+_AF_INET: Final = (2).to_bytes(4, "big"), (2).to_bytes(4, "little")
+
+
+def ip_packet(link_type: int, frame: bytes) -> bytes | None:
+    """The IPv4 packet in a frame, with whatever padding follows it; None when the frame carries something else."""
+    if link_type == ETHERNET:
+        return _after_ethertype(frame, 12)
+    if link_type == LINUX_SLL:
+        return _after_ethertype(frame, 14)
+    if link_type == LINUX_SLL2:
+        return frame[20:] if frame[:2] == _IPV4_TYPE.to_bytes(2, "big") else None
+    if link_type in (NULL, LOOP):
+        return frame[4:] if frame[:4] in _AF_INET else None
+    return frame
+
+
+def _after_ethertype(frame: bytes, offset: int) -> bytes | None:
+    while len(frame) >= offset + 2:
+        (kind,) = struct.unpack_from(">H", frame, offset)
+        if kind == _IPV4_TYPE:
+            return frame[offset + 2 :]
+        if kind not in _VLAN_TYPES:
+            return None
+        offset += 4
+    return None
+
+
+_SEPARATORS = re.compile(r"[\s:,_-]+|\b0[xX]")
+
+
+def from_hex(text: str) -> bytes:
+    """The bytes of `"02 00:11"`, `"0x02, 0x00"` or `"020011"`; `ConfigError` says what is wrong."""
+    digits = _SEPARATORS.sub("", text)
+    wrong = re.search(r"[^0-9a-fA-F]", digits)
+    if wrong:
+        raise ConfigError(f"{wrong.group()!r} in {_short(text)!r} is not a hexadecimal digit")
+    if not digits:
+        raise ConfigError("there are no hexadecimal digits")
+    if len(digits) % 2:
+        raise ConfigError(f"{_short(text)!r} has an odd number of hexadecimal digits ({len(digits)}); a byte has two")
+    return bytes.fromhex(digits)
+
+
+def from_lines(text: str) -> list[tuple[int, bytes]]:
+    """Each line's number and bytes; empty lines and what follows a `#` are left out."""
+    found = []
+    for number, line in enumerate(text.splitlines(), 1):
+        content = line.partition("#")[0].strip()
+        if not content:
+            continue
+        try:
+            found.append((number, from_hex(content)))
+        except ConfigError as error:
+            raise ConfigError(f"line {number}: {error}") from None
+    return found
+
+
+def _short(text: str) -> str:
+    return text if len(text) <= 40 else text[:37] + "..."

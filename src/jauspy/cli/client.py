@@ -13,7 +13,7 @@ from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.ocu import OCU
-from jauspy.transport import local_socket
+from jauspy.transport import local as local_socket
 
 SUBSYSTEM: Final = 42
 NODE: Final = 1

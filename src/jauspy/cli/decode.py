@@ -24,15 +24,13 @@ from jauspy.capture.dissect import (
     local_control,
     read_message,
 )
-from jauspy.capture.hextext import from_hex, from_lines
-from jauspy.capture.reader import CaptureReader, Datagram, is_capture
+from jauspy.capture.reader import CaptureReader, Datagram, from_hex, from_lines, is_capture
 from jauspy.cli import console
 from jauspy.cli.definitions import Definitions, SchemasOption, ServiceName, ServiceVersion, definitions
 from jauspy.cli.render import field_lines
 from jauspy.codec import reference
-from jauspy.codec.base import Message
-from jauspy.codec.entries import NO_HINTS, Entry, Hints
-from jauspy.codec.registry import Registry
+from jauspy.codec.message import Message
+from jauspy.codec.registry import NO_HINTS, Hints, MessageEntry, Registry
 from jauspy.errors import ConfigError, DecodeError
 from jauspy.messages import registry
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet, Priority
@@ -332,14 +330,14 @@ class HumanPrinter:
         console.stdout().print(Text(f"     decoded as in {here}; also {others}", style="dim"))
 
 
-def _option(entry: Entry, shown: Message) -> str:
+def _option(entry: MessageEntry, shown: Message) -> str:
     """The option that selects this definition."""
     if entry.version != shown.VERSION:
         return f"--version {entry.version}"
     return f"--service {_service(entry.service)}"
 
 
-def _place(entry: Entry) -> str:
+def _place(entry: MessageEntry) -> str:
     return f"{_service(entry.service)} {entry.version}"
 
 

@@ -9,14 +9,13 @@ from typing import Annotated
 
 import typer
 
-from jauspy.codec.base import Message
-from jauspy.codec.dynamic import load_schema
-from jauspy.codec.entries import Hints
-from jauspy.codec.registry import Registry
+from jauspy.codec.build import load_schema
+from jauspy.codec.message import Message
+from jauspy.codec.registry import Hints, Registry
 from jauspy.errors import ConfigError
 from jauspy.messages import registry
 from jauspy.schema import Schema, load_builtin, model
-from jauspy.schema.own import load_own
+from jauspy.schema.loader import load_own
 
 SchemasOption = Annotated[
     list[str] | None,

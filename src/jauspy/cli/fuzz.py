@@ -12,7 +12,7 @@ import typer
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
 from jauspy.cli import console
-from jauspy.codec.base import counted
+from jauspy.codec.message import counted
 from jauspy.errors import ConfigError, SchemaError
 from jauspy.fuzz.campaign import Outcome, Plan, fuzzer, run
 from jauspy.fuzz.findings import Finding, load_finding

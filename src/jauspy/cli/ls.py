@@ -14,7 +14,7 @@ from jauspy.cli.options import Connect, Json, OwnId
 from jauspy.cli.processes import run
 from jauspy.errors import ResponseTimeout
 from jauspy.ocu import OCU
-from jauspy.ocu.model import Component, Node, Subsystem, kind_of
+from jauspy.ocu.subsystems import ComponentInfo, NodeInfo, SubsystemInfo, kind_of
 
 
 def ls(
@@ -44,14 +44,14 @@ def ls(
         )
 
 
-async def _discover(own_id: str, connect: str | None, max_wait: float) -> list[Subsystem]:
+async def _discover(own_id: str, connect: str | None, max_wait: float) -> list[SubsystemInfo]:
     """All subsystems but the client's own."""
     async with OCU(own_id, connect) as ocu:
         found = await ocu.discover_all(timeout=max_wait)
         return [robot.info for robot in found if robot.id != ocu.id.subsystem]
 
 
-def tree_of(subsystem: Subsystem) -> Tree:
+def tree_of(subsystem: SubsystemInfo) -> Tree:
     """A subsystem as a tree of nodes, components, and services with their versions."""
     tree = Tree(_label("subsystem", subsystem.id, subsystem.name, subsystem.kind, style="bold cyan"), guide_style="dim")
     for node in subsystem.nodes:
@@ -64,7 +64,7 @@ def tree_of(subsystem: Subsystem) -> Tree:
     return tree
 
 
-def to_json(subsystem: Subsystem) -> dict[str, Any]:
+def to_json(subsystem: SubsystemInfo) -> dict[str, Any]:
     """A subsystem as a JSON object."""
     return {
         "subsystem": subsystem.id,
@@ -79,11 +79,11 @@ def _label(what: str, id: object, name: str, kind: str, style: str = "") -> Text
     return text.append(f"  {kind}", "dim") if kind and kind != "unknown" else text
 
 
-def _node_json(node: Node) -> dict[str, Any]:
+def _node_json(node: NodeInfo) -> dict[str, Any]:
     return {"node": node.id, "name": node.name, "components": [_component_json(each) for each in node.components]}
 
 
-def _component_json(component: Component) -> dict[str, Any]:
+def _component_json(component: ComponentInfo) -> dict[str, Any]:
     return {
         "id": str(component.id),
         "name": component.name,

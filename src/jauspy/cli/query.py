@@ -14,7 +14,7 @@ from jauspy.cli.fields import message_from
 from jauspy.cli.options import Connect, OwnId, Timeout
 from jauspy.cli.processes import run
 from jauspy.cli.render import field_lines
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.errors import ConfigError, ResponseTimeout
 from jauspy.ids import JausID
 from jauspy.ocu import OCU

@@ -12,9 +12,9 @@ from typing import Any, Final, TypeAlias
 
 from rich.text import Text
 
-from jauspy.codec.base import Message
 from jauspy.codec.items import Bits, Blob, Choice, Formatted, Item, Number, Real
 from jauspy.codec.layout import Composite, Grid, Repeat, Union
+from jauspy.codec.message import Message
 from jauspy.codec.wire import FLOATS
 
 _SYMBOLS: Final = {

@@ -14,7 +14,7 @@ from jauspy.cli.fields import message_from
 from jauspy.cli.options import Connect, OwnId, Timeout
 from jauspy.cli.processes import run
 from jauspy.cli.query import Destination, Fields, MessageName
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages.core import QueryControl, QueryEventTimeout, QueryStatus, ReportControl, ReportStatus

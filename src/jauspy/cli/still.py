@@ -14,7 +14,7 @@ from jauspy.cli.processes import run
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.ocu import OCU
-from jauspy.ocu.stills import DELIVERY
+from jauspy.ocu.stills import LARGE_IMAGE_DELIVERY
 
 
 def still(
@@ -45,7 +45,7 @@ def still(
     if component.is_wildcard:
         raise ConfigError(f"{component} has wildcards; name one component")
     wanted = size_of(size), format_of(save)
-    ocu = OCU(client.own_id(own_id, connect), connect, delivery=DELIVERY)
+    ocu = OCU(client.own_id(own_id, connect), connect, delivery=LARGE_IMAGE_DELIVERY)
     run(take_picture(ocu, component, sensor, *wanted, file=save, max_wait=timeout))
 
 

@@ -17,7 +17,7 @@ from jauspy.geometry.poses import Transform
 from jauspy.geometry.vectors import quaternion
 from jauspy.modules import robots
 from jauspy.modules.config import RobotConfig
-from jauspy.modules.description import robot_model
+from jauspy.modules.robots import robot_model
 from jauspy.ocu.frames import RobotFrames
 
 
@@ -66,7 +66,7 @@ async def _query_frames(
     model = robot_model(config)
     async with client.make_ocu(own_id, connect, max_wait) as ocu:
         reader = RobotFrames(await ocu.discover(config.subsystem, timeout=max_wait), model, config.movers)
-        return await reader.look(), reader.assumed_between
+        return await reader.read(), reader.assumed_between
 
 
 def _row(frame: str, parent: str, pose: Transform) -> dict[str, Any]:

@@ -39,7 +39,7 @@ from jauspy.modules.robot import RobotRunner
 from jauspy.node import config_file
 from jauspy.platform import backends
 from jauspy.protocol import junior
-from jauspy.transport import LocalTransport, local_socket
+from jauspy.transport import LocalTransport, local as local_socket
 
 Backend = Annotated[
     str | None,

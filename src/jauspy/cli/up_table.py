@@ -19,7 +19,7 @@ from rich.table import Table
 from rich.text import Text
 
 from jauspy.cli import console
-from jauspy.component import Shell
+from jauspy.component.component import Component
 from jauspy.errors import TransportError
 from jauspy.modules.config import ModuleConfig, RobotConfig
 from jauspy.modules.robot import RobotRunner
@@ -118,7 +118,7 @@ class StatusSampler:
         (began, before), (ends, after) = self._before[0], self._before[-1]
         return (after.get(name, 0.0) - before.get(name, 0.0)) / (ends - began) if ends > began else 0.0
 
-    def _module(self, component: Shell, module: ModuleConfig) -> ModuleStatus:
+    def _module(self, component: Component, module: ModuleConfig) -> ModuleStatus:
         host, access, events = component.host, component.host.service(AccessControl), component.host.service(Events)
         subscriptions = events.subscriptions.all() if events else []
         return ModuleStatus(

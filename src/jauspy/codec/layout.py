@@ -1,20 +1,20 @@
 """Layouts of what contains other values: records and sequences, lists, variants, arrays."""
 
-# ruff: noqa: D102 - what the methods do is written once, at `Item`
-
 from __future__ import annotations
 
-from dataclasses import dataclass, field, fields
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields, is_dataclass
 from difflib import get_close_matches
-from typing import Any
+from enum import IntEnum
+from typing import Any, Final
 
-from jauspy.codec.base import Struct, counted
-from jauspy.codec.item import Item, check_class, cut, integer_of, join, shown
-from jauspy.codec.items_bytes import Count
-from jauspy.codec.nesting import Nesting
-from jauspy.codec.streams import Reader, Writer
+from jauspy.codec.items import Count, Item, check_class, cut, integer_of, join, shown
+from jauspy.codec.message import Nesting, Struct, counted
+from jauspy.codec.slow_path import Reader, Writer
 from jauspy.codec.wire import SIZES, limits
 from jauspy.errors import EncodeError
+
+# ruff: noqa: D102 - what the methods do is written once, at `Item`
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,7 +31,7 @@ class Slot:
 class Composite(Item):
     """A record or sequence: the attributes of `cls` one after the other, behind a presence vector if there is one.
 
-    `undefined` are the presence bits that stand for nothing.
+    `undefined` are the presence bits without a field.
     """
 
     cls: type[Struct]
@@ -114,12 +114,6 @@ class Composite(Item):
         if "reserved_presence" in data:
             values["reserved_presence"] = integer_of(data["reserved_presence"], join(path, "reserved_presence"))
         return self.cls(**values)
-
-
-def composite(cls: type[Struct], presence: str | None, *rows: tuple[Any, ...]) -> Composite:
-    """The layout of a dataclass: for each attribute its JAUS name and its layout, and `True` when it is optional."""
-    slots = (Slot(made.name, *row) for made, row in zip(fields(cls), rows, strict=False))  # type: ignore[arg-type]  # generated classes are dataclasses
-    return Composite(cls, tuple(slots), presence)
 
 
 def _hint(key: object, names: list[str]) -> str:
@@ -253,3 +247,26 @@ class Grid(Item):
             raise EncodeError(f"{shown(data)} is not a list of {self.sizes[0]}", path=path)
         inner = self._inner()
         return [inner.from_json(part, f"{path}[{number}]", nesting) for number, part in enumerate(data)]
+
+
+_NAMES: Final = frozenset(("cls", "name", "jaus", "units"))
+
+
+def same_layout(one: Item, other: Item) -> bool:
+    """True when the same bytes are the same values."""
+    return bool(_shape(one) == _shape(other))
+
+
+def _shape(part: Any) -> Any:
+    if is_dataclass(part):
+        inside = (_shape(getattr(part, field.name)) for field in fields(part) if field.name not in _NAMES)
+        return (type(part).__name__, *inside)
+    if isinstance(part, type) and issubclass(part, IntEnum):
+        return tuple(map(int, part))
+    if isinstance(part, Mapping):
+        return tuple((key if isinstance(key, int) else "", _shape(value)) for key, value in part.items())
+    if isinstance(part, tuple):
+        return tuple(map(_shape, part))
+    if part is None or isinstance(part, (str, int, float, frozenset)):
+        return part
+    return type(part).__name__  # a registry; which one it is does not matter

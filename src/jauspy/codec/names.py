@@ -24,7 +24,7 @@ _LETTERS = str.maketrans(
 _DIMENSIONS = re.compile(r"(?<=\d)D(?![a-z])")
 _RESERVED = frozenset(
     {"encode", "decode", "to_dict", "from_dict", "layout", "mro", "self", "cls"}  # of a message
-    | {"int", "float", "str", "bytes", "list", "rt"}  # in its annotations
+    | {"int", "float", "str", "bytes", "list", "jd"}  # in its annotations
 )
 _RESERVED_CLASSES = frozenset({"IntEnum", "Self"})
 
@@ -57,9 +57,11 @@ def constant(name: str) -> str:
 
 def class_name(name: str) -> str:
     """A valid class name that keeps the JAUS spelling where it can."""
-    text = re.sub(r"\W+", "_", name).strip("_") or "Unnamed"
+    letters = unicodedata.normalize("NFKC", name)
+    text = "".join(letter if f"a{letter}".isidentifier() else " " for letter in letters)
+    text = re.sub(r"\s+", "_", text).strip("_") or "Unnamed"
     text = text[0].upper() + text[1:]
-    if text[0].isdigit():
+    if not text.isidentifier():
         return f"N{text}"
     return f"{text}_" if keyword.iskeyword(text) or text in _RESERVED_CLASSES else text
 
@@ -108,3 +110,8 @@ def version_package(version: str) -> str:
 def module_alias(name: str) -> str:
     """How a module of the package is called where another imports it: `core_v1_0_types` of `core.v1_0.types`."""
     return snake(name.replace(".", " ")) or name
+
+
+def version_key(version: str) -> tuple[int, ...]:
+    """Orders versions, `1.1` and `v1_1` alike."""
+    return tuple(int(part) for part in version.replace("v", "").replace("_", ".").split(".") if part.isdigit())

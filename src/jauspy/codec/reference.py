@@ -1,20 +1,441 @@
-"""The reference codec: a construct tree made of the same model, slow, simple, and aware of every offset.
+"""The reference codec: a construct tree made from the schema model, slow and simple, with the offset of every field.
 
-It explains bytes field by field, and it is the oracle of the differential tests. Nothing on the way of a message
-imports it. Values have the form of `Message.to_dict`, except that messages inside messages stay bytes.
+It explains bytes field by field, and differential tests compare the other codec with it. Neither encoding nor decoding
+uses it. Values have the form of `Message.to_dict`, except that messages inside messages stay bytes.
 """
 
 from __future__ import annotations
 
+import math
+import struct
+from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any
+from fractions import Fraction
+from functools import lru_cache
+from typing import Any, TypeAlias
 
-from construct import ConstructError, Container
+from construct import (
+    Array,
+    Bytes,
+    Const,
+    Construct,
+    ConstructError,
+    Container,
+    Error,
+    FormatField,
+    IfThenElse,
+    Pass,
+    RawCopy,
+    Struct,
+    Switch,
+    Terminated,
+)
 
-from jauspy.codec.reference_tree import Tree, tree_of
-from jauspy.codec.reference_values import Explainer, Stacker
+from jauspy.codec.names import attributes, members
+from jauspy.codec.wire import CODES, FLOATS, as_sent, limits, nearest_raw
 from jauspy.errors import DecodeError, EncodeError
+from jauspy.schema import model as m
 from jauspy.schema.model import Message
+
+Tree: TypeAlias = Construct
+
+
+@lru_cache(maxsize=1024)
+def tree_of(message: m.Message) -> Tree:
+    """Id, body, end of the data."""
+    body = Pass if message.body is None else node_tree(message.body)
+    return Struct(
+        "id" / RawCopy(Const(message.code, number("u16"))),
+        "body" / body,
+        "end" / Terminated,
+    )
+
+
+def number(kind: m.Scalar) -> Tree:
+    """A little-endian number."""
+    code = {"u32": "L", "i32": "l"}.get(kind, CODES[kind])  # the names construct has for them
+    return FormatField("<", code)
+
+
+def node_tree(node: m.Node) -> Tree:
+    """The tree of a composite or field."""
+    match node:
+        case m.Record():
+            return _parts(node.fields, node.presence)
+        case m.Sequence():
+            return _parts(node.items, node.presence)
+        case m.List():
+            return Struct("count" / _leaf(node.count.type), "items" / Array(_count, node_tree(node.element)))
+        case m.Variant():
+            arms = {tag: node_tree(arm) for tag, arm in enumerate(node.arms)}
+            inner = Switch(lambda this: this.tag.value, arms, default=Error) if arms else Pass
+            return Struct("tag" / _leaf(node.tag.type), "arm" / inner)
+        case m.FixedField() | m.BitField():
+            return _leaf(node.type)
+        case m.VariableField():
+            kinds = {choice.index: _leaf(choice.type) for choice in node.choices}
+            return Struct("index" / _leaf("u8"), "number" / Switch(lambda this: this.index.value, kinds, default=Error))
+        case m.FixedString():
+            return RawCopy(Bytes(node.length))
+        case m.VariableString() | m.VariableLengthField():
+            return Struct("count" / _leaf(node.count.type), "bytes" / RawCopy(Bytes(_count)))
+        case m.VariableFormatField():
+            counted = ("count" / _leaf(node.count.type), "bytes" / RawCopy(Bytes(_count)))
+            return Struct("format" / _leaf("u8"), *counted)
+        case m.Array():
+            tree = node_tree(node.element)
+            for dimension in reversed(node.dimensions):
+                tree = Array(dimension.size, tree)
+            return tree
+        case _:
+            raise TypeError(type(node).__name__)
+
+
+def _leaf(kind: m.Scalar) -> Tree:
+    return RawCopy(number(kind))
+
+
+def _count(this: Any) -> int:
+    return int(this.count.value)
+
+
+def _parts(nodes: tuple[m.Node, ...], presence: m.Unsigned | None) -> Tree:
+    names = attributes((node.name for node in nodes), "reserved_presence")
+    subcons = ["_presence" / _leaf(presence)] if presence else []
+    bit = 0
+    for name, node in zip(names, nodes, strict=True):
+        tree = node_tree(node)
+        if presence and node.optional:
+            tree = IfThenElse(_has(bit if bit < 8 * struct.calcsize(CODES[presence]) else None), tree, Pass)
+            bit += 1
+        subcons.append(f"f_{name}" / tree)
+    return Struct(*subcons)
+
+
+def _has(bit: int | None) -> Any:
+    if bit is None:
+        return lambda this: False  # noqa: ARG005 - construct passes its context
+    return lambda this: this["_presence"].value >> bit & 1
+
+
+RawRow = tuple[int, int, str, Any, Any]
+Number = m.FixedField | m.TypeChoice | m.SubField
+
+
+class Explainer:
+    """Walks a parsed tree beside its model; collects a row per leaf and returns values."""
+
+    def __init__(self, *, strict: bool) -> None:
+        self.strict = strict
+        self.rows: list[RawRow] = []
+
+    def message(self, message: m.Message, tree: Container) -> dict[str, Any]:
+        """The values of the body."""
+        self._row(tree.id, "message_id", message.name)
+        body = message.body
+        if body is None:
+            return {}
+        if isinstance(body, (m.List, m.Variant)):
+            (name,) = attributes([body.name])
+            return {name: self._node(body, tree.body, name)}
+        values = self._node(body, tree.body, "")
+        assert isinstance(values, dict)
+        return values
+
+    def _row(self, leaf: Container, path: str, value: Any) -> None:
+        self.rows.append((leaf.offset1, leaf.length, path, leaf.value, value))
+
+    def _wrong(self, reason: str, leaf: Container, path: str) -> None:
+        if self.strict:
+            raise DecodeError(reason, offset=leaf.offset1, path=path)
+
+    def _node(self, node: m.Node, tree: Any, path: str) -> Any:
+        match node:
+            case m.Record():
+                return self._parts(node.fields, node.presence, tree, path)
+            case m.Sequence():
+                return self._parts(node.items, node.presence, tree, path)
+            case m.List():
+                self._counted(node.count, tree.count, path)
+                return [self._node(node.element, item, f"{path}[{n}]") for n, item in enumerate(tree["items"])]
+            case m.Variant():
+                return self._variant(node, tree, path)
+            case m.FixedField():
+                return self._number(node, tree, path, node.name)
+            case m.BitField():
+                return self._bits(node, tree, path)
+            case m.VariableField():
+                return self._choice(node, tree, path)
+            case m.FixedString():
+                text = tree.value.rstrip(b"\0").decode("latin-1")
+                self._row(tree, path, text)
+                return text
+            case m.VariableString():
+                self._counted(node.count, tree.count, path)
+                text = tree.bytes.value.decode("latin-1")
+                self._row(tree.bytes, path, text)
+                return text
+            case m.VariableLengthField():
+                low = 0 if node.format.lower() == "jaus message" else node.count.minimum
+                return self._bytes(m.Count(node.count.type, low, node.count.maximum), tree, path)
+            case m.VariableFormatField():
+                return self._format(node, tree, path)
+            case m.Array():
+                return self._array(node, tree, path, len(node.dimensions))
+            case _:
+                raise TypeError(type(node).__name__)
+
+    def _parts(self, nodes: Iterable[m.Node], presence: Any, tree: Container, path: str) -> dict[str, Any]:
+        listed = list(nodes)
+        values: dict[str, Any] = {}
+        names = attributes((n.name for n in listed), "reserved_presence")
+        if presence:
+            optional = [name for name, node in zip(names, listed, strict=True) if node.optional]
+            present = [name for bit, name in enumerate(optional) if tree["_presence"].value >> bit & 1]
+            self._row(tree["_presence"], f"{path}.presence_vector" if path else "presence_vector", present)
+        for name, node in zip(names, listed, strict=True):
+            part = tree[f"f_{name}"]
+            if part is not None:
+                values[name] = self._node(node, part, f"{path}.{name}" if path else name)
+        if presence:
+            defined = (1 << sum(node.optional for node in listed)) - 1
+            if tree["_presence"].value & ~defined:
+                values["reserved_presence"] = tree["_presence"].value & ~defined
+        return values
+
+    def _counted(self, count: m.Count, leaf: Container, path: str) -> None:
+        self._row(leaf, f"{path}.count", leaf.value)
+        if not count.minimum <= leaf.value <= count.maximum:
+            self._wrong(f"count {leaf.value} is outside {count.minimum}..{count.maximum}", leaf, path)
+
+    def _variant(self, node: m.Variant, tree: Container, path: str) -> Any:
+        names = attributes((arm.name for arm in node.arms), "code")
+        if not node.arms:
+            self._row(tree.tag, f"{path}.tag", tree.tag.value)
+            return {"tag": tree.tag.value}
+        name = names[tree.tag.value]
+        self._row(tree.tag, f"{path}.tag", name)
+        arm = node.arms[tree.tag.value]
+        inner = self._node(arm, tree.arm, f"{path}.{name}")
+        return {name: wrapped(arm, inner)}
+
+    def _number(self, kind: Number, leaf: Container, path: str, name: str) -> Any:
+        assert not isinstance(kind, m.SubField)
+        raw = leaf.value
+        code = CODES[kind.type]
+        if kind.scale is not None and code not in FLOATS:
+            value: Any = real(raw, kind.scale, limits(code)[1])
+            if raw < 0:
+                self._wrong("raw value below 0", leaf, path)
+        else:
+            value = named(raw, kind.values)
+            if code in FLOATS and not math.isfinite(raw):
+                self._wrong(f"{name} is not finite", leaf, path)
+                value = str(raw)
+            elif not allows(kind.values, raw, code):
+                self._wrong(f"{raw} is not allowed", leaf, path)
+        self._row(leaf, path, value)
+        return value
+
+    def _bits(self, node: m.BitField, leaf: Container, path: str) -> dict[str, Any]:
+        values: dict[str, Any] = {}
+        rest = leaf.value
+        for name, sub in zip(
+            attributes((s.name for s in node.subfields), "reserved_bits"), node.subfields, strict=True
+        ):
+            mask = (1 << (sub.last - sub.first + 1)) - 1
+            part = leaf.value >> sub.first & mask
+            rest &= ~(mask << sub.first)
+            values[name] = named(part, sub.values)
+            if not allows(sub.values, part):
+                self._wrong(f"{part} is not allowed", leaf, f"{path}.{name}")
+        if rest:
+            values["reserved_bits"] = rest
+        self._row(leaf, path, values)
+        return values
+
+    def _choice(self, node: m.VariableField, tree: Container, path: str) -> dict[str, Any]:
+        names = members([(c.index, c.name or c.units) for c in node.choices])
+        by_index = {index: name for name, index in names.items()}
+        self._row(tree.index, f"{path}.choice", by_index[tree.index.value])
+        choice = next(c for c in node.choices if c.index == tree.index.value)
+        value = self._number(choice, tree.number, f"{path}.value", choice.name)
+        return {"choice": by_index[tree.index.value], "value": value}
+
+    def _bytes(self, count: m.Count, tree: Container, path: str) -> dict[str, str]:
+        self._counted(count, tree.count, path)
+        value = {"hex": tree.bytes.value.hex()}
+        self._row(tree.bytes, path, value["hex"])
+        return value
+
+    def _format(self, node: m.VariableFormatField, tree: Container, path: str) -> dict[str, Any]:
+        names = members([(f.index, f.name) for f in node.formats])
+        by_index = {index: name for name, index in names.items()}
+        index = tree.format.value
+        if node.formats and index not in by_index:
+            self._wrong(f"format {index} is unknown", tree.format, f"{path}.format")
+        self._row(tree.format, f"{path}.format", by_index.get(index, index))
+        return {"format": by_index.get(index, index), "data": self._bytes(node.count, tree, f"{path}.data")}
+
+    def _array(self, node: m.Array, tree: Any, path: str, depth: int) -> Any:
+        if not depth:
+            return self._node(node.element, tree, path)
+        return [self._array(node, part, f"{path}[{n}]", depth - 1) for n, part in enumerate(tree)]
+
+
+class Stacker:
+    """From values to what construct builds."""
+
+    def message(self, message: m.Message, values: dict[str, Any]) -> dict[str, Any]:
+        """The tree of a message."""
+        body = message.body
+        if body is None:
+            tree = None
+        elif isinstance(body, (m.List, m.Variant)):
+            tree = self._node(body, values[attributes([body.name])[0]])
+        else:
+            tree = self._node(body, values)
+        return {"id": leaf(message.code), "body": tree, "end": None}
+
+    def _node(self, node: m.Node, value: Any) -> Any:
+        match node:
+            case m.Record():
+                return self._parts(node.fields, node.presence, value)
+            case m.Sequence():
+                return self._parts(node.items, node.presence, value)
+            case m.List():
+                return {"count": leaf(len(value)), "items": [self._node(node.element, part) for part in value]}
+            case m.Variant():
+                return self._variant(node, value)
+            case m.FixedField():
+                return leaf(raw_number(node, value))
+            case m.BitField():
+                return leaf(self._bits(node, value))
+            case m.VariableField():
+                index = members([(c.index, c.name or c.units) for c in node.choices])[value["choice"]]
+                choice = next(c for c in node.choices if c.index == index)
+                return {"index": leaf(index), "number": leaf(raw_number(choice, value["value"]))}
+            case m.FixedString():
+                return leaf(value.encode("latin-1").ljust(node.length, b"\0"))
+            case m.VariableString():
+                return counted(value.encode("latin-1"))
+            case m.VariableLengthField():
+                return counted(bytes.fromhex(value["hex"]))
+            case m.VariableFormatField():
+                index = members([(f.index, f.name) for f in node.formats]).get(value["format"], value["format"])
+                return {"format": leaf(index), **counted(bytes.fromhex(value["data"]["hex"]))}
+            case m.Array():
+                return self._array(node, value, len(node.dimensions))
+            case _:
+                raise TypeError(type(node).__name__)
+
+    def _parts(self, nodes: tuple[m.Node, ...], presence: Any, values: dict[str, Any]) -> dict[str, Any]:
+        tree: dict[str, Any] = {}
+        mask, bit = values.get("reserved_presence", 0), 0
+        for name, node in zip(attributes((n.name for n in nodes), "reserved_presence"), nodes, strict=True):
+            value = values.get(name)
+            tree[f"f_{name}"] = None if value is None else self._node(node, value)
+            if node.optional:
+                mask |= (value is not None) << bit
+                bit += 1
+        if presence:
+            tree["_presence"] = leaf(mask)
+        return tree
+
+    def _variant(self, node: m.Variant, value: dict[str, Any]) -> dict[str, Any]:
+        if not node.arms:
+            return {"tag": leaf(value["tag"]), "arm": None}
+        ((name, inner),) = value.items()
+        tag = attributes((arm.name for arm in node.arms), "code").index(name)
+        return {"tag": leaf(tag), "arm": self._node(node.arms[tag], unwrapped(node.arms[tag], inner))}
+
+    def _bits(self, node: m.BitField, value: dict[str, Any]) -> int:
+        raw: int = value.get("reserved_bits", 0)
+        for name, sub in zip(
+            attributes((s.name for s in node.subfields), "reserved_bits"), node.subfields, strict=True
+        ):
+            raw |= number_of(value[name], sub.values) << sub.first
+        return raw
+
+    def _array(self, node: m.Array, value: Any, depth: int) -> Any:
+        return [self._array(node, part, depth - 1) for part in value] if depth else self._node(node.element, value)
+
+
+def wrapped(arm: m.Node, value: Any) -> Any:
+    """An arm that is a list or variant stands in a class of its own, under its name."""
+    single = isinstance(arm, m.List) or (isinstance(arm, m.Variant) and arm.arms)
+    return {attributes([arm.name])[0]: value} if single else value
+
+
+def unwrapped(arm: m.Node, value: Any) -> Any:
+    """The inverse of `wrapped`."""
+    single = isinstance(arm, m.List) or (isinstance(arm, m.Variant) and arm.arms)
+    return value[attributes([arm.name])[0]] if single else value
+
+
+def leaf(value: Any) -> dict[str, Any]:
+    """What construct's RawCopy builds from."""
+    return {"value": value}
+
+
+def counted(data: bytes) -> dict[str, Any]:
+    """Counted bytes."""
+    return {"count": leaf(len(data)), "bytes": leaf(data)}
+
+
+def real(raw: int, scale: m.Scale, top: int) -> float:
+    """The real value, in rational arithmetic."""
+    lower, upper = decimal_limits(scale)
+    return float(lower + raw * (upper - lower) / top)
+
+
+def decimal_limits(scale: m.Scale) -> tuple[Fraction, Fraction]:
+    """Both ends of the range, which mean their shortest decimal form."""
+    return Fraction(repr(float(scale.lower))), Fraction(repr(float(scale.upper)))
+
+
+def raw_number(kind: m.FixedField | m.TypeChoice, value: Any) -> Any:
+    """The raw form of a number."""
+    code = CODES[kind.type]
+    if kind.scale is not None and code not in FLOATS:
+        lower, upper, top = *decimal_limits(kind.scale), limits(code)[1]
+        nearest = nearest_raw(value, lower, upper, top)
+        if real(nearest, kind.scale, top) == value:
+            return nearest
+        return nearest_raw(value, lower, upper, top, kind.scale.function)
+    return float(value) if code in FLOATS else number_of(value, kind.values)
+
+
+def number_of(value: Any, values: m.ValueSet | None) -> int:
+    """The number of a member name, or the number itself."""
+    if isinstance(value, str) and values is not None:
+        return members([(e.value, e.name) for e in values.enums])[value]
+    return int(value)
+
+
+def named(raw: Any, values: m.ValueSet | None) -> Any:
+    """The member name of a number, or the number itself."""
+    if values is None:
+        return raw
+    return next(
+        (name for name, number in members([(e.value, e.name) for e in values.enums]).items() if number == raw), raw
+    )
+
+
+def allows(values: m.ValueSet | None, raw: float, code: str = "Q") -> bool:
+    """True when a value set holds the number; an empty one holds all."""
+    if values is None or not (values.enums or values.ranges):
+        return True
+    if any(enum.value == raw for enum in values.enums):
+        return True
+    return any(_within(r, raw, code) for r in values.ranges)
+
+
+def _within(r: m.ValueRange, raw: float, code: str) -> bool:
+    lower, upper = (as_sent(r.lower, code), as_sent(r.upper, code)) if code in FLOATS else (r.lower, r.upper)
+    above = raw >= lower if r.lower_inclusive else raw > lower
+    below = raw <= upper if r.upper_inclusive else raw < upper
+    return above and below
 
 
 @dataclass(frozen=True, slots=True)

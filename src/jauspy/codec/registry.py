@@ -1,22 +1,121 @@
-"""Finding message classes by name and by code; modules are imported when a message of theirs is first used."""
+"""Registries find message classes by name and by code; a module is imported when a message of it is first used."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import replace
+import sys
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Literal, TypeVar, overload
+from importlib import import_module
+from typing import TYPE_CHECKING, Any, Final, Literal, TypeVar, overload
 
-from jauspy.codec import careful
-from jauspy.codec.base import FAST_ERRORS, Deviation, Message, as_bytes, too_short
-from jauspy.codec.entries import NO_HINTS, Collision, Entry, Hints, meanings
-from jauspy.codec.item import join, shown
-from jauspy.codec.nesting import Nesting
+from jauspy.codec import slow_path
+from jauspy.codec.items import join, shown
+from jauspy.codec.layout import same_layout
+from jauspy.codec.message import FAST_ERRORS, Deviation, Message, Nesting, as_bytes, too_short
 from jauspy.errors import ConfigError, DecodeError, EncodeError
+from jauspy.ids import is_called
 
 if TYPE_CHECKING:
     from jauspy.schema.model import Schema
+
+STANDARD: Final = "urn:jaus:jss:"
+"""How the URNs of published service sets begin."""
+
+
+@dataclass(frozen=True, slots=True)
+class MessageEntry:
+    """One message of one service version, and the module and class it lives in."""
+
+    code: int
+    name: str
+    service: str
+    version: str
+    module: str
+    cls: str
+
+    def load(self) -> type[Message]:
+        """The message class."""
+        found = getattr(import_module(self.module), self.cls)
+        assert isinstance(found, type)
+        assert issubclass(found, Message)
+        return found
+
+    @property
+    def edition(self) -> str:
+        """What has versions as a whole: a service set of the standard; elsewhere each service."""
+        return self.service.rpartition(":")[0] if self.service.startswith(STANDARD) else self.service
+
+    @property
+    def order(self) -> tuple[int, ...]:
+        """Orders versions, oldest first."""
+        return tuple(int(part) for part in self.version.split(".") if part.isdigit())
+
+
+def entries(module: str, service: str, version: str, *messages: tuple[Any, ...]) -> Iterator[MessageEntry]:
+    """The entries of one module: for each message its code and name, and its class where that has another name."""
+    for code, name, *cls in messages:
+        yield MessageEntry(code, name, service, version, module, cls[0] if cls else name)
+
+
+@dataclass(frozen=True, slots=True)
+class Hints:
+    """Narrows a search: the end of a service's URN, a version, a message's name; case does not matter."""
+
+    service: str | None = None
+    version: str | None = None
+    message: str | None = None
+
+    def fit(self, entry: MessageEntry) -> bool:
+        """True when the entry is one of those that are meant."""
+        return (
+            (self.service is None or is_called(entry.service, self.service))
+            and self.version in (None, entry.version)
+            and (self.message is None or self.message.casefold() == entry.name.casefold())
+        )
+
+    def __str__(self) -> str:
+        service = f"of {self.service}" if self.service else ""
+        return " ".join(part for part in (self.message, service, self.version) if part)
+
+
+NO_HINTS = Hints()
+
+
+@dataclass(frozen=True, slots=True)
+class Collision:
+    """A message id that means different things; `remedy` is what tells them apart."""
+
+    code: int
+    entries: tuple[MessageEntry, ...]
+    """One for each meaning."""
+    files: tuple[str, ...]
+    """Where those are defined, in the same order."""
+
+    def __str__(self) -> str:
+        meanings = (
+            f"{entry.name} of {entry.service} {entry.version} ({file})"
+            for entry, file in zip(self.entries, self.files, strict=True)
+        )
+        return f"message id 0x{self.code:04X} is {' and '.join(meanings)}"
+
+    @property
+    def remedy(self) -> str:
+        """The argument that `decode` needs: `service`, or `message` where one service gives one id to several."""
+        services = {(entry.service, entry.version) for entry in self.entries}
+        return "service" if len(services) == len(self.entries) else "message"
+
+
+def meanings(entries: Iterable[MessageEntry]) -> tuple[MessageEntry, ...]:
+    """The first entry of each name and layout."""
+    names: dict[str, list[MessageEntry]] = {}
+    for entry in entries:
+        same_name = names.setdefault(entry.name, [])
+        if not any(same_layout(other.load().layout(), entry.load().layout()) for other in same_name):
+            same_name.append(entry)
+    return tuple(entry for same_name in names.values() for entry in same_name)
+
 
 M = TypeVar("M", bound=Message)
 
@@ -25,24 +124,27 @@ class Registry:
     """The known messages.
 
     One layered over another (`base`) finds its own first; a service that it has in the same version replaces that of
-    the base. Different services, and careless single ones, may use one message id for several messages: see
+    the base. Different services, and sometimes a single one, may use one message id for several messages: see
     `collisions`.
     """
 
     def __init__(
-        self, entries: Iterable[Entry], base: Registry | None = None, files: Mapping[tuple[str, str], str] | None = None
+        self,
+        entries: Iterable[MessageEntry],
+        base: Registry | None = None,
+        files: Mapping[tuple[str, str], str] | None = None,
     ) -> None:
         self._base = base
-        self._own: tuple[Entry, ...] = tuple(sorted(entries, key=lambda entry: entry.order, reverse=True))
+        self._own: tuple[MessageEntry, ...] = tuple(sorted(entries, key=lambda entry: entry.order, reverse=True))
         replaced = {(entry.service, entry.version) for entry in self._own}
         kept = (entry for entry in (base.entries if base else ()) if (entry.service, entry.version) not in replaced)
-        self._entries: tuple[Entry, ...] = (*self._own, *kept)
+        self._entries: tuple[MessageEntry, ...] = (*self._own, *kept)
         self.files = dict(files or {})
         """Which file defines a service (URN and version), as far as it is known; for reports only."""
         self.schema: Schema | None = None
         """The definitions that `jauspy.load` made these messages from: with it a component can run their services."""
-        self._codes: dict[int, tuple[Entry, ...]] = {}
-        self._names: dict[str, tuple[Entry, ...]] = {}
+        self._codes: dict[int, tuple[MessageEntry, ...]] = {}
+        self._names: dict[str, tuple[MessageEntry, ...]] = {}
         for entry in self._entries:
             self._codes[entry.code] = (*self._codes.get(entry.code, ()), entry)
             key = entry.name.casefold()
@@ -51,7 +153,7 @@ class Registry:
         """What messages that this registry decodes know about messages inside them: that they are of this one."""
         self._plain: dict[int, type[Message] | None] = {}
         self._found: dict[tuple[int, Hints], Collision | None] = {}
-        self._others: dict[type[Message], tuple[Entry, ...]] = {}
+        self._others: dict[type[Message], tuple[MessageEntry, ...]] = {}
         self._hinted: dict[Hints, dict[int, type[Message] | None]] = {}
 
     def __len__(self) -> int:
@@ -65,11 +167,11 @@ class Registry:
         return f"<Registry of {len(self)} messages>"
 
     @property
-    def entries(self) -> tuple[Entry, ...]:
+    def entries(self) -> tuple[MessageEntry, ...]:
         """What is known without importing a message: own layer first, newest version first."""
         return self._entries
 
-    def entries_of(self, code: int) -> tuple[Entry, ...]:
+    def entries_of(self, code: int) -> tuple[MessageEntry, ...]:
         """Those of one message id, in the same order."""
         return self._codes.get(code, ())
 
@@ -77,9 +179,9 @@ class Registry:
     def collisions(self) -> tuple[Collision, ...]:
         """The message ids that mean different things, lowest first.
 
-        `decode` refuses them unless it is told the service, or the message where one service has one id twice. A newer
-        version of a message, in its own service or in another one of the same set of the standard, replaces the older
-        one and collides with nothing.
+        `decode` raises `DecodeError` for them unless `service` is given, or `message` where one service uses an id
+        twice. A newer version of a message, in its own service or in another one of the same set of the standard,
+        replaces the older one and collides with nothing.
         """
         found = map(self.collision, sorted(self._codes))
         return tuple(collision for collision in found if collision)
@@ -94,14 +196,14 @@ class Registry:
             self._found[code, hints] = Collision(code, several, files) if files else None
         return self._found[code, hints]
 
-    def _meanings(self, code: int, hints: Hints) -> tuple[Entry, ...]:
+    def _meanings(self, code: int, hints: Hints) -> tuple[MessageEntry, ...]:
         candidates = self._candidates(entry for entry in self.entries_of(code) if hints.fit(entry))
         return tuple(candidates) if len(candidates) < 2 else meanings(candidates)
 
-    def _candidates(self, entries: Iterable[Entry]) -> list[Entry]:
+    def _candidates(self, entries: Iterable[MessageEntry]) -> list[MessageEntry]:
         """Of each edition what counts: the entries of the same layer and version as its first one."""
         firsts: dict[str, tuple[bool, str]] = {}
-        found: list[Entry] = []
+        found: list[MessageEntry] = []
         for entry in entries:
             rank = (entry in self._own, entry.version)
             if firsts.setdefault(entry.edition, rank) == rank:
@@ -109,7 +211,7 @@ class Registry:
         return found
 
     def narrowed(self, code: int, wanted: Hints) -> Hints:
-        """As much of what is wanted as some message of this id has, the message's name first, then its service."""
+        """Those of the wanted hints that some message of this id fits: the message's name first, then its service."""
         entries = self.entries_of(code)
         kept = NO_HINTS
         for key in ("message", "service", "version"):
@@ -117,7 +219,7 @@ class Registry:
             kept = hints if any(map(hints.fit, entries)) else kept
         return kept
 
-    def others(self, kind: type[Message]) -> tuple[Entry, ...]:
+    def others(self, kind: type[Message]) -> tuple[MessageEntry, ...]:
         """What else the id of a message means: in other versions of its set, and where `collisions` has it."""
         code = kind.CODE
         if kind not in self._others:
@@ -127,7 +229,7 @@ class Registry:
             self._others[kind] = meanings([*first, *entries])[1:] if len(entries) > 1 else ()
         return self._others[kind]
 
-    def file_of(self, entry: Entry) -> str:
+    def file_of(self, entry: MessageEntry) -> str:
         """The file that defines a message; its Python module where that is not known."""
         known = self.files.get((entry.service, entry.version))
         if known is not None:
@@ -218,7 +320,7 @@ class Registry:
         try:
             found = cls._unpack(data, self.nesting)
         except FAST_ERRORS:
-            return (careful.decode if strict else careful.decode_tolerant)(cls, data, self.nesting)
+            return (slow_path.decode if strict else slow_path.decode_tolerant)(cls, data, self.nesting)
         return found if strict else (found, [])
 
     def class_of(self, data: bytes, hints: Hints = NO_HINTS) -> type[Message] | None:
@@ -264,7 +366,7 @@ class Registry:
         return cls._from_json({} if fields is None else fields, join(path, "fields") if path else "", nesting)
 
 
-def _shipped_file(entry: Entry) -> str:
+def _shipped_file(entry: MessageEntry) -> str:
     """The file of a built-in message; empty when it is not built in."""
     if not entry.module.startswith("jauspy.messages."):
         return ""
@@ -272,3 +374,19 @@ def _shipped_file(entry: Entry) -> str:
 
     where = load_builtin().service(entry.service, entry.version).where
     return where.file if where else ""
+
+
+def lazy(
+    package: str, modules: Mapping[str, str]
+) -> tuple[list[str], Callable[[str], object], Callable[[], list[str]]]:
+    """`__all__`, `__getattr__` and `__dir__` of a package, from the names (with blanks between them) of each module."""
+    names = {name: module for module, listed in modules.items() for name in listed.split()}
+
+    def load(name: str) -> object:
+        if name not in names:
+            raise AttributeError(f"module {package!r} has no attribute {name!r}")
+        value: object = getattr(import_module(names[name]), name)
+        setattr(sys.modules[package], name, value)
+        return value
+
+    return sorted(names), load, lambda: sorted({*vars(sys.modules[package]), *names})

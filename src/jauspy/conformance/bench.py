@@ -19,7 +19,7 @@ from jauspy.protocol.endpoint import Endpoint
 from jauspy.protocol.header import Ack, Packet
 from jauspy.protocol.routing import Router
 from jauspy.services.host import Host
-from jauspy.services.outbox import Outgoing
+from jauspy.services.messaging import Outgoing
 
 ROOT: Final = "/bench"
 USUAL: Final = UdpPort("192.0.2.42", judp.PORT)
@@ -53,10 +53,10 @@ class Part:
             now=now,
             priority=outgoing.priority,
             broadcast=outgoing.broadcast,
-            ack=Ack.NONE if outgoing.told is None else Ack.REQUIRED,
+            ack=Ack.NONE if outgoing.on_acknowledged is None else Ack.REQUIRED,
         )
-        if outgoing.told is not None and ticket is not None:
-            self._told[ticket] = outgoing.told
+        if outgoing.on_acknowledged is not None and ticket is not None:
+            self._told[ticket] = outgoing.on_acknowledged
 
     def handle(self, datagram: bytes, now: float) -> None:
         """A datagram from the node manager."""

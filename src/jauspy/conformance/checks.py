@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from enum import IntEnum
 from typing import Any, TypeAlias
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 
 Judge: TypeAlias = Callable[[Any], str]
 """Takes a message, says what is wrong with it; empty when nothing is."""

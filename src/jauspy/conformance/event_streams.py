@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import Final
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.conformance.checks import has, near
 from jauspy.conformance.results import Silent
 from jauspy.conformance.tester import Client, Tester

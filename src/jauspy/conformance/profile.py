@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from importlib.metadata import EntryPoint, entry_points
 from typing import Final, TypeAlias
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.conformance.checks import Check
 from jauspy.conformance.offers import Offers
 from jauspy.conformance.tester import Tester

@@ -8,7 +8,7 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Final
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
 from jauspy.conformance.offers import Offers, discover
 from jauspy.conformance.profile import Profile, Step

@@ -7,7 +7,7 @@ from enum import StrEnum
 from functools import cached_property
 from typing import Final
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
 from jauspy.errors import DecodeError
 from jauspy.ids import JausID

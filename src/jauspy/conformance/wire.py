@@ -14,7 +14,7 @@ from jauspy.errors import ProtocolError, TransportError
 from jauspy.ids import JausID
 from jauspy.protocol import judp
 from jauspy.transport import Transport, connect as connecting, multicast
-from jauspy.transport.memberships import Memberships
+from jauspy.transport.multicast import Memberships
 
 RAW: Final = "raw"
 """The bytes of a datagram reach the target as they are, several packets and garbage included."""
@@ -172,9 +172,9 @@ def _sender(port: int, interface: str) -> socket.socket:
     sock = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
     try:
         sock.setblocking(False)
-        multicast.hold_bursts(sock)
+        multicast.set_receive_buffer(sock)
         multicast.prepare_sender(sock, interface, judp.MULTICAST_TTL)
-        multicast.hear_only_joined(sock)
+        multicast.receive_only_joined(sock)
         try:
             sock.bind((multicast.ANY, port))
         except OSError:

@@ -10,7 +10,7 @@ from multiprocessing import get_context
 from random import Random
 from typing import Final
 
-from jauspy.codec.dynamic import load_schema
+from jauspy.codec.build import load_schema
 from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
 from jauspy.fuzz.checks import MEMORY_EVERY, Checks, Effort
@@ -20,8 +20,8 @@ from jauspy.fuzz.mutation import Seed, from_payloads, from_schemas, mutate
 from jauspy.fuzz.offsets import spots_of
 from jauspy.messages import registry
 from jauspy.schema import load_builtin
+from jauspy.schema.loader import load_own
 from jauspy.schema.model import Schema
-from jauspy.schema.own import load_own
 
 SLOW_TRIES: Final = 60
 """Tries to minimise what takes long by its nature."""

@@ -15,9 +15,10 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from typing import Any, Final, NoReturn
 
-from jauspy.codec import careful, reference
-from jauspy.codec.base import Deviation, Message
-from jauspy.codec.items import Bits, Blob, Choice, Composite, Formatted, Grid, Item, Number, Real, Repeat, Union
+from jauspy.codec import reference, slow_path
+from jauspy.codec.items import Bits, Blob, Choice, Formatted, Item, Number, Real
+from jauspy.codec.layout import Composite, Grid, Repeat, Union
+from jauspy.codec.message import Deviation, Message
 from jauspy.errors import DecodeError, EncodeError
 from jauspy.fuzz.findings import Problem
 from jauspy.fuzz.messages import Target
@@ -241,7 +242,7 @@ class Checks:
         def both() -> tuple[Message | None, Tolerant]:
             return (
                 _only("decode", (DecodeError,), lambda: target.cls.decode(data)),
-                _only("tolerant", (), lambda: careful.decode_tolerant(target.cls, data)),
+                _only("tolerant", (), lambda: slow_path.decode_tolerant(target.cls, data)),
             )
 
         results: list[tuple[Message | None, Tolerant]] = []
@@ -266,9 +267,9 @@ class Checks:
             _fail("stable", "bytes", f"decodes to {message!r}, which encodes to {_short(again)}")
         if _only("decode", (), lambda: target.cls.decode(data)) != message:
             _fail("stable", "values", "decodes to two different messages")
-        if _only("careful", (), lambda: careful.decode(target.cls, data)) != message:
+        if _only("careful", (), lambda: slow_path.decode(target.cls, data)) != message:
             _fail("roads", "decode", f"straight-line code gives {message!r}, the careful codec something else")
-        if _only("careful", (), lambda: careful.encode(message, clamp=False, strict=True)) != data:
+        if _only("careful", (), lambda: slow_path.encode(message, clamp=False, strict=True)) != data:
             _fail("roads", "encode", "straight-line code and the careful codec encode differently")
         carried = _only("json", (), lambda: target.cls.from_dict(json.loads(json.dumps(message.to_dict()))))
         if carried != message:
@@ -286,7 +287,7 @@ class Checks:
             again = _only("tolerant", (), lambda: tolerant.encode(strict=False))
             if again != data:
                 _fail("tolerant", "bytes", f"nothing was lost, and it encodes to {_short(again)}")
-            twice, found = _only("tolerant", (), lambda: careful.decode_tolerant(target.cls, again))
+            twice, found = _only("tolerant", (), lambda: slow_path.decode_tolerant(target.cls, again))
             if found != deviations or repr(twice) != repr(tolerant):
                 _fail("tolerant", "values", "decodes to two different messages")
             carried = _only("json", (), lambda: target.cls.from_dict(json.loads(json.dumps(tolerant.to_dict()))))

@@ -9,7 +9,8 @@ from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Final
 
-from jauspy.codec.items import Item, Repeat
+from jauspy.codec.items import Item
+from jauspy.codec.layout import Repeat
 from jauspy.errors import ConfigError
 from jauspy.fuzz.offsets import Spot, spots_of
 

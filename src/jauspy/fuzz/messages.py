@@ -10,23 +10,9 @@ from enum import Enum
 from random import Random
 from typing import Final
 
-from jauspy.codec.base import Message
-from jauspy.codec.items import (
-    Bits,
-    Blob,
-    Choice,
-    Composite,
-    Count,
-    Formatted,
-    Grid,
-    Item,
-    Number,
-    Real,
-    Repeat,
-    Text,
-    Union,
-    Values,
-)
+from jauspy.codec.items import Bits, Blob, Choice, Count, Formatted, Item, Number, Real, Text, Values
+from jauspy.codec.layout import Composite, Grid, Repeat, Union
+from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
 from jauspy.codec.wire import FLOATS, SIZES, limits
 from jauspy.errors import ConfigError

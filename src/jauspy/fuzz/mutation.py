@@ -9,9 +9,9 @@ from random import Random
 from typing import Final
 
 from jauspy.capture.dissect import dissect
-from jauspy.capture.hextext import from_lines
-from jauspy.capture.reader import CaptureReader, is_capture
-from jauspy.codec.items import Choice, Composite, Formatted, Number, Repeat, Union
+from jauspy.capture.reader import CaptureReader, from_lines, is_capture
+from jauspy.codec.items import Choice, Formatted, Number
+from jauspy.codec.layout import Composite, Repeat, Union
 from jauspy.codec.wire import FLOATS
 from jauspy.errors import ConfigError
 from jauspy.fuzz.messages import Maker, Style, Target

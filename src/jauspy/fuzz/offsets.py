@@ -7,22 +7,9 @@ from contextlib import suppress
 from dataclasses import dataclass
 from typing import Literal
 
-from jauspy.codec.base import Message
-from jauspy.codec.items import (
-    Bits,
-    Blob,
-    Choice,
-    Composite,
-    Count,
-    Formatted,
-    Grid,
-    Item,
-    Number,
-    Real,
-    Repeat,
-    Text,
-    Union,
-)
+from jauspy.codec.items import Bits, Blob, Choice, Count, Formatted, Item, Number, Real, Text
+from jauspy.codec.layout import Composite, Grid, Repeat, Union
+from jauspy.codec.message import Message
 from jauspy.codec.wire import SIZES
 
 Kind = Literal["number", "count", "tag", "presence"]

@@ -2,17 +2,204 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import Annotated, Final, Literal, Self, TypeAlias
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, model_validator
 
+from jauspy.cloud.depth import DepthSettings
+from jauspy.cloud.message import MOST_POINTS
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
-from jauspy.modules.config_cameras import CameraConfig
-from jauspy.modules.config_joints import Groups, JointName, TracksConfig
-from jauspy.modules.config_sensors import ForceTorqueConfig, LidarConfig
+from jauspy.modules import catalogue
+from jauspy.platform.camera import CameraSetup
+from jauspy.platform.description import GroupSetup, JointGains, TrackSetup
+from jauspy.platform.force_torque import ForceTorqueSetup
+from jauspy.platform.pid import Gains
+from jauspy.platform.ranging import LidarSetup
+from jauspy.platform.video_settings import VideoSettings
+
+Gain: TypeAlias = Annotated[float, Field(ge=0.0, allow_inf_nan=False)]
+UrdfName: TypeAlias = Annotated[str, Field(min_length=1, max_length=80)]
+
+
+class StrictConfig(BaseModel):
+    """A table of the file; unknown keys are errors."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+
+class TracksConfig(StrictConfig):
+    """The chassis: the belts of each side, prismatic joints of the URDF; those of flippers run with the tracks."""
+
+    left: Annotated[tuple[UrdfName, ...], Field(min_length=1, max_length=4)]
+    right: Annotated[tuple[UrdfName, ...], Field(min_length=1, max_length=4)]
+    inertia: Annotated[float, Field(gt=0.0, le=1000.0)] = 40.0
+    """What rotors and sprockets weigh at the belt, in kilograms."""
+
+    def setup(self) -> TrackSetup:
+        """For the backend."""
+        return TrackSetup(self.left, self.right, self.inertia)
+
+
+class GainsConfig(StrictConfig):
+    """A PID controller: effort per error, per integrated error, per change of error."""
+
+    p: Gain
+    i: Gain = 0.0
+    d: Gain = 0.0
+    i_limit: Gain | None = None
+    """The most effort that integration may add."""
+
+    def gains(self) -> Gains:
+        """For the controller."""
+        return Gains(self.p, self.i, self.d, **({} if self.i_limit is None else {"i_limit": self.i_limit}))
+
+
+class JointConfig(StrictConfig):
+    """One joint of a group, and its controllers."""
+
+    name: UrdfName
+    start: float = 0.0
+    """Where it is at first, in radians or metres."""
+    position: GainsConfig
+    velocity: GainsConfig
+
+
+class GroupConfig(StrictConfig):
+    """Joints that are commanded together: an arm, a gripper, flippers."""
+
+    base: UrdfName
+    """The link it stands on."""
+    tip: UrdfName
+    """The link at its end."""
+    rate: Annotated[float, Field(ge=10.0, le=500.0)] = 250.0
+    """How often its controllers act, in hertz."""
+    joints: Annotated[tuple[JointConfig, ...], Field(min_length=1, max_length=32)]
+    """Base to tip."""
+
+    @model_validator(mode="after")
+    def _each_once(self) -> Self:
+        names = [joint.name for joint in self.joints]
+        if len(set(names)) < len(names):
+            raise ValueError(f"joints: {', '.join(sorted({n for n in names if names.count(n) > 1}))} is there twice")
+        return self
+
+    def setup(self) -> GroupSetup:
+        """For the backend."""
+        gains = {joint.name: JointGains(joint.position.gains(), joint.velocity.gains()) for joint in self.joints}
+        names, start = zip(*((joint.name, joint.start) for joint in self.joints), strict=True)
+        return GroupSetup(names, gains, self.base, self.tip, self.rate, start)
+
+
+Groups: TypeAlias = Mapping[UrdfName, GroupConfig]
+
+
+class LidarConfig(StrictConfig):
+    """A lidar that scans the x-y plane of a link of the URDF, all around."""
+
+    name: UrdfName
+    link: UrdfName
+    rays: Annotated[int, Field(ge=1, le=3600)] = 360
+    rate: Annotated[float, Field(gt=0.0, le=100.0)] = 10.0
+    """Scans per second."""
+    range: tuple[Annotated[float, Field(ge=0.0)], Annotated[float, Field(gt=0.0, le=1000.0)]] = (0.1, 30.0)
+    """The least and the largest distance that it measures, in metres."""
+    noise: Annotated[float, Field(ge=0.0, le=1.0)] = 0.01
+    """Standard deviation of a distance in a simulation, in metres."""
+    seed: Annotated[int, Field(ge=0)] = 0
+    """Of that noise."""
+
+    @model_validator(mode="after")
+    def _reaches(self) -> Self:
+        if self.range[0] >= self.range[1]:
+            raise ValueError(f"range: {list(self.range)} is empty; give the least distance and then the largest")
+        return self
+
+    def setup(self) -> LidarSetup:
+        """For the backend."""
+        return LidarSetup(self.name, self.link, self.rays, self.rate, *self.range, self.noise, self.seed)
+
+
+class ForceTorqueConfig(StrictConfig):
+    """A sensor of forces and torques between a link of the URDF and the link that carries it."""
+
+    name: UrdfName
+    link: UrdfName
+    rate: Annotated[float, Field(gt=0.0, le=500.0)] = 100.0
+    """Measurements per second."""
+    force: Annotated[float, Field(gt=0.0, le=5000.0)] = 300.0
+    """The largest force along each axis, in newtons."""
+    torque: Annotated[float, Field(gt=0.0, le=5000.0)] = 30.0
+    """The largest torque about each axis, in newton metres."""
+    noise: tuple[Annotated[float, Field(ge=0.0, le=100.0)], Annotated[float, Field(ge=0.0, le=100.0)]] = (0.1, 0.01)
+    """Standard deviations in a simulation, in newtons and newton metres."""
+    seed: Annotated[int, Field(ge=0)] = 0
+    """Of that noise."""
+
+    def setup(self) -> ForceTorqueSetup:
+        """For the backend."""
+        return ForceTorqueSetup(self.name, self.link, self.rate, self.force, self.torque, *self.noise, self.seed)
+
+
+class DepthConfig(StrictConfig):
+    """What a camera that also measures distances makes clouds of."""
+
+    size: tuple[Annotated[int, Field(ge=16, le=1920)], Annotated[int, Field(ge=16, le=1080)]] = (400, 250)
+    """Points across and down, at most."""
+    rate: Annotated[float, Field(gt=0.0, le=60.0)] = 10.0
+    """Clouds per second."""
+    range: tuple[Annotated[float, Field(ge=0.0)], Annotated[float, Field(gt=0.0, le=1000.0)]] = (0.2, 10.0)
+    """The least and the largest distance along the camera's axis that it measures, in metres."""
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if self.range[0] >= self.range[1]:
+            raise ValueError(f"range: {list(self.range)} is empty; give the least distance and then the largest")
+        if self.size[0] * self.size[1] > MOST_POINTS:
+            raise ValueError(f"size: {list(self.size)} are too many points for one message; it has {MOST_POINTS}")
+        return self
+
+    def settings(self) -> DepthSettings:
+        """For the process that makes them."""
+        return DepthSettings(*self.size, self.rate, *self.range)
+
+
+class CameraConfig(StrictConfig):
+    """A camera that looks along the x axis of a link of the URDF; z is up."""
+
+    name: UrdfName
+    link: UrdfName
+    fov: Annotated[float, Field(ge=5.0, le=150.0)] = 80.0
+    """From the left edge of the picture to the right one, in degrees."""
+    size: tuple[int, int] = (640, 480)
+    """Width and height of the stream's pictures at first."""
+    rate: int = 15
+    """Pictures per second, at first."""
+    bit_rate: int = 2000
+    """Kilobits per second, at first."""
+    depth: DepthConfig | None = None
+    """Of a camera that also measures distances."""
+    stamped: bool = False
+    """Whether the upper edge of each picture shows its number and the time it was taken, as black and white squares."""
+
+    @model_validator(mode="after")
+    def _can_be_encoded(self) -> Self:
+        try:
+            self.settings()
+        except ConfigError as error:
+            raise ValueError(str(error)) from None
+        return self
+
+    def setup(self) -> CameraSetup:
+        """For the backend."""
+        return CameraSetup(self.name, self.link, math.radians(self.fov))
+
+    def settings(self) -> VideoSettings:
+        """For the encoder; `ConfigError` for what cannot be encoded."""
+        return VideoSettings(*self.size, self.rate, 1000 * self.bit_rate)
 
 
 def _on_the_wire(name: str) -> str:
@@ -34,76 +221,6 @@ def _one_component(text: str) -> str:
 
 
 Name: TypeAlias = Annotated[str, Field(min_length=1, max_length=64)]
-Service: TypeAlias = str
-
-_EVERYWHERE: Final = ("Discovery", "Time", "Liveness")
-GLOBAL_SERVICES: Final = frozenset(
-    {"GlobalPoseSensor", "GlobalVectorDriver", "GlobalWaypointDriver", "GlobalWaypointListDriver"}
-)
-"""Those that need to know where the robot's world lies on the globe."""
-
-PAN_TILT_SERVICES: Final = (
-    "PrimitivePanTilt",
-    "PanTiltJointPositionSensor",
-    "PanTiltJointPositionDriver",
-    "PanTiltJointVelocitySensor",
-    "PanTiltJointVelocityDriver",
-    "PanTiltMotionProfileService",
-    "PanTiltSpecificationService",
-)
-"""Those of a camera on a pan-tilt unit."""
-
-SERVICES: Final[Mapping[str, tuple[str, ...]]] = {
-    "CM-MOB": (
-        *_EVERYWHERE,
-        "PrimitiveDriver",
-        "VelocityStateSensor",
-        "VelocityStateDriver",
-        "AccelerationStateSensor",
-        "LocalPoseSensor",
-        "LocalVectorDriver",
-        "LocalWaypointDriver",
-        "LocalWaypointListDriver",
-        "GlobalPoseSensor",
-        "GlobalVectorDriver",
-        "GlobalWaypointDriver",
-        "GlobalWaypointListDriver",
-        "SkidSteerDriver",
-        "PlatformSpecifications",
-    ),
-    "CM-MAN": (
-        *_EVERYWHERE,
-        "ManipulatorSpecificationService",
-        "PrimitiveManipulator",
-        "ManipulatorJointPositionSensor",
-        "ManipulatorJointVelocitySensor",
-        "ManipulatorJointForceTorqueSensor",
-        "ManipulatorJointPositionDriver",
-        "ManipulatorJointVelocityDriver",
-        "ManipulatorActuatorForceTorqueDriver",
-        "ManipulatorJointMotionProfile",
-        "ManipulatorJointPositionListDriver",
-        "ManipulatorEndEffectorPoseSensor",
-        "ManipulatorEndEffectorPoseDriver",
-        "ManipulatorEndEffectorPoseListDriver",
-        "ManipulatorEndEffectorVelocityStateSensor",
-        "ManipulatorEndEffectorVelocityStateDriver",
-        "ManipulatorToolOffsetService",
-    ),
-    "CM-EEF": (*_EVERYWHERE, "PrimitiveEndEffector", "ManipulatorJointPositionSensor"),
-    "CM-SEN": (*_EVERYWHERE, "RangeSensor", "ForceTorqueSensor"),
-    "CM-VIS": (
-        *_EVERYWHERE,
-        "VisualSensor",
-        "DigitalVideo",
-        "H264VideoEncoding",
-        "StillImage",
-        "DigitalResourceDiscovery",
-        *PAN_TILT_SERVICES,
-    ),
-}
-"""What each type of module may offer beside Transport, Events, AccessControl and Management."""
-
 GROUPS: Final[Mapping[str, str]] = {"CM-MAN": "arm", "CM-EEF": "gripper"}
 """The group of joints that a type moves, unless its module names another."""
 
@@ -112,11 +229,7 @@ MOTIONLESS: Final = frozenset({"CM-SEN", "CM-VIS"})
 """Types that move nothing, unless a CM-VIS names a group that its camera is on."""
 
 
-class _Strict(BaseModel):
-    model_config = ConfigDict(extra="forbid", frozen=True)
-
-
-class AccessControlConfig(_Strict):
+class AccessControlConfig(StrictConfig):
     """Who may control a module, and how long a client may be silent."""
 
     timeout: Annotated[int, Field(ge=0, le=255)] = 5
@@ -125,16 +238,16 @@ class AccessControlConfig(_Strict):
     """What a client needs at least."""
 
 
-class ModuleConfig(_Strict):
+class ModuleConfig(StrictConfig):
     """One capability module: a JAUS component."""
 
     type: Literal["CM-MOB", "CM-MAN", "CM-EEF", "CM-SEN", "CM-VIS"]
     component: Annotated[int, Field(ge=1, le=254)]
-    services: tuple[Service, ...] | None = None
+    services: tuple[str, ...] | None = None
     """Beside Transport, Events, AccessControl and Management; all that the type offers when left out."""
-    group: JointName | None = None
+    group: UrdfName | None = None
     """The joints that a CM-MAN or CM-EEF moves, `arm` or `gripper` when left out; those that turn a CM-VIS's camera."""
-    camera: JointName | None = None
+    camera: UrdfName | None = None
     """The name of the one that a CM-VIS streams."""
     access_control: AccessControlConfig = AccessControlConfig()
     announce_to: Annotated[str, AfterValidator(_one_component)] | None = None
@@ -142,30 +255,37 @@ class ModuleConfig(_Strict):
 
     @model_validator(mode="after")
     def _fits_its_type(self) -> Self:
-        for service in self.services or ():
-            if service not in SERVICES[self.type]:
-                known = ", ".join(SERVICES[self.type])
-                raise ValueError(f"services: {service!r} is not one that a {self.type} has; those are: {known}")
+        try:
+            needs = self.needs()
+        except ConfigError as error:
+            raise ValueError(f"services: {error}") from None
         if self.group is not None and self.type not in (*GROUPS, "CM-VIS"):
             raise ValueError(f"group: a {self.type} moves no group of joints; leave it out")
-        panning = [service for service in PAN_TILT_SERVICES if service in (self.services or ())]
-        if panning and self.type == "CM-VIS" and self.group is None:
-            raise ValueError(f"group: is missing; {panning[0]} needs the group of joints that pan and tilt the camera")
+        if catalogue.PAN_TILT in needs and self.group is None:
+            raise ValueError(f"group: is missing; {needs[catalogue.PAN_TILT][0]} needs {catalogue.PAN_TILT}")
         if (self.type == "CM-VIS") != (self.camera is not None):
             raise ValueError("camera: a CM-VIS needs the name of one of [[cameras]], and no other type has one")
         return self
+
+    def needs(self) -> dict[str, list[str]]:
+        """What the listed services need of the robot, and which of them do; `ConfigError` for an unknown service."""
+        found: dict[str, list[str]] = {}
+        for name in self.services or ():
+            if name not in catalogue.CORE:
+                found.setdefault(catalogue.find(self.type, name).needs, []).append(name)
+        return found
 
     @property
     def moves(self) -> str | None:
         """The group of joints that the module moves."""
         return self.group or GROUPS.get(self.type)
 
-    def offers(self, service: Service) -> bool:
-        """True when the module has the service."""
-        return service in (SERVICES[self.type] if self.services is None else self.services)
+    def offers(self, service: str) -> bool:
+        """True if the module has the service, as far as the robot has what it needs."""
+        return service in (catalogue.defaults(self.type) if self.services is None else self.services)
 
 
-class OriginConfig(_Strict):
+class OriginConfig(StrictConfig):
     """Where the origin of the robot's world lies on the globe (WGS 84)."""
 
     latitude: Annotated[float, Field(ge=-90.0, le=90.0)]
@@ -177,7 +297,7 @@ class OriginConfig(_Strict):
     """Degrees clockwise from true north, of the world's x axis: where the robot looks at the start."""
 
 
-class RobotConfig(_Strict):
+class RobotConfig(StrictConfig):
     """One robot: a JAUS node with its capability modules, on a backend."""
 
     name: Annotated[Name, AfterValidator(_on_the_wire)]
@@ -206,16 +326,15 @@ class RobotConfig(_Strict):
             if count > 1:
                 raise ValueError(f"modules: {count} have the component id {component}; give each its own, 1..254")
         self._check_that_nothing_is_moved_twice()
-        self._check_sensors("lidars", self.lidars, "RangeSensor")
-        self._check_sensors("force_torque", self.force_torque, "ForceTorqueSensor")
+        self._check_sensors("lidars", self.lidars, catalogue.LIDARS)
+        self._check_sensors("force_torque", self.force_torque, catalogue.FORCE_TORQUE)
         self._check_cameras()
         if not any(module.offers("Discovery") for module in self.modules):
             raise ValueError("modules: none has the service Discovery; nobody could find the robot; add it to services")
         for module in self.modules:
-            on_the_globe = sorted(GLOBAL_SERVICES & set(module.services or ()))
-            if on_the_globe and self.origin is None:
+            if self.origin is None and (globe := module.needs().get(catalogue.ORIGIN)):
                 raise ValueError(
-                    f"origin: is missing; {', '.join(on_the_globe)} cannot do without knowing where the world lies"
+                    f"origin: is missing; {', '.join(sorted(globe))} cannot be offered without {catalogue.ORIGIN}"
                 )
         return self
 
@@ -238,13 +357,13 @@ class RobotConfig(_Strict):
                     f"modules: {module.component} moves the {what}, which is not there; there are: {known}"
                 )
 
-    def _check_sensors(self, key: str, sensors: Sequence[LidarConfig | ForceTorqueConfig], service: Service) -> None:
+    def _check_sensors(self, key: str, sensors: Sequence[LidarConfig | ForceTorqueConfig], need: str) -> None:
         names = [sensor.name for sensor in sensors]
         if len(set(names)) < len(names):
             raise ValueError(f"{key}: {', '.join(sorted({n for n in names if names.count(n) > 1}))} is there twice")
         for module in self.modules:
-            if not sensors and service in (module.services or ()):
-                raise ValueError(f"{key}: there is none, and {module.component} offers {service}; add [[{key}]]")
+            if not sensors and (offered := module.needs().get(need)):
+                raise ValueError(f"{key}: there is none, and {module.component} offers {offered[0]}; add [[{key}]]")
 
     def _check_cameras(self) -> None:
         names = [camera.name for camera in self.cameras]

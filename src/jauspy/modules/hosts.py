@@ -1,62 +1,51 @@
-"""Makes the host of each module of a robot, by the module's type."""
+"""Makes the host of each module of a robot: core services, those of the catalogue, and a watchdog on what it moves."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from datetime import datetime
-from typing import Final, Protocol
+from typing import Final
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.frames import FrameTree
 from jauspy.ids import JausID
+from jauspy.messages.core import QueryIdentification, ReportIdentification
+from jauspy.modules import catalogue
+from jauspy.modules.catalogue import Context, Stoppable
 from jauspy.modules.config import ModuleConfig, RobotConfig
-from jauspy.modules.end_effector import cm_eef
-from jauspy.modules.manipulator import cm_man
-from jauspy.modules.mobility import cm_mob, vehicle_of
-from jauspy.modules.pan_tilt import unit_of
-from jauspy.modules.sensors import Sensors, cm_sen
-from jauspy.modules.vision import cm_vis, mounted_camera
-from jauspy.platform.contract import DriveBase
+from jauspy.modules.mounting import frame_of, mounted_camera, mounted_gauges, mounted_lidars
+from jauspy.platform.chassis import chassis_of
+from jauspy.platform.contract import DriveBase, RobotParts
 from jauspy.platform.description import RobotModel
-from jauspy.platform.force_torque import ForceTorqueSensor
-from jauspy.platform.joints import JointGroup
-from jauspy.platform.ranging import RangeFinder
-from jauspy.services.core import Identity
-from jauspy.services.environment_sensing import VideoSource
+from jauspy.protocol.header import Packet
+from jauspy.services.core import AccessControl, Discovery, Events, Identity, Liveness, Management, Time, Transport
+from jauspy.services.environment_sensing import VideoSource, Viewers
 from jauspy.services.host import Host
+from jauspy.services.manipulator import Arm, ManipulatorListDriver, PanTilt, PrimitiveEndEffector
+from jauspy.services.mobility import GlobalPose, Vehicle
+from jauspy.services.service import Service
 
 NO_VIDEOS: Final[Mapping[str, VideoSource]] = {}
-"""Of a robot without a CM-VIS."""
 
+WATCHDOG_PERIOD: Final = 0.1
+"""Seconds between two checks."""
 
-class Body(Protocol):
-    """What the modules move and read: a robot, or its parts as other threads see them."""
+MAY_MOVE: Final = ("Controlled", "Available", "Ready")
+"""The states, one within the other, in which a client in control may move something (AS5710)."""
 
-    @property
-    def drive(self) -> DriveBase:
-        """The chassis."""
-        ...
+ANNOUNCEMENT_PERIOD: Final = 5.0
+"""Seconds between two queries."""
 
-    @property
-    def groups(self) -> Mapping[str, JointGroup]:
-        """The other joints."""
-        ...
-
-    @property
-    def lidars(self) -> Mapping[str, RangeFinder]:
-        """The lidars."""
-        ...
-
-    @property
-    def force_torque(self) -> Mapping[str, ForceTorqueSensor]:
-        """The sensors of force and torque."""
-        ...
+LIST_DRIVERS: Final = ("ManipulatorJointPositionListDriver", "ManipulatorEndEffectorPoseListDriver")
+"""Services that carry out the component's list, with a ManipulatorListDriver."""
 
 
 def host_of(
     config: RobotConfig,
     module: ModuleConfig,
     model: RobotModel,
-    body: Body,
+    robot: RobotParts,
     identities: Mapping[int, Identity],
     *,
     videos: Mapping[str, VideoSource] = NO_VIDEOS,
@@ -64,23 +53,76 @@ def host_of(
     now: float,
 ) -> Host:
     """The host of a module. `videos`: the cameras by name. `now`: seconds of the clock that runs it."""
-    id = config.id_of(module)
-    if module.type == "CM-SEN":
-        sensors = Sensors.of(config, model, body)
-        return cm_sen(id, sensors, module, identities=identities, utc_now=utc_now, now=now)
-    if module.camera is not None:
-        camera = mounted_camera(config, model, videos[module.camera], body.groups)
-        unit = unit_of(module, model, body.groups)
-        return cm_vis(id, camera, unit, module, identities=identities, utc_now=utc_now, now=now)
-    if module.moves is None:
-        vehicle = vehicle_of(config, model, body.drive)
-        return cm_mob(id, vehicle, module, identities=identities, utc_now=utc_now, now=now)
-    joints = body.groups.get(module.moves)
-    if joints is None:
+    context = _context(config, module, model, robot, videos)
+    return module_host(config.id_of(module), module, context, identities=identities, utc_now=utc_now, now=now)
+
+
+def module_host(
+    id: JausID,
+    config: ModuleConfig,
+    context: Context,
+    *,
+    identities: Mapping[int, Identity],
+    utc_now: Callable[[], datetime],
+    now: float,
+) -> Host:
+    """The host of a module whose services are made from `context`, with a watchdog on what it moves."""
+    access = config.access_control
+    core: list[Service] = [
+        Transport(),
+        Events(),
+        AccessControl(default_authority=access.default_authority, timeout=access.timeout),
+        Management(),
+    ]
+    optional: dict[str, Callable[[], Service]]
+    optional = {"Discovery": lambda: Discovery(identities), "Time": Time, "Liveness": Liveness}
+    core += [make() for name, make in optional.items() if config.offers(name)]
+    try:
+        services = catalogue.make(config.type, config.services, context)
+    except ConfigError as error:
+        raise ConfigError(f"{id}: {error}") from error
+    if isinstance(context, catalogue.ManipulatorContext) and any(config.offers(name) for name in LIST_DRIVERS):
+        services.append(ManipulatorListDriver(context.arm))
+    host = Host(id, [*core, *services], utc_now=utc_now, now=now)
+    if context.moving is not None:
+        Watchdog(host, context.moving)
+    return host
+
+
+def _context(
+    config: RobotConfig, module: ModuleConfig, model: RobotModel, robot: RobotParts, videos: Mapping[str, VideoSource]
+) -> Context:
+    if module.moves is not None and module.moves not in robot.groups:
+        id = config.id_of(module)
         raise ConfigError(f"{id} moves the group {module.moves!r}, and the backend has no such joints")
+    if module.type == "CM-SEN":
+        return catalogue.SensorContext(robot, mounted_lidars(config, model, robot), mounted_gauges(model, robot))
+    if module.camera is not None:
+        camera = mounted_camera(config, model, videos[module.camera], robot)
+        return catalogue.VisionContext(robot, Viewers({1: camera}), _pan_tilt(module, model, robot))
+    if module.moves is None:
+        return catalogue.MobilityContext(robot, vehicle_of(config, model, robot.drive))
+    joints = robot.groups[module.moves]
     if module.type == "CM-MAN":
-        return cm_man(id, joints, module, identities=identities, utc_now=utc_now, now=now)
-    return cm_eef(id, joints, _carrier(config, module, model), module, identities=identities, utc_now=utc_now, now=now)
+        return catalogue.ManipulatorContext(robot, Arm(joints))
+    driver = PrimitiveEndEffector(joints, _carrier(config, module, model))
+    return catalogue.EndEffectorContext(robot, Arm(joints), driver)
+
+
+def vehicle_of(config: RobotConfig, model: RobotModel, drive: DriveBase) -> Vehicle:
+    """The robot's chassis as it is described, and where its world lies on the globe, as its services share them."""
+    origin = None
+    if (given := config.origin) is not None:
+        origin = GlobalPose(given.latitude, given.longitude, given.altitude, math.radians(given.heading))
+    return Vehicle(drive, name=config.name, chassis=chassis_of(model), origin=origin)
+
+
+def _pan_tilt(module: ModuleConfig, model: RobotModel, robot: RobotParts) -> PanTilt | None:
+    """The unit that carries the module's camera; None if the camera has none of its own."""
+    if module.group is None:
+        return None
+    base = model.groups[module.group].base
+    return PanTilt(robot.groups[module.group], frame_of(FrameTree(model.description), base, robot.groups))
 
 
 def _carrier(config: RobotConfig, module: ModuleConfig, model: RobotModel) -> JausID:
@@ -91,3 +133,50 @@ def _carrier(config: RobotConfig, module: ModuleConfig, model: RobotModel) -> Ja
     arms = (other for other in config.modules if other.type == "CM-MAN" and other.moves in model.groups)
     found = (arm for arm in arms if carrying.intersection(model.groups[arm.moves or ""].joints))
     return config.id_of(next(found, module))
+
+
+def may_move(host: Host) -> bool:
+    """True while a client is in control and has resumed the component."""
+    path = host.path
+    return any(path[start : start + len(MAY_MOVE)] == MAY_MOVE for start in range(len(path)))
+
+
+class Watchdog:
+    """Stops what a component moves whenever the component is not in a state in which it may move.
+
+    A second line of defence: the services stop by themselves, unless there is a mistake in them.
+    """
+
+    def __init__(self, host: Host, moving: Stoppable) -> None:
+        self._host = host
+        self._moving = moving
+        self._check()
+
+    def _check(self) -> None:
+        self._host.set_timer("watchdog", self._host.now + WATCHDOG_PERIOD, self._check)
+        if not may_move(self._host):
+            self._moving.stop()
+
+
+class Announcement:
+    """Makes a component known to a console that waits to be asked, as those of the IGVC judges did until 2013.
+
+    Queries the identification of `console` every `ANNOUNCEMENT_PERIOD`, until it answers.
+    """
+
+    def __init__(self, host: Host, console: JausID) -> None:
+        self._host = host
+        self._console = console
+        self._query()
+
+    def intercept(self, packet: Packet) -> bool:
+        """Take the answer; everything else is for the services."""
+        code = int.from_bytes(packet.payload[:2], "little")
+        if packet.source != self._console or code != ReportIdentification.CODE:
+            return False
+        self._host.cancel_timer("announcement")
+        return True
+
+    def _query(self) -> None:
+        self._host.set_timer("announcement", self._host.now + ANNOUNCEMENT_PERIOD, self._query)
+        self._host.send(self._console, QueryIdentification(QueryIdentification.QueryType.SUBSYSTEM))

@@ -6,14 +6,14 @@ import math
 import threading
 import time
 from collections import Counter
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from types import TracebackType
 from typing import Final, Self
 
 from jauspy.modules.proxies import DriveProxy, ForceTorqueProxy, JointGroupProxy, LidarProxy
 from jauspy.platform.camera import Camera
-from jauspy.platform.contract import Command, PartId, Robot, Snapshot
+from jauspy.platform.contract import Command, OptionalPart, PartId, Robot, Snapshot
 
 STEP: Final = 0.002
 """Seconds of one step, and so the longest that a command waits. It is MuJoCo's step, too."""
@@ -91,6 +91,7 @@ class RealTime:
         self._groups = {name: JointGroupProxy(name, group, self) for name, group in robot.groups.items()}
         self._lidars = {name: LidarProxy(name, lidar, self) for name, lidar in robot.lidars.items()}
         self._force_torque = {name: ForceTorqueProxy(name, each, self) for name, each in robot.force_torque.items()}
+        self._optional_parts = tuple(part.proxy(self) for part in robot.optional_parts)
 
     @property
     def drive(self) -> DriveProxy:
@@ -111,6 +112,11 @@ class RealTime:
     def force_torque(self) -> Mapping[str, ForceTorqueProxy]:
         """The robot's sensors of force and torque, for any thread."""
         return self._force_torque
+
+    @property
+    def optional_parts(self) -> Sequence[OptionalPart]:
+        """The robot's optional parts, for any thread."""
+        return self._optional_parts
 
     @property
     def cameras(self) -> Mapping[str, Camera]:

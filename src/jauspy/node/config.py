@@ -5,38 +5,142 @@ The docstring under each setting is its comment in what `jauspy node-manager --p
 
 from __future__ import annotations
 
+import ipaddress
+import re
+import secrets
+import stat
 from collections import Counter
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Any, Literal, Self
+from typing import Annotated, Any, Final, Literal, Self
 
-from pydantic import Field, ValidationError, model_validator
+from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, model_validator
 
+from jauspy.config_errors import explain
 from jauspy.errors import ConfigError
-from jauspy.node.addresses import Entries, entries, load
-from jauspy.node.explain import explain
-from jauspy.node.settings import (
-    Addresses,
-    Group,
-    Group6,
-    HostPort,
-    IdPattern,
-    Interface,
-    IPv4,
-    IPv6,
-    MessageName,
-    Mirror,
-    Mode,
-    Name,
-    Settings,
-)
-from jauspy.protocol import judp
+from jauspy.ids import JausID
+from jauspy.messages import registry
+from jauspy.node.address_books import AddressEntries, load_address_book, parse_entries
+from jauspy.protocol import authentication, judp
 from jauspy.protocol.address_book import ADDRESS_LIFETIME
 from jauspy.protocol.addressing import DEFAULT_NETWORK
+from jauspy.protocol.authentication import Authenticator
+from jauspy.protocol.gateway import Gateway, GatewayRule, GatewayRules
+from jauspy.protocol.sources import SourceLimits
 from jauspy.transport.multicast import ANY, RECEIVE_BUFFER
-from jauspy.transport.serial_link import SerialLine
+from jauspy.transport.serial import SerialLine
+
+_RANGE: Final = re.compile(r"(0[xX][0-9a-fA-F]{1,4})(?:-(0[xX][0-9a-fA-F]{1,4}))?")
 
 
-class NetworkConfig(Settings):
+class NodeSettings(BaseModel):
+    """Frozen, without unknown keys; the docstring under each field is its comment in the configuration file."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", use_attribute_docstrings=True)
+
+
+def _ipv4(text: str) -> str:
+    try:
+        return str(ipaddress.IPv4Address(text))
+    except ValueError:
+        raise ValueError("write an IPv4 address, as in 192.168.1.10") from None
+
+
+def _group(text: str) -> str:
+    if not ipaddress.IPv4Address(_ipv4(text)).is_multicast:
+        raise ValueError("write an IPv4 multicast address, as in 239.255.0.1")
+    return text
+
+
+def _ipv6(text: str) -> str:
+    try:
+        return str(ipaddress.IPv6Address(text))
+    except ValueError:
+        raise ValueError("write an IPv6 address, as in fd00::1, or :: for all") from None
+
+
+def _group6(text: str) -> str:
+    if not ipaddress.IPv6Address(_ipv6(text)).is_multicast:
+        raise ValueError("write an IPv6 multicast address, as in ff15::6a61:7573")
+    return _ipv6(text)
+
+
+def _interface(text: str) -> str:
+    if ":" in text:
+        return _ipv6(text)
+    return text if text and not text[0].isdigit() else _ipv4(text)
+
+
+def _addresses(table: Mapping[str, Any]) -> Mapping[str, Any]:
+    try:
+        parse_entries(table)
+    except ConfigError as error:
+        raise ValueError(str(error)) from None
+    return table
+
+
+def _host_port(text: str) -> str:
+    host, colon, port = text.rpartition(":")
+    if not colon or not port.isdecimal() or not 0 <= int(port) <= 65535:
+        raise ValueError("write ADDRESS:PORT, as in 127.0.0.1:9794")
+    return f"{_ipv4(host)}:{int(port)}"
+
+
+def _mode(number: int) -> int:
+    if not 0 <= number <= 0o777:
+        raise ValueError("write three octal digits, as in 0o660")
+    return number
+
+
+def _mirror(text: str) -> str:
+    return f"udp:{_host_port(text[4:])}" if text.startswith("udp:") else text
+
+
+def _id_pattern(text: str) -> str:
+    parse_pattern(text)
+    return text
+
+
+def _message(value: object) -> object:
+    """A number is as good as its hexadecimal form."""
+    return f"0x{value:04X}" if isinstance(value, int) and 0 <= value <= 0xFFFF else value
+
+
+def parse_pattern(text: str) -> JausID:
+    """The id with wildcards that `42.*.*` stands for; raises `ValueError`."""
+    parts = text.split(".")
+    if len(parts) == 3:
+        parts = [top if part == "*" else part for part, top in zip(parts, ("65535", "255", "255"), strict=True)]
+    try:
+        return JausID.parse(".".join(parts))
+    except ConfigError:
+        raise ValueError("write SUBSYSTEM.NODE.COMPONENT with * for any, as in 42.*.*") from None
+
+
+def parse_codes(text: str) -> range | None:
+    """The message ids that `0x0405` or `0x2000-0x2FFF` stands for; None when it is something else, as a name."""
+    found = _RANGE.fullmatch(text)
+    if found is None:
+        return None
+    first = int(found[1], 16)
+    return range(first, int(found[2] or found[1], 16) + 1)
+
+
+IPv4 = Annotated[str, AfterValidator(_ipv4)]
+IPv6 = Annotated[str, AfterValidator(_ipv6)]
+Interface = Annotated[str, AfterValidator(_interface)]
+Addresses = Annotated[Mapping[str, str | list[str]], AfterValidator(_addresses)]
+Group = Annotated[str, AfterValidator(_group)]
+Group6 = Annotated[str, AfterValidator(_group6)]
+HostPort = Annotated[str, AfterValidator(_host_port)]
+Mirror = Annotated[str, AfterValidator(_mirror)]
+Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9_-]{1,32}$")]
+IdPattern = Annotated[str, AfterValidator(_id_pattern)]
+MessageName = Annotated[str, BeforeValidator(_message)]
+Mode = Annotated[int, AfterValidator(_mode), Field(json_schema_extra={"octal": True})]
+
+
+class NetworkConfig(NodeSettings):
     """A network that the node manager is on."""
 
     name: Name = DEFAULT_NETWORK
@@ -72,7 +176,7 @@ class NetworkConfig(Settings):
         return self
 
 
-class RuleConfig(Settings):
+class RuleConfig(NodeSettings):
     """One rule of a gateway; it goes for packets that match all of it."""
 
     action: Literal["allow", "deny"] = "allow"
@@ -91,7 +195,7 @@ class RuleConfig(Settings):
     """Messages per second from each source that it allows; what is more is dropped."""
 
 
-class GatewayConfig(Settings):
+class GatewayConfig(NodeSettings):
     """What crosses between the networks of this node manager."""
 
     subsystem: int = Field(ge=1, le=65534, examples=[101])
@@ -103,7 +207,7 @@ class GatewayConfig(Settings):
     everything addressed to the subsystem may enter. What is not addressed to it never does."""
 
 
-class SerialConfig(Settings):
+class SerialConfig(NodeSettings):
     """A serial line, with 8 data bits."""
 
     device: str = Field(examples=["/dev/ttyUSB0"])
@@ -194,11 +298,11 @@ class NodeConfig(NetworkConfig):
             told = (explain(problem, cls) for problem in error.errors(include_url=False))
             raise ConfigError(f"node manager setting {'; '.join(told)}") from None
 
-    def known_addresses(self) -> Entries:
+    def known_addresses(self) -> AddressEntries:
         """All entries of `addresses` and `address_books`; raises `ConfigError` that names the file."""
-        found = {id: list(ports) for id, ports in entries(self.addresses).items()}
+        found = {id: list(ports) for id, ports in parse_entries(self.addresses).items()}
         for path in self.address_books:
-            for id, ports in load(path).items():
+            for id, ports in load_address_book(path).items():
                 found.setdefault(id, []).extend(ports)
         return {
             id: tuple(dict.fromkeys(port._replace(network=self.name) for port in ports)) for id, ports in found.items()
@@ -230,3 +334,61 @@ class NodeConfig(NetworkConfig):
                 f"gateway: there is no network {sorted(named - known)[0]!r}; known are: {', '.join(sorted(known))}"
             )
         return self
+
+
+def load_key(path: Path | None) -> Authenticator | None:
+    """A seal with the key in this file, without white space around it; None without a file.
+
+    Raises `ConfigError` when the key is short, or when everybody may read it.
+    """
+    if path is None:
+        return None
+    try:
+        mode = path.stat().st_mode
+        key = path.read_bytes().strip()
+    except OSError as error:
+        raise ConfigError(f"key_file {path}: {error.strerror}") from error
+    if mode & stat.S_IROTH:
+        raise ConfigError(f"key_file {path}: everybody may read it; do: chmod o-rwx {path}")
+    if len(key) < authentication.MIN_KEY_LENGTH:
+        raise ConfigError(
+            f"key_file {path}: has {len(key)} bytes, needs {authentication.MIN_KEY_LENGTH}; "
+            "make one with: openssl rand -hex 32"
+        )
+    return Authenticator(key, secrets.randbits(64))
+
+
+def source_limits(config: NodeConfig) -> SourceLimits:
+    """What is asked of sources."""
+    return SourceLimits(check_address=config.source_check, rate=config.rate_limit, burst=config.rate_burst)
+
+
+def make_gateway(config: NodeConfig) -> Gateway | None:
+    """The gateway, if there is one; raises `ConfigError` for a message that nobody knows."""
+    told = config.gateway
+    if told is None:
+        return None
+    rules = GatewayRules([_make_rule(number, rule) for number, rule in enumerate(told.rules)], inside=told.inside)
+    return Gateway(told.subsystem, [network.name for network in config.all_networks], told.inside, rules)
+
+
+def _make_rule(number: int, config: RuleConfig) -> GatewayRule:
+    return GatewayRule(
+        allow=config.action == "allow",
+        source=parse_pattern(config.source),
+        destination=parse_pattern(config.destination),
+        network=config.network,
+        messages=None if config.messages is None else tuple(_message_ids(number, each) for each in config.messages),
+        rate=config.rate,
+    )
+
+
+def _message_ids(number: int, text: str) -> range:
+    codes = parse_codes(text)
+    if codes is not None:
+        return codes
+    try:
+        code = registry.by_name(text).CODE
+    except ConfigError as error:
+        raise ConfigError(f"gateway.rules[{number}].messages: {error}; or write its id, as in 0x2301") from None
+    return range(code, code + 1)

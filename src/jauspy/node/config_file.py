@@ -12,9 +12,9 @@ from typing import Any, Final
 from pydantic import BaseModel, ValidationError
 from pydantic.fields import FieldInfo
 
+from jauspy.config_errors import explain, models_in
 from jauspy.errors import ConfigError
 from jauspy.node.config import NodeConfig
-from jauspy.node.explain import explain, models_in
 
 _WIDTH: Final = 100
 

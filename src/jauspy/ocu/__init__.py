@@ -1,29 +1,29 @@
 """The client API: find robots, ask them, control them, listen to them."""
 
 from jauspy.ocu.client import OCU
+from jauspy.ocu.connection import Stats
 from jauspy.ocu.control import Control
-from jauspy.ocu.elements import Elements
-from jauspy.ocu.model import Component, Node, ServiceInfo, Subsystem
+from jauspy.ocu.discovery import Appeared, Changed, Vanished
+from jauspy.ocu.lists import Elements
 from jauspy.ocu.robot import ComponentClient, Robot
 from jauspy.ocu.service import ServiceClient
-from jauspy.ocu.stats import Stats
 from jauspy.ocu.subscription import Subscription
-from jauspy.ocu.watch import Appeared, Changed, Vanished
+from jauspy.ocu.subsystems import ComponentInfo, NodeInfo, ServiceInfo, SubsystemInfo
 
 __all__ = [
     "OCU",
     "Appeared",
     "Changed",
-    "Component",
     "ComponentClient",
+    "ComponentInfo",
     "Control",
     "Elements",
-    "Node",
+    "NodeInfo",
     "Robot",
     "ServiceClient",
     "ServiceInfo",
     "Stats",
     "Subscription",
-    "Subsystem",
+    "SubsystemInfo",
     "Vanished",
 ]

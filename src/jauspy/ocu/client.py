@@ -1,4 +1,4 @@
-"""The operator control unit: a component of its own, and a client of all others."""
+"""The operator control unit: a component that is a client of all others."""
 
 # ruff: noqa: ASYNC109 - a timeout ends in an error that says what was asked, and of whom
 
@@ -9,22 +9,18 @@ from datetime import UTC, datetime
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, Self, TypeVar, overload
 
-from jauspy.arguments import check_text, described
-from jauspy.codec.base import Message, Query
+from jauspy.arguments import async_only, check_text, described
+from jauspy.codec.message import Message, Query
 from jauspy.codec.registry import Registry
-from jauspy.component import Shell
+from jauspy.component import Component, ComponentOptions
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
-from jauspy.ocu import discovery
-from jauspy.ocu.link import Link
-from jauspy.ocu.only_async import use
-from jauspy.ocu.patience import Patience
+from jauspy.ocu.connection import Connection, RetryPolicy, Stats
+from jauspy.ocu.discovery import News, discover, discover_all, watch
 from jauspy.ocu.robot import Robot
-from jauspy.ocu.stats import Stats
-from jauspy.ocu.watch import News, watch
 from jauspy.protocol.delivery import Delivery
 from jauspy.services.core import Discovery, Identity, Liveness
-from jauspy.services.core.identity import COMPONENT, NODE, SUBSYSTEM, SYSTEM
+from jauspy.services.core.discovery import COMPONENT, NODE, SUBSYSTEM, SYSTEM
 from jauspy.services.host import Host
 from jauspy.transport import Transport
 from jauspy.transport.connect import transport_for
@@ -41,9 +37,9 @@ class OCU:
 
     `connect`: None (the node manager of this machine, else multicast), `"udp://HOST[:PORT]"`, `"tcp://HOST[:PORT]"` or
     `"local:DIRECTORY"`.
-    `timeout` (seconds) and `retries` are what queries use unless told otherwise; `registry` has the known messages;
-    `delivery` the settings of reliable delivery and of large messages.
-    Others see the OCU as a subsystem with one component that answers discovery and heartbeat.
+    `timeout` (seconds) and `retries` are the defaults of queries; `registry` holds the known messages; `delivery` the
+    settings of reliable delivery and of large messages.
+    To others the OCU is a subsystem with one component, which answers discovery and heartbeat queries.
     """
 
     def __init__(
@@ -67,9 +63,9 @@ class OCU:
         self._delivery = delivery
         check_text(name, "an OCU's name")
         if registry is not None and not isinstance(registry, Registry):
-            raise TypeError(f"registry is what `jauspy.load` gives, not {described(registry)}")
-        self._link = Link(registry or _builtin(), Patience(timeout, retries))
-        self._component: Shell | None = None
+            raise TypeError(f"registry is what `jauspy.load` returns, not {described(registry)}")
+        self._connection = Connection(registry or _builtin(), RetryPolicy(timeout, retries))
+        self._component: Component | None = None
 
     def __repr__(self) -> str:
         return f"<OCU {self.id}, {'open' if self.is_open else 'closed'}>"
@@ -77,11 +73,11 @@ class OCU:
     @property
     def stats(self) -> Stats:
         """Messages and round-trip times so far."""
-        return self._link.recorder.snapshot()
+        return self._connection.stats.snapshot()
 
     @property
     def counters(self) -> Mapping[str, int]:
-        """What the floors below counted; empty while the OCU is closed."""
+        """Counters of the component and of its transport; empty while the OCU is closed."""
         return self._component.counters if self._component else {}
 
     @property
@@ -90,29 +86,34 @@ class OCU:
         return self._component is not None
 
     async def open(self) -> None:
-        """Connect; raises `TransportError` that says what to do, `ConfigError` for a wrong `connect`. Twice is fine."""
+        """Connect; without effect when open. Raises `TransportError`, and `ConfigError` for an invalid `connect`."""
         if self._component is not None:
             return
         transport = self._transport or await transport_for(self.id, self._connect)
         host = Host(self.id, _services(self._name), utc_now=lambda: datetime.now(UTC))
-        component = Shell(host, transport, intercept=self._link.receive, delivery=self._delivery)
+        component = Component.of_host(
+            host,
+            transport,
+            intercept=self._connection.on_packet,
+            options=ComponentOptions(delivery=self._delivery),
+        )
         await component.open()
         self._component = component
-        self._link.attach(component)
+        self._connection.attach(component)
 
     async def close(self) -> None:
-        """Give back what is controlled, in Standby, cancel events, and disconnect. Twice is fine.
+        """Put controlled components in Standby, release them, cancel events, disconnect; without effect when closed.
 
-        It waits until that was heard, for little more than a second. Whatever still waits for an answer or an event
-        ends with `TransportError`.
+        Waits for acknowledgements, for little more than a second. Whatever still waits for an answer or an event ends
+        with `TransportError`.
         """
         component, self._component = self._component, None
         if component is None:
             return
         try:
-            await self._link.say_goodbye()
+            await self._connection.run_on_close()
         finally:
-            self._link.detach()
+            self._connection.detach()
             await component.close()
 
     async def __aenter__(self) -> Self:
@@ -125,30 +126,30 @@ class OCU:
         await self.close()
 
     if not TYPE_CHECKING:
-        __enter__ = __exit__ = use("`async with`")
+        __enter__ = __exit__ = async_only("`async with`")
 
     # --- finding --------------------------------------------------------------------------------------------------
 
     async def discover(self, subsystem: int, *, timeout: float = 5.0) -> Robot:
         """The subsystem of this number; raises `ResponseTimeout` when it does not answer for `timeout` seconds."""
-        return Robot(self._link, await discovery.discover(self._link, subsystem, timeout))
+        return Robot(self._connection, await discover(self._connection, subsystem, timeout))
 
     async def discover_all(self, *, timeout: float = 2.0) -> tuple[Robot, ...]:
-        """Everybody who answers within `timeout` seconds, other OCUs too, in the order of their numbers."""
-        return tuple(Robot(self._link, each) for each in await discovery.discover_all(self._link, timeout))
+        """All subsystems that answer within `timeout` seconds, other OCUs too, in the order of their numbers."""
+        return tuple(Robot(self._connection, each) for each in await discover_all(self._connection, timeout))
 
     async def watch(
         self, subsystem: int | None = None, *, interval: float = 2.0, silence: float = 7.0
     ) -> AsyncGenerator[News, None]:
         """`async for news in ocu.watch()`: what is there, and then what appears, changes and vanishes, for ever.
 
-        All are asked every `interval` seconds; who has said nothing for `silence` seconds has vanished. `subsystem`
-        narrows it to one. A reader that is slow gets the sum of what happened meanwhile.
+        All are queried every `interval` seconds; a component that sends nothing for `silence` seconds has vanished.
+        `subsystem` restricts this to one. A slow reader gets the difference to what it read last.
         """
-        async for news in watch(self._link, subsystem, interval, silence):
+        async for news in watch(self._connection, subsystem, interval, silence):
             yield news
 
-    # --- talking without discovery --------------------------------------------------------------------------------
+    # --- without discovery ----------------------------------------------------------------------------------------
 
     @overload
     async def query(
@@ -192,23 +193,23 @@ class OCU:
         timeout: float | None = None,
         retries: int | None = None,
     ) -> Any:
-        """Ask any component; of several that a wildcard id reaches, the first answer counts."""
-        patience = self._link.patience.changed(timeout, retries)
-        return await self._link.query(JausID.of(destination), message, patience=patience, expects=expects)
+        """Query any component; of several that a wildcard id reaches, the first answer is returned."""
+        retry = self._connection.retry.replaced(timeout, retries)
+        return await self._connection.query(JausID.of(destination), message, retry=retry, expects=expects)
 
     async def query_each(
         self, destination: str | JausID, message: Message, *, within: float = 2.0, expects: type[Message] | None = None
     ) -> AsyncGenerator[tuple[JausID, Any], None]:
-        """Ask all that a wildcard id reaches: who answered and what, as it comes in the next `within` seconds."""
-        async for answer, source in self._link.query_each(JausID.of(destination), message, within, expects):
+        """Query all that a wildcard id reaches: sender and answer, as they arrive in the next `within` seconds."""
+        async for answer, source in self._connection.query_each(JausID.of(destination), message, within, expects):
             yield source, answer
 
     async def send(self, destination: str | JausID, message: Message, *, ack: bool = False) -> None:
-        """Send to any component, or to all that a wildcard id reaches; raises `ControlRejected` as a service's `send`.
+        """Send to any component, or to all that a wildcard id reaches; `ControlRejected` as `ServiceClient.send`.
 
-        With `ack` it is resent until that one component acknowledges it, or `ResponseTimeout` is raised.
+        With `ack` it is resent until that one component acknowledges it. If it does not, `ResponseTimeout` is raised.
         """
-        await self._link.tell(JausID.of(destination), message, ack=ack)
+        await self._connection.send_checked(JausID.of(destination), message, ack=ack)
 
 
 def _services(name: str) -> list[Discovery | Liveness]:

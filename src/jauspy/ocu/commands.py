@@ -1,7 +1,7 @@
-"""Commands that take time: sent, and waited for until they have been carried out (command events of AS5710 1.1).
+"""Commands that take time: sent, and awaited until they have been carried out (command events, AS5710 1.1).
 
-A component has one event for equal commands of one client. It is asked for the longest time that any of those who wait
-allows; who allows less gives up by itself.
+A component has one event for equal commands of one client. The event is created for the longest time that any of those
+who wait allows; the others give up by themselves.
 """
 
 from __future__ import annotations
@@ -12,106 +12,108 @@ from contextlib import suppress
 from typing import Final
 
 from jauspy.arguments import check_number
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.errors import ConfigError, JausError, RequestError, ResponseTimeout
 from jauspy.ids import JausID
 from jauspy.messages.core import CommandEvent, ConfirmEventRequest, CreateCommandEvent
-from jauspy.ocu.arguments import check_message
-from jauspy.ocu.event_requests import ask, cancel
-from jauspy.ocu.link import Link
-from jauspy.ocu.replies import Waiter
+from jauspy.ocu.connection import Connection
+from jauspy.ocu.replies import ReplyWaiter, check_message
+from jauspy.ocu.subscription import cancel_event, request_event
 
-LONGEST: Final = 0xFFFF_FFFF
-"""Seconds; what fits the message."""
-LOOK: Final = 0.2
-"""Seconds between two looks at whether control is still held."""
+MAX_WITHIN: Final = 0xFFFF_FFFF
+"""Seconds; the largest number that fits the message."""
+CONTROL_CHECK_INTERVAL: Final = 0.2
+"""Seconds between two checks whether control is still held."""
 
 
-async def perform(link: Link, id: JausID, command: Message, within: float) -> None:
+async def perform(connection: Connection, id: JausID, command: Message, within: float) -> None:
     """As `ServiceClient.perform`."""
     check_message(command, "perform()", "Resume()")
     check_number(within, "within")
-    if not 0 <= within <= LONGEST:
-        raise ConfigError(f"within {within} s is outside 0..{LONGEST}")
+    if not 0 <= within <= MAX_WITHIN:
+        raise ConfigError(f"within {within} s is outside 0..{MAX_WITHIN}")
     if not command.IS_COMMAND:
         raise ConfigError(f"{command.NAME} is no command; `query()` asks, `send()` sends anything")
-    link.controls.check(id, command)
-    result = await _Performance(link, id, command, within).result()
+    connection.controls.check(id, command)
+    result = await _PendingCommand(connection, id, command, within).result()
     if result.command_result != CommandEvent.CommandResult.SUCCESSFUL:
-        link.controls.check(id, command)
+        connection.controls.check(id, command)
         raise RequestError(
             f"{id} did not carry out {command.NAME} within {within:g} s: it gave up, another command took its place, "
             "or it does not take it now (see `control()` and `status()`)"
         )
 
 
-class _Performance:
-    """One command that somebody waits for; `ends` is when the component should have said how it ended."""
+class _PendingCommand:
+    """One command that somebody waits for; `deadline` is when the component should have reported its result."""
 
-    def __init__(self, link: Link, id: JausID, command: Message, within: float) -> None:
-        self._link, self._id, self._command, self._within = link, id, command, within
+    def __init__(self, connection: Connection, id: JausID, command: Message, within: float) -> None:
+        self._connection, self._id, self._command, self._within = connection, id, command, within
         self._encoded = command.encode()
         self._clock = asyncio.get_running_loop().time
-        self._shared = False
-        self.ends = self._clock() + math.ceil(within)
+        self._outlasted = False
+        """The event lasts longer than this command's deadline, for another one."""
+        self.deadline = self._clock() + math.ceil(within)
 
     async def result(self) -> CommandEvent:
-        """How the command ended; who stops waiting, and is the last one, ends the event."""
-        link, id = self._link, self._id
-        request, events, ends = self._request(), set[int](), dict[int, Message]()
+        """The result of the command. When this is cancelled, and nobody else waits, the event is cancelled."""
+        connection, id = self._connection, self._id
+        request, events, results = self._request(), set[int](), dict[int, Message]()
 
-        def heard(message: Message, source: JausID) -> None:
-            """The event may come with its confirmation, or before it; a tap, for equal commands share one event."""
+        def on_message(message: Message, source: JausID) -> None:
+            """The result may arrive with the confirmation, or before it; equal commands share one event."""
             if isinstance(message, ConfirmEventRequest) and message.request_id == request.request_id:
                 events.add(message.event_id)
             elif isinstance(message, CommandEvent):
-                ends[message.event_id] = message
-            mine = ends.keys() & events
-            if mine and not waiter.arrival.done():
-                waiter.arrival.set_result((ends[min(mine)], source))
+                results[message.event_id] = message
+            own = results.keys() & events
+            if own and not waiter.reply.done():
+                waiter.reply.set_result((results[min(own)], source))
 
-        ended = link.replies.waiting(id)  # takes no message by itself, and ends when the OCU is closed
-        with ended as waiter, link.replies.tapped(id, heard, ConfirmEventRequest, CommandEvent):
-            link.events.join(id, self._encoded, self)
-            link.controls.sent(id, self._command)
+        waiting = connection.replies.waiting(id)  # takes no message by itself; ends when the OCU is closed
+        listening = connection.replies.listening(id, on_message, ConfirmEventRequest, CommandEvent)
+        with waiting as waiter, listening:
+            connection.events.add(id, self._encoded, self)
+            connection.controls.on_sent(id, self._command)
             try:
-                await ask(link, id, request, self._command, link.patience)
-                self.ends = self._clock() + math.ceil(self._within)
+                await request_event(connection, id, request, self._command, connection.retry)
+                self.deadline = self._clock() + math.ceil(self._within)
                 return await self._wait(waiter)
             except BaseException:
-                if link.events.users(id, self._encoded) == {self}:
-                    _forget(link, id, events)
+                if connection.events.users(id, self._encoded) == {self}:
+                    with suppress(JausError):  # the OCU may be closed
+                        for event in events:
+                            cancel_event(connection, id, event)
                 raise
             finally:
-                link.events.leave(id, self._encoded, self)
+                connection.events.remove(id, self._encoded, self)
 
     def _request(self) -> CreateCommandEvent:
-        """For as long as any of those who wait for an equal command allows."""
-        others = [each.ends for each in self._others() if isinstance(each, _Performance)]
-        seconds = math.ceil(max(self.ends, *others) - self._clock()) if others else math.ceil(self._within)
-        return CreateCommandEvent(self._link.next_request_id(self._id), min(seconds, LONGEST), self._command)
+        """The request for an event that lasts for as long as any of those who wait for an equal command allows."""
+        others = self._other_deadlines()
+        seconds = math.ceil(max(self.deadline, *others) - self._clock()) if others else math.ceil(self._within)
+        return CreateCommandEvent(self._connection.next_request_id(self._id), min(seconds, MAX_WITHIN), self._command)
 
-    async def _wait(self, waiter: Waiter) -> CommandEvent:
-        patience = self._link.patience
-        while not waiter.arrival.done():
-            self._link.controls.check(self._id, self._command)
-            self._shared = self._shared or any(
-                each.ends > self.ends for each in self._others() if isinstance(each, _Performance)
-            )
-            left = self.ends + (patience.timeout if self._shared else patience.total) - self._clock()
+    async def _wait(self, waiter: ReplyWaiter) -> CommandEvent:
+        retry = self._connection.retry
+        while not waiter.reply.done():
+            self._connection.controls.check(self._id, self._command)
+            self._outlasted = self._outlasted or any(each > self.deadline for each in self._other_deadlines())
+            left = self.deadline + (retry.timeout if self._outlasted else retry.total) - self._clock()
             if left <= 0:
                 raise self._too_long()
-            await asyncio.wait({waiter.arrival}, timeout=min(LOOK, left))
-        message, _ = waiter.arrival.result()
+            await asyncio.wait({waiter.reply}, timeout=min(CONTROL_CHECK_INTERVAL, left))
+        message, _ = waiter.reply.result()
         assert isinstance(message, CommandEvent)
         return message
 
-    def _others(self) -> frozenset[object]:
-        return self._link.events.users(self._id, self._encoded) - {self}
+    def _other_deadlines(self) -> list[float]:
+        users = self._connection.events.users(self._id, self._encoded) - {self}
+        return [each.deadline for each in users if isinstance(each, _PendingCommand)]
 
     def _too_long(self) -> RequestError:
         name, within = self._command.NAME, f"{self._within:g} s"
-        if self._shared:
+        if self._outlasted:
             return RequestError(
                 f"{self._id} did not carry out {name} within {within}; it goes on, for another `perform()` of the same "
                 "command allows more"
@@ -120,10 +122,3 @@ class _Performance:
             f"{self._id} took {name} and did not say within {within} how it ended; it may have been carried out, for "
             "not all components say that more than once; check that this one still runs"
         )
-
-
-def _forget(link: Link, id: JausID, events: set[int]) -> None:
-    """Nobody waits any more; that the OCU may be closed is said already."""
-    with suppress(JausError):
-        for event in events:
-            cancel(link, id, event)

@@ -1,4 +1,4 @@
-"""Access control of one component as an `async with` block."""
+"""Access control of one component as an `async with` block (Access Control service, AS5710)."""
 
 from __future__ import annotations
 
@@ -8,18 +8,22 @@ from contextlib import ExitStack
 from types import TracebackType
 from typing import TYPE_CHECKING, Final, Self
 
-from jauspy.arguments import check_number
-from jauspy.codec.base import Message
+from jauspy.arguments import async_only, check_number
+from jauspy.codec.message import Message
 from jauspy.errors import ConfigError, ControlRejected, ProtocolError, ResponseTimeout, TransportError
 from jauspy.ids import JausID
 from jauspy.messages.core import (
     ConfirmControl,
+    QueryAuthority,
     QueryControl,
     QueryStatus,
+    QueryTimeout,
     RejectControl,
     ReleaseControl,
+    ReportAuthority,
     ReportControl,
     ReportStatus,
+    ReportTimeout,
     RequestControl,
     Reset,
     Resume,
@@ -27,38 +31,103 @@ from jauspy.messages.core import (
     Shutdown,
     Standby,
 )
-from jauspy.ocu.link import Link
-from jauspy.ocu.only_async import use
-from jauspy.ocu.patience import Patience
-from jauspy.ocu.standing import ASK_TIMEOUT, NOBODY, Standing, holder, status_name
+from jauspy.ocu.connection import Connection, RetryPolicy
 from jauspy.protocol.header import Ack
 
 _LOG: Final = logging.getLogger("jauspy.ocu")
 
-LEAVE: Final = 0.5
-"""Seconds for which leaving the block waits for the component to say that control is released, if it did not
-acknowledge that it has heard of it."""
-ECHOES: Final = 1.0
-"""Seconds in which what was said of control that this OCU had before, or asked for, may still come in."""
-LOOK: Final = 2.0
-"""Seconds, at most, between two looks at whether the component still knows of us and does what it was told."""
-SILENCE: Final = 10.0
-"""Seconds without any answer after which a component is gone that would never take control back by itself."""
-REQUESTS: Final = 4
-"""Renewals of control that are sent at most each time, until one is confirmed."""
-_CALMING: Final = tuple(each.CODE for each in (Standby, SetEmergency, Reset, Shutdown))
-"""After one of these from us it is no wonder that the component leaves Ready."""
+DEFAULT_AUTHORITY: Final = 127
+"""The middle of 0..255: clients that must be able to take over use a higher one."""
+DEFAULT_CONTROL_TIMEOUT: Final = 3.0
+"""Seconds, for a component that does not report after how long it takes control back."""
+STATUS_RETRY: Final = RetryPolicy(timeout=0.3, retries=3)
+"""For the queries after control was granted or lost: the control timeout is running already."""
+CHECK_INTERVAL: Final = 2.0
+"""Seconds, at most, between two queries for controller and status of the component."""
+MAX_RENEWALS: Final = 4
+"""Control requests per interval, until one is confirmed."""
+MAX_SILENCE: Final = 10.0
+"""Seconds without an answer after which control counts as lost, for a component without a control timeout."""
+STALE_REPLY_TIME: Final = 1.0
+"""Seconds in which replies to requests of an earlier control of this OCU may still arrive."""
+RELEASE_TIMEOUT: Final = 0.5
+"""Seconds to wait for the confirmation of a release that was not acknowledged."""
+NOBODY: Final = JausID(0, 0, 0)
+"""The controller that ReportControl names when no client has control."""
+
+_LEAVES_READY: Final = tuple(each.CODE for each in (Standby, SetEmergency, Reset, Shutdown))
+"""After one of these from this OCU the component is expected to leave Ready."""
+
+
+class ControlStatus:
+    """Queries one component about control, and remembers which other client was last reported to have it."""
+
+    def __init__(self, connection: Connection, id: JausID, retry: RetryPolicy) -> None:
+        self._connection = connection
+        self._id = id
+        self._retry = retry
+        self._other: tuple[JausID | None, int | None] = (None, None)
+
+    async def query(self, query: Message, retry: RetryPolicy | None = None) -> Message | None:
+        """The report; None when none arrives."""
+        try:
+            return await self._connection.query(self._id, query, retry=retry or self._retry)
+        except (ResponseTimeout, TransportError):
+            return None
+
+    async def timeout(self) -> float:
+        """Seconds after which the component takes control back from a silent client; 0 when it never does."""
+        report = await self.query(QueryTimeout(), STATUS_RETRY)
+        return float(report.timeout) if isinstance(report, ReportTimeout) else DEFAULT_CONTROL_TIMEOUT
+
+    async def explain(self, code: int, authority: int) -> str:
+        """Why it refused control to a client with this authority."""
+        asked = f"you asked with {authority}"
+        if code == ConfirmControl.ResponseCode.NOT_AVAILABLE:
+            status = await self.query(QueryStatus())
+            now = f" (its status is {status_name(status)})" if isinstance(status, ReportStatus) else ""
+            return f"{self._id} is not available for control{now}; clear an emergency, or wait until it is ready"
+        if isinstance(control := await self.query(QueryControl()), ReportControl) and self.is_held_by_other(control):
+            return f"{self._id} {self.held_by()}; {asked}"
+        least = await self.query(QueryAuthority())
+        if isinstance(least, ReportAuthority):
+            return f"{self._id} gives control to authority {least.authority_code} and above; {asked}"
+        return f"{self._id} refused control (code {code}); {asked}"
+
+    async def is_available_to(self, authority: int) -> bool:
+        """True when this client, nobody, or a client of lower authority has control."""
+        control = await self.query(QueryControl())
+        if not isinstance(control, ReportControl):
+            return False
+        return not self.is_held_by_other(control) or control.authority_code < authority
+
+    def is_held_by_other(self, control: ReportControl) -> bool:
+        """True when another client has control; remembers which."""
+        found = controller(control)
+        if found in (NOBODY, self._connection.id):
+            return False
+        self._other = (found, control.authority_code)
+        return True
+
+    def held_by(self) -> str:
+        """The other client in words."""
+        return "is held by {} with authority {}".format(*self._other)
+
+    def rejected(self, why: str) -> ControlRejected:
+        """The error, with the other client as holder."""
+        found, authority = self._other
+        return ControlRejected(why, holder=found, authority=authority)
 
 
 class Control:
-    """Holds control from `async with` on, keeps it alive, and on the way out leaves Standby and releases it.
+    """Holds control inside `async with`, renews it, and on exit sends Standby and releases control.
 
-    Entering raises `ControlRejected`, naming who holds it. When control is lost meanwhile, `lost` says why and
-    commands to the component raise `ControlRejected`; the block itself is not interrupted. Control also counts as lost
-    when the component has left Ready by itself, as after a restart: from then on it would ignore every command.
+    Entering raises `ControlRejected`, which names the client in control. When control is lost later, `lost` gives the
+    reason and commands to the component raise `ControlRejected`; the block itself is not interrupted. Control also
+    counts as lost when the component has left Ready by itself, as after a restart, since it then ignores commands.
     """
 
-    def __init__(self, link: Link, id: JausID, authority: int, patience: Patience) -> None:
+    def __init__(self, connection: Connection, id: JausID, authority: int, retry: RetryPolicy) -> None:
         check_number(authority, "authority", whole=True)
         if not 0 <= authority <= 255:
             raise ConfigError(f"authority {authority} is outside 0..255")
@@ -68,17 +137,20 @@ class Control:
         """Seconds after which the component takes control back from a silent client; 0 when it never does."""
         self.lost = ""
         """Why control was lost; empty while it is held."""
-        self._taken = self._parted = False
-        self._standing = Standing(link, id, patience)
-        self._gone = asyncio.Event()
-        self._ready = False
-        self._calmed = False
-        self._link = link
-        self._patience = patience
-        self._taken_at = self._confirmed_at = self._known_at = 0.0
+        self._connection = connection
+        self._retry = retry
+        self._status = ControlStatus(connection, id, retry)
+        self._ended = asyncio.Event()
+        self._taken = False
+        """Another client has control, or the component took it back: nothing is released on exit."""
+        self._returned = False
+        """Control was released already, because the OCU is being closed."""
+        self._was_ready = False
+        self._may_leave_ready = False
+        self._granted_at = self._confirmed_at = self._answered_at = 0.0
         self._stack = ExitStack()
-        self._keeper: asyncio.Task[None] | None = None
-        self._asker: asyncio.Task[None] | None = None
+        self._renewal: asyncio.Task[None] | None = None
+        self._holder_query: asyncio.Task[None] | None = None
 
     def __repr__(self) -> str:
         state = "held" if self.held else self.lost or "not held"
@@ -87,202 +159,213 @@ class Control:
     @property
     def held(self) -> bool:
         """True while the component has not taken control back."""
-        return self._keeper is not None and not self.lost
+        return self._renewal is not None and not self.lost
 
     def check(self) -> None:
         """Raise `ControlRejected` when control was lost."""
         if self.lost:
-            raise self._standing.rejected(f"control of {self.id} was lost: {self.lost}")
+            raise self._status.rejected(f"control of {self.id} was lost: {self.lost}")
 
     async def until_lost(self) -> None:
-        """Wait until control is lost, and `lost` says why, or until the block is left."""
-        await self._gone.wait()
+        """Wait until control is lost, and `lost` gives the reason, or until the block is left."""
+        await self._ended.wait()
 
-    def sent(self, message: Message) -> None:
-        """The OCU has sent this to the component: whether it may leave Ready now."""
-        if message.CODE == Resume.CODE or message.CODE in _CALMING:
-            self._ready, self._calmed = False, message.CODE != Resume.CODE
+    def on_sent(self, message: Message) -> None:
+        """Called for each message that the OCU sends to the component, which may now leave Ready."""
+        if message.CODE == Resume.CODE or message.CODE in _LEAVES_READY:
+            self._was_ready, self._may_leave_ready = False, message.CODE != Resume.CODE
 
     async def __aenter__(self) -> Self:
-        self._link.controls.take(self.id, self)
+        self._connection.controls.add(self.id, self)
         self.lost = ""
-        self._taken = self._parted = self._ready = self._calmed = False
-        self._gone.clear()
+        self._taken = self._returned = self._was_ready = self._may_leave_ready = False
+        self._ended.clear()
         try:
             await self._acquire()
         except BaseException as error:
-            self._link.controls.drop(self.id, self)
+            self._connection.controls.remove(self.id, self)
             if isinstance(error, ResponseTimeout):
-                await self._link.assure(self.id, ReleaseControl())  # it may have been granted, and nobody uses it
+                await self._connection.deliver(self.id, ReleaseControl())  # it may have been granted all the same
             elif not isinstance(error, ControlRejected):
-                self._quietly(ReleaseControl(), Ack.REQUIRED)
+                self._try_send(ReleaseControl(), Ack.REQUIRED)
             raise
-        self._stack.enter_context(self._link.replies.tapped(self.id, self._heard, ConfirmControl, RejectControl))
-        self._stack.enter_context(self._link.before_closing(self._let_go))
-        self._keeper = asyncio.create_task(self._keep(), name=f"control of {self.id}")
+        replies = self._connection.replies.listening(self.id, self._on_message, ConfirmControl, RejectControl)
+        self._stack.enter_context(replies)
+        self._stack.enter_context(self._connection.on_close(self._on_close))
+        self._renewal = asyncio.create_task(self._keep(), name=f"control of {self.id}")
         return self
 
     async def __aexit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
-        keeper, self._keeper = self._keeper, None
+        renewal, self._renewal = self._renewal, None
         self._stack.close()
         left = asyncio.Event()
-        self._stack.enter_context(self._link.before_closing(left.wait))  # closing the OCU waits for what follows
+        self._stack.enter_context(self._connection.on_close(left.wait))  # closing the OCU waits for what follows
         try:
-            tasks = {each for each in (keeper, self._asker) if each is not None}
+            tasks = {each for each in (renewal, self._holder_query) if each is not None}
             for each in tasks:
                 each.cancel()
-            if not self._taken and not self._parted:
-                await self._give_back()
+            if not self._taken and not self._returned:
+                await self._release()
         finally:
             left.set()
             self._stack.close()
-            self._gone.set()
-            self._link.controls.drop(self.id, self)
+            self._ended.set()
+            self._connection.controls.remove(self.id, self)
             if tasks:
                 await asyncio.wait(tasks)
 
     if not TYPE_CHECKING:
-        __enter__ = __exit__ = use("`async with`")
+        __enter__ = __exit__ = async_only("`async with`")
 
-    # --- taking ---------------------------------------------------------------------------------------------------
+    # --- acquiring ------------------------------------------------------------------------------------------------
 
     async def _acquire(self) -> None:
-        codes, code = ConfirmControl.ResponseCode, await self._asked()
-        if code == codes.INSUFFICIENT_AUTHORITY and await self._standing.is_open_to(self.authority):
-            code = await self._asked()  # it was an echo: the answer to an earlier request
+        codes, code = ConfirmControl.ResponseCode, await self._request()
+        if code == codes.INSUFFICIENT_AUTHORITY and await self._status.is_available_to(self.authority):
+            code = await self._request()  # the first reply was a late one, to an earlier request
         if code != codes.CONTROL_ACCEPTED:
-            raise self._standing.rejected(await self._standing.explain(code, self.authority))
-        self._taken_at = self._confirmed_at = asyncio.get_running_loop().time()
-        self.timeout = await self._standing.timeout()
+            raise self._status.rejected(await self._status.explain(code, self.authority))
+        self._granted_at = self._confirmed_at = asyncio.get_running_loop().time()
+        self.timeout = await self._status.timeout()
 
-    async def _asked(self) -> int:
-        """What it says to a request for control."""
+    async def _request(self) -> int:
+        """Request control; returns the response code."""
         request = RequestControl(authority_code=self.authority)
-        answer = await self._link.request(self.id, request, ConfirmControl, patience=self._patience)
+        answer = await self._connection.request(self.id, request, ConfirmControl, retry=self._retry)
         assert isinstance(answer, ConfirmControl)
         return answer.response_code
 
     # --- keeping --------------------------------------------------------------------------------------------------
 
     async def _keep(self) -> None:
-        """Look, and ask again, at a third of the timeout, so that a gap in the network does no harm."""
+        """Check and renew control at a third of its timeout, so that single lost packets do no harm."""
         clock = asyncio.get_running_loop().time
-        interval = min(self.timeout / 3 or LOOK, LOOK)
-        patience = Patience(min(self._patience.timeout, interval / 3), 1)
+        interval = min(self.timeout / 3 or CHECK_INTERVAL, CHECK_INTERVAL)
+        retry = RetryPolicy(min(self._retry.timeout, interval / 3), 1)
         due = self._confirmed_at
         while not self.lost:
             due = max(due + interval, clock())
             await asyncio.sleep(due - clock())
-            # And not until now: this event loop may have been busy since.
-            silence = due - max(self._known_at, self._confirmed_at)
-            if silence > (self.timeout or SILENCE):
+            # Up to `due`, not up to now: this event loop may have been blocked in between.
+            silence = due - max(self._answered_at, self._confirmed_at)
+            if silence > (self.timeout or MAX_SILENCE):
                 most = f", and its timeout is {self.timeout:g} s" if self.timeout else ""
                 self._lose(f"{self.id} has not answered for {silence:.1f} s{most}")
                 return
-            # Before asking: a component that was started anew would just give control again, and stand still.
-            await self._look(patience)
+            # Before the renewal: a component that was restarted would grant control again, and stay in Standby.
+            await self._check(retry)
             if self.timeout and not self.lost:
                 await self._renew(interval / 2)
 
     async def _renew(self, seconds: float) -> None:
-        """Ask for control again, several times within these seconds while it is not confirmed: packets get lost."""
+        """Request control again, several times within these seconds until it is confirmed: packets get lost."""
         clock = asyncio.get_running_loop().time
-        asked_at = clock()
-        for _ in range(REQUESTS):
-            self._quietly(RequestControl(authority_code=self.authority))
-            await asyncio.sleep(seconds / REQUESTS)
-            if self.lost or self._confirmed_at >= asked_at:
+        requested_at = clock()
+        for _ in range(MAX_RENEWALS):
+            self._try_send(RequestControl(authority_code=self.authority))
+            await asyncio.sleep(seconds / MAX_RENEWALS)
+            if self.lost or self._confirmed_at >= requested_at:
                 return
 
-    async def _look(self, patience: Patience) -> None:
-        """See whether the component still holds us for its controller, and is as we left it; silence says nothing."""
+    async def _check(self, retry: RetryPolicy) -> None:
+        """Check that this OCU is the controller and that the component has not left Ready; no answer is no loss."""
         control, status = await asyncio.gather(
-            self._standing.ask(QueryControl(), patience), self._standing.ask(QueryStatus(), patience)
+            self._status.query(QueryControl(), retry), self._status.query(QueryStatus(), retry)
         )
-        if not self.timeout and (control or status):  # it is not asked to confirm
-            self._known_at = asyncio.get_running_loop().time()
+        if not self.timeout and (control or status):  # there are no renewals that it could confirm
+            self._answered_at = asyncio.get_running_loop().time()
         if isinstance(control, ReportControl) and not self.lost:
-            if self._standing.is_elsewhere(control):
+            if self._status.is_held_by_other(control):
                 self._taken = True
-                self._lose(f"{self.id} {self._standing.held_by()}")
-            elif holder(control) == NOBODY:
-                self._lose(f"{self.id} says that nobody is in control; it was started anew, or did not hear us in time")
+                self._lose(f"{self.id} {self._status.held_by()}")
+            elif controller(control) == NOBODY:
+                self._lose(f"{self.id} says that nobody is in control; it was restarted, or did not hear us in time")
             else:
-                self._known_at = asyncio.get_running_loop().time()
-        if isinstance(status, ReportStatus) and not self._calmed:
+                self._answered_at = asyncio.get_running_loop().time()
+        if isinstance(status, ReportStatus) and not self._may_leave_ready:
             if status.status == ReportStatus.Status.READY:
-                self._ready = True
-            elif self._ready:
+                self._was_ready = True
+            elif self._was_ready:
                 self._lose(f"{self.id} went from READY to {status_name(status)} without being told to by this OCU")
 
-    def _heard(self, message: Message, source: JausID) -> None:
-        """A confirmation keeps it; anything else says that it is gone."""
+    def _on_message(self, message: Message, source: JausID) -> None:
         if isinstance(message, RejectControl):
             if message.response_code == RejectControl.ResponseCode.CONTROL_RELEASED:
-                self._take_from(f"{source} took it back: another client outranked you, you were silent, or it ended")
+                self._on_taken(f"{source} took it back: another client outranked you, you were silent, or it ended")
         elif isinstance(message, ConfirmControl):
             if message.response_code == ConfirmControl.ResponseCode.INSUFFICIENT_AUTHORITY:
-                self._take_from(f"{source} gave it to another client; your authority of {self.authority} is too low")
-            else:  # in an emergency it is not available, but ours
+                self._on_taken(f"{source} gave it to another client; your authority of {self.authority} is too low")
+            else:  # NOT_AVAILABLE too: in an emergency control remains with this OCU
                 self._confirmed_at = asyncio.get_running_loop().time()
 
-    def _take_from(self, why: str) -> None:
-        """It is lost from now on; who waits for that is told when it is known who has it."""
-        if self._taken or (self._asker is not None and not self._asker.done()):
+    def _on_taken(self, why: str) -> None:
+        """Control is lost from now on; `until_lost` returns when the new controller is known."""
+        if self._taken or (self._holder_query is not None and not self._holder_query.done()):
             return
-        if asyncio.get_running_loop().time() - self._taken_at > ECHOES:
+        if asyncio.get_running_loop().time() - self._granted_at > STALE_REPLY_TIME:
             self._taken, self.lost = True, self.lost or why
-        self._asker = asyncio.create_task(self._ask_who(why, self._link.id), name=f"who controls {self.id}")
+        query = self._query_holder(why, self._connection.id)
+        self._holder_query = asyncio.create_task(query, name=f"who controls {self.id}")
 
-    async def _ask_who(self, why: str, me: JausID) -> None:
-        """An echo of what was said before does not count; the OCU may be closed when the answer is looked at."""
-        control = await self._standing.ask(QueryControl(), ASK_TIMEOUT)
+    async def _query_holder(self, why: str, own_id: JausID) -> None:
+        """A stale reply does not count. `own_id` is passed in, since the OCU may be closed before the answer."""
+        control = await self._status.query(QueryControl(), STATUS_RETRY)
         if isinstance(control, ReportControl):
-            if not self._taken and holder(control) == me:
+            if not self._taken and controller(control) == own_id:
                 return
-            if self._standing.is_elsewhere(control):
-                why = f"{self.id} took it back, and {self._standing.held_by()}; you had {self.authority}"
+            if self._status.is_held_by_other(control):
+                why = f"{self.id} took it back, and {self._status.held_by()}; you had {self.authority}"
                 self.lost = ""
         self._taken, self.lost = True, self.lost or why
-        self._gone.set()
+        self._ended.set()
 
     def _lose(self, why: str) -> None:
         self.lost = self.lost or why
-        self._gone.set()
+        self._ended.set()
 
-    # --- giving back ----------------------------------------------------------------------------------------------
+    # --- releasing ------------------------------------------------------------------------------------------------
 
-    async def _let_go(self) -> None:
-        """The OCU is being closed inside the block."""
+    async def _on_close(self) -> None:
+        """The OCU is closed inside the block."""
         self._lose("the OCU was closed")
         if not self._taken:
-            self._parted = True
-            await self._give_back()
+            self._returned = True
+            await self._release()
 
-    async def _give_back(self) -> None:
-        """Standby has to be there first: once control is released, it is not obeyed any more."""
+    async def _release(self) -> None:
+        """Standby must arrive first: a component ignores commands of a client that has released control."""
         try:
-            await self._link.assure(self.id, Standby())
+            await self._connection.deliver(self.id, Standby())
             if not await self._released():
-                self._quietly(ReleaseControl(), Ack.REQUIRED)  # nobody waits for this one
+                self._try_send(ReleaseControl(), Ack.REQUIRED)  # resent in the background
         except BaseException:
-            self._quietly(ReleaseControl(), Ack.REQUIRED)
+            self._try_send(ReleaseControl(), Ack.REQUIRED)
             raise
 
     async def _released(self) -> bool:
-        """Release it. Sent only once, apart from resends: a second one could come late, and end what follows this."""
-        with self._link.replies.waiting(self.id, RejectControl) as waiter:
-            if await self._link.assure(self.id, ReleaseControl()):
+        """Send ReleaseControl once, apart from resends: a late second one could end a control that follows."""
+        with self._connection.replies.waiting(self.id, RejectControl) as waiter:
+            if await self._connection.deliver(self.id, ReleaseControl()):
                 return True
-            await asyncio.wait({waiter.arrival}, timeout=LEAVE)
-            return waiter.arrival.done()
+            await asyncio.wait({waiter.reply}, timeout=RELEASE_TIMEOUT)
+            return waiter.reply.done()
 
-    def _quietly(self, message: Message, ack: Ack = Ack.NONE) -> None:
+    def _try_send(self, message: Message, ack: Ack = Ack.NONE) -> None:
         try:
-            self._link.send(self.id, message, ack=ack)
+            self._connection.send(self.id, message, ack=ack)
         except TransportError:
             self._lose("the OCU was closed")
         except ProtocolError:
-            _LOG.warning("%s cannot be sent %s: too much is under way", self.id, message.NAME)
+            _LOG.warning("%s cannot be sent %s: too many messages are under way", self.id, message.NAME)
+
+
+def controller(control: ReportControl) -> JausID:
+    """The client in control."""
+    return JausID(control.subsystem_id, control.node_id, control.component_id)
+
+
+def status_name(report: ReportStatus) -> str:
+    """The status by name, as in READY."""
+    return getattr(report.status, "name", str(report.status))

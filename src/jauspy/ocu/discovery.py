@@ -1,126 +1,286 @@
-"""Finding subsystems, their nodes, components and services, by asking everybody and then each one."""
+"""Finds subsystems, nodes, components and services once (`discover`), or continuously (`watch`).
+
+Both query everybody at intervals, query single components for what they have not reported, and merge the reports in a
+`SubsystemTree`.
+"""
 
 # ruff: noqa: ASYNC109 - a timeout ends in an error that says what was asked, and of whom
 
 from __future__ import annotations
 
 import asyncio
+import math
+from collections.abc import AsyncIterator, Iterator
+from contextlib import suppress
+from dataclasses import dataclass
 from itertools import count
-from typing import Final
+from typing import Final, TypeAlias
 
 from jauspy.arguments import check_number
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.errors import ConfigError, ResponseTimeout
 from jauspy.ids import ANY_COMPONENT, ANY_NODE, ANY_SUBSYSTEM, EVERYONE, JausID
 from jauspy.messages.core import (
     QueriedComponentRec,
     QueriedNodeRec,
+    QueryHeartbeatPulse,
     QueryIdentification,
     QueryServices,
+    ReportHeartbeatPulse,
     ReportIdentification,
     ReportServices,
 )
-from jauspy.ocu.findings import Findings, Level
-from jauspy.ocu.link import Link
-from jauspy.ocu.model import Subsystem
+from jauspy.ocu.connection import Connection
+from jauspy.ocu.subsystems import (
+    INTRODUCTION_TIME,
+    ComponentInfo,
+    Level,
+    NodeInfo,
+    ServiceInfo,
+    SubsystemInfo,
+    SubsystemTree,
+)
 from jauspy.protocol.header import Broadcast
 
-ASK_AGAIN: Final = 0.5
-"""Seconds between two rounds of questions."""
-LOOK: Final = 0.05
-"""Seconds between two looks at what has come in."""
-QUIET: Final = 0.15
-"""Seconds without news after which a picture seems to be complete."""
-ROUNDS: Final = 2
-"""How often everybody is asked before that is believed: the questions to a component, or its answers, may get lost."""
+ROUND_INTERVAL: Final = 0.5
+"""Seconds between two rounds of queries of `discover`."""
+POLL_INTERVAL: Final = 0.05
+"""Seconds after which `discover` looks at the tree again."""
+QUIET_TIME: Final = 0.15
+"""Seconds without new facts after which a subsystem that is complete is returned."""
+MIN_ROUNDS: Final = 2
+"""Rounds before a subsystem counts as complete: queries to a component, or its answers, may get lost."""
 MAX_FOLLOW_UPS: Final = 64
-"""Questions to single components in one round, so that a flood of answers is not answered with a flood."""
+"""Queries to single components in one round, so that a flood of answers does not cause a flood of queries."""
+PROBES_PER_INTERVAL: Final = 4
+"""How often in each interval `watch` queries components that have not answered the broadcast: packets get lost."""
+COALESCE_TIME: Final = 0.1
+"""Seconds that `watch` waits for further reports before it yields changes."""
+
+SubsystemPart: TypeAlias = SubsystemInfo | NodeInfo | ComponentInfo | ServiceInfo
 
 
-async def discover(link: Link, subsystem: int, timeout: float) -> Subsystem:
-    """The subsystem of this number as soon as it is known whole; raises `ResponseTimeout` when it does not answer."""
+@dataclass(frozen=True, slots=True)
+class Appeared:
+    """`now` is there; `id` is 101.0.0 for a subsystem, 101.1.0 for a node, and the component's for its services."""
+
+    id: JausID
+    now: SubsystemPart
+
+
+@dataclass(frozen=True, slots=True)
+class Changed:
+    """A subsystem, node or component has another name or type."""
+
+    id: JausID
+    before: SubsystemPart
+    now: SubsystemPart
+
+
+@dataclass(frozen=True, slots=True)
+class Vanished:
+    """It was silent for too long, or the component no longer offers the service."""
+
+    id: JausID
+    before: SubsystemPart
+
+
+News: TypeAlias = Appeared | Changed | Vanished
+_Parts: TypeAlias = dict[tuple[JausID, ServiceInfo | None], SubsystemPart]
+
+
+# --- once -------------------------------------------------------------------------------------------------------------
+
+
+async def discover(connection: Connection, subsystem: int, timeout: float) -> SubsystemInfo:
+    """The subsystem of this number as soon as it is complete; raises `ResponseTimeout` when it does not answer."""
     check_number(subsystem, "a subsystem", whole=True)
     if not 0 < subsystem < ANY_SUBSYSTEM:
         raise ConfigError(f"subsystem {subsystem} is outside 1..{ANY_SUBSYSTEM - 1}")
-    findings = await _search(link, subsystem, timeout)
-    found = next((each for each in findings.subsystems() if each.id == subsystem), None)
+    tree = await _search(connection, subsystem, timeout)
+    found = next((each for each in tree.subsystems() if each.id == subsystem), None)
     if found is None:
-        raise ResponseTimeout(_nobody(subsystem, findings, timeout))
+        raise ResponseTimeout(_no_such_subsystem(subsystem, tree, timeout))
     return found
 
 
-async def discover_all(link: Link, timeout: float) -> tuple[Subsystem, ...]:
-    """Every subsystem that answers within `timeout` seconds, which are used whole."""
-    return (await _search(link, None, timeout)).subsystems()
+async def discover_all(connection: Connection, timeout: float) -> tuple[SubsystemInfo, ...]:
+    """Every subsystem that answers within `timeout` seconds; returns after that time."""
+    return (await _search(connection, None, timeout)).subsystems()
 
 
-async def _search(link: Link, subsystem: int | None, timeout: float) -> Findings:
+async def _search(connection: Connection, subsystem: int | None, timeout: float) -> SubsystemTree:
     check_number(timeout, "timeout")
     if not timeout > 0:
         raise ConfigError(f"timeout {timeout} s must be above 0")
-    findings, myself = Findings(), link.id
-
-    def heard(message: Message, source: JausID) -> None:
-        if source != myself:
-            findings.add(message, source)
-
+    tree, own_id = SubsystemTree(), connection.id
     clock = asyncio.get_running_loop().time
     end = clock() + timeout
-    with link.replies.tapped(EVERYONE, heard, ReportIdentification, ReportServices):
-        for asked in count(1):
-            ask_everybody(link, subsystem)
-            _follow_up(link, findings, subsystem)
-            settled = await _settled(findings, subsystem, min(end, clock() + ASK_AGAIN), link)
-            if (settled and asked >= ROUNDS) or clock() >= end:
+
+    def on_report(message: Message, source: JausID) -> None:
+        if source != own_id:
+            tree.add(message, source, clock())
+
+    with connection.replies.listening(EVERYONE, on_report, ReportIdentification, ReportServices):
+        for rounds in count(1):
+            _query_everybody(connection, subsystem)
+            _query_missing(connection, tree, subsystem)
+            complete = await _completed(tree, subsystem, min(end, clock() + ROUND_INTERVAL), connection)
+            if (complete and rounds >= MIN_ROUNDS) or clock() >= end:
                 break
-    return findings
+    return tree
 
 
-async def _settled(findings: Findings, subsystem: int | None, end: float, link: Link) -> bool:
-    """Wait for answers until `end`; true as soon as the subsystem is known whole and nothing more comes."""
+async def _completed(tree: SubsystemTree, subsystem: int | None, end: float, connection: Connection) -> bool:
+    """Wait for reports until `end`; true as soon as the subsystem is complete and no new fact arrives."""
     clock = asyncio.get_running_loop().time
-    known, news_at = len(findings), clock()
+    size, changed_at = tree.size, clock()
     while clock() < end:
-        await asyncio.sleep(min(LOOK, end - clock()))
-        if len(findings) != known:
-            if known == 0 or subsystem is None:
-                _follow_up(link, findings, subsystem)
-            known, news_at = len(findings), clock()
-        elif subsystem is not None and findings.is_complete(subsystem) and clock() - news_at >= QUIET:
+        await asyncio.sleep(min(POLL_INTERVAL, end - clock()))
+        if tree.size != size:
+            if size == 0 or subsystem is None:
+                _query_missing(connection, tree, subsystem)
+            size, changed_at = tree.size, clock()
+        elif subsystem is not None and tree.is_complete(subsystem) and clock() - changed_at >= QUIET_TIME:
             return True
     return False
 
 
-def ask_everybody(link: Link, subsystem: int | None) -> JausID:
-    """Ask who everybody is, or everybody in one subsystem, and what they offer; the address that reaches them."""
+def _query_missing(connection: Connection, tree: SubsystemTree, subsystem: int | None) -> None:
+    """Query each component for what it has not reported, and one component of each node for the node's name."""
+    queries: list[tuple[JausID, Message]] = []
+    nodes: set[tuple[int, int]] = set()
+    for id in tree.unnamed(Level.NODE, subsystem):
+        if tree.responds(id) and (id.subsystem, id.node) not in nodes:
+            nodes.add((id.subsystem, id.node))
+            queries.append((id, QueryIdentification(query_type=Level.NODE)))
+    for level in (Level.SUBSYSTEM, Level.COMPONENT):
+        queries += [(id, QueryIdentification(query_type=level)) for id in tree.unnamed(level, subsystem)]
+    queries += [(id, _query_all_services()) for id in tree.without_services(subsystem)]
+    for id, query in queries[:MAX_FOLLOW_UPS]:
+        connection.send(id, query)
+
+
+def _no_such_subsystem(subsystem: int, tree: SubsystemTree, timeout: float) -> str:
+    others = sorted({each.subsystem for each in tree})
+    answered = f"subsystems {', '.join(map(str, others))} did" if others else "nobody else did either"
+    return (
+        f"subsystem {subsystem} did not answer QueryIdentification and QueryServices, sent to "
+        f"{subsystem}.255.255 for {timeout:g} s ({answered}); start the robot, check its number and its node manager, "
+        "or connect to that directly with connect='udp://HOST:PORT'"
+    )
+
+
+# --- continuously -----------------------------------------------------------------------------------------------------
+
+
+async def watch(connection: Connection, subsystem: int | None, interval: float, silence: float) -> AsyncIterator[News]:
+    """What is there at first, and then every change; a slow reader gets the difference to what it read last."""
+    check_number(subsystem, "a subsystem", whole=True, optional=True)
+    check_number(interval, "interval")
+    check_number(silence, "silence")
+    if not 0 < interval < silence:
+        raise ConfigError(f"interval {interval:g} s must be above 0, and silence {silence:g} s longer than that")
+    if subsystem is not None and not 0 < subsystem < ANY_SUBSYSTEM:
+        raise ConfigError(f"subsystem {subsystem} is outside 1..{ANY_SUBSYSTEM - 1}")
+    clock, own_id = asyncio.get_running_loop().time, connection.id
+    tree, received = SubsystemTree(), asyncio.Event()
+
+    def on_report(message: Message, source: JausID) -> None:
+        if source != own_id and subsystem in (None, source.subsystem):
+            tree.add(message, source, clock())
+            received.set()
+
+    before: _Parts = {}
+    query_at, expire_at, probe_at = clock(), -math.inf, clock()
+    kinds = (ReportIdentification, ReportServices, ReportHeartbeatPulse)
+    with connection.replies.listening(EVERYONE, on_report, *kinds):
+        while True:
+            if clock() >= query_at:
+                if clock() > query_at + interval:  # the reader was slow, so nobody was queried: silence means nothing
+                    expire_at = clock() + silence
+                everybody = _query_everybody(connection, subsystem)
+                connection.send(everybody, QueryHeartbeatPulse(), broadcast=Broadcast.GLOBAL)
+                _query_unknown(connection, tree, -math.inf)
+                query_at = clock() + interval
+            if clock() >= probe_at:
+                for id in tree.unheard(clock() - interval)[:MAX_FOLLOW_UPS]:
+                    connection.send(id, QueryHeartbeatPulse())
+                probe_at = clock() + interval / PROBES_PER_INTERVAL
+            if clock() >= expire_at:
+                tree.expire(clock() - silence)
+            now = _parts(tree.subsystems(clock()))
+            for each in _differences(before, now):
+                yield each
+            before = now
+            if await _next_reports(received, min(query_at, probe_at, tree.next_introduction(clock()) or query_at)):
+                _query_unknown(connection, tree, clock() - INTRODUCTION_TIME)
+
+
+async def _next_reports(received: asyncio.Event, until: float) -> bool:
+    """Wait for a report and for those that follow at once, no longer than `until`; true when there was one."""
+    with suppress(TimeoutError):
+        async with asyncio.timeout_at(until):
+            await received.wait()
+            await asyncio.sleep(COALESCE_TIME)
+    found = received.is_set()
+    received.clear()
+    return found
+
+
+def _query_unknown(connection: Connection, tree: SubsystemTree, since: float) -> None:
+    """Query the components first seen `since` for names and services that are not known."""
+    queries: list[tuple[JausID, Message]] = [(id, _query_all_services()) for id in tree.without_services(since=since)]
+    for level in (Level.COMPONENT, Level.NODE, Level.SUBSYSTEM):
+        queries += [(id, QueryIdentification(query_type=level)) for id in tree.unnamed(level, since=since)]
+    for id, query in queries[:MAX_FOLLOW_UPS]:
+        connection.send(id, query)
+
+
+def _parts(subsystems: tuple[SubsystemInfo, ...]) -> _Parts:
+    """All parts of these subsystems, each after the one that it is part of."""
+    found: _Parts = {}
+    for subsystem in subsystems:
+        found[JausID(subsystem.id, 0, 0), None] = subsystem
+        for node in subsystem.nodes:
+            found[JausID(subsystem.id, node.id, 0), None] = node
+            for component in node.components:
+                found[component.id, None] = component
+                found |= {(component.id, service): service for service in component.services}
+    return found
+
+
+def _differences(before: _Parts, now: _Parts) -> Iterator[News]:
+    """Parts vanish before, and appear after, the one that they are part of."""
+    for key in reversed(before):
+        if key not in now:
+            yield Vanished(key[0], before[key])
+    for key, part in now.items():
+        if key not in before:
+            yield Appeared(key[0], part)
+        elif _name_and_type(part) != _name_and_type(before[key]):
+            yield Changed(key[0], before[key], part)
+
+
+def _name_and_type(part: SubsystemPart) -> tuple[str, int] | None:
+    """What may change in a part itself; changes of its own parts are yielded for those."""
+    return None if isinstance(part, ServiceInfo) else (part.name, part.type)
+
+
+# --- queries of both --------------------------------------------------------------------------------------------------
+
+
+def _query_everybody(connection: Connection, subsystem: int | None) -> JausID:
+    """Broadcast the queries for identification and services, to all or to one subsystem; returns the address used."""
     number = ANY_SUBSYSTEM if subsystem is None else subsystem
     everybody = JausID(number, ANY_NODE, ANY_COMPONENT)
-    for question in (QueryIdentification(query_type=Level.SUBSYSTEM), all_services()):
-        link.send(everybody, question, broadcast=Broadcast.GLOBAL)
+    for query in (QueryIdentification(query_type=Level.SUBSYSTEM), _query_all_services()):
+        connection.send(everybody, query, broadcast=Broadcast.GLOBAL)
     return everybody
 
 
-def _follow_up(link: Link, findings: Findings, subsystem: int | None) -> None:
-    """Ask each component for what it has not said."""
-    asked: list[tuple[JausID, Message]] = []
-    nodes: set[tuple[int, int]] = set()
-    for id in findings.unnamed(Level.NODE, subsystem):
-        if id in findings.responders and (id.subsystem, id.node) not in nodes:
-            nodes.add((id.subsystem, id.node))
-            asked.append((id, QueryIdentification(query_type=Level.NODE)))
-    asked += [
-        (id, QueryIdentification(query_type=Level.SUBSYSTEM)) for id in findings.unnamed(Level.SUBSYSTEM, subsystem)
-    ]
-    asked += [
-        (id, QueryIdentification(query_type=Level.COMPONENT)) for id in findings.unnamed(Level.COMPONENT, subsystem)
-    ]
-    asked += [(id, all_services()) for id in findings.mute(subsystem)]
-    for id, question in asked[:MAX_FOLLOW_UPS]:
-        link.send(id, question)
-
-
-def all_services() -> QueryServices:
-    """The question for all services of all components."""
+def _query_all_services() -> QueryServices:
+    """The query for all services of all components."""
     return QueryServices(
         node_list=[
             QueryServices.NodeSeq(
@@ -128,14 +288,4 @@ def all_services() -> QueryServices:
                 component_list=[QueriedComponentRec(component_id=ANY_COMPONENT)],
             )
         ]
-    )
-
-
-def _nobody(subsystem: int, findings: Findings, timeout: float) -> str:
-    others = sorted({each.subsystem for each in findings.components()})
-    answered = f"subsystems {', '.join(map(str, others))} did" if others else "nobody else did either"
-    return (
-        f"subsystem {subsystem} did not answer QueryIdentification and QueryServices, sent to "
-        f"{subsystem}.255.255 for {timeout:g} s ({answered}); start the robot, check its number and its node manager, "
-        "or connect to that directly with connect='udp://HOST:PORT'"
     )

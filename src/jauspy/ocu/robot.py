@@ -1,21 +1,21 @@
-"""A discovered subsystem that can be talked to."""
+"""Clients of a discovered subsystem and of its components."""
 
 from __future__ import annotations
 
 from jauspy.arguments import check_text
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
-from jauspy.ocu.link import Link
-from jauspy.ocu.model import Component, Node, Subsystem
+from jauspy.ocu.connection import Connection
 from jauspy.ocu.service import ServiceClient
+from jauspy.ocu.subsystems import ComponentInfo, NodeInfo, SubsystemInfo
 
 
 class ComponentClient:
-    """One discovered component."""
+    """The client of one discovered component; `info` describes it as it was discovered."""
 
-    def __init__(self, link: Link, info: Component) -> None:
+    def __init__(self, connection: Connection, info: ComponentInfo) -> None:
         self.info = info
-        self._link = link
+        self._connection = connection
 
     def __repr__(self) -> str:
         return f"<{self.info.name or 'component'} {self.id}>"
@@ -26,20 +26,20 @@ class ComponentClient:
         return self.info.id
 
     def service(self, name: str) -> ServiceClient:
-        """The service of this URN, or end of one; `ConfigError` that lists what the component offers."""
+        """The client of a service by its URN, or the end of it; `ConfigError` lists what the component offers."""
         check_text(name, "a service's name")
         found = self.info.find(name)
         if found is None:
             raise ConfigError(f"{self.id} does not offer {name}; it offers {_listed(self.info)}")
-        return ServiceClient(self._link, self.id, found)
+        return ServiceClient(self._connection, self.id, found)
 
 
 class Robot:
-    """A subsystem as it was when it was discovered; `info` has it as plain values."""
+    """The client of a discovered subsystem; `info` describes it as it was discovered."""
 
-    def __init__(self, link: Link, info: Subsystem) -> None:
+    def __init__(self, connection: Connection, info: SubsystemInfo) -> None:
         self.info = info
-        self._link = link
+        self._connection = connection
 
     def __repr__(self) -> str:
         return f"<{self.info.kind} {self.id} {self.name!r} with {len(self.components)} components>"
@@ -51,39 +51,39 @@ class Robot:
 
     @property
     def name(self) -> str:
-        """What it calls itself."""
+        """The name that it reports."""
         return self.info.name
 
     @property
-    def nodes(self) -> tuple[Node, ...]:
+    def nodes(self) -> tuple[NodeInfo, ...]:
         """Its nodes."""
         return self.info.nodes
 
     @property
-    def components(self) -> tuple[Component, ...]:
+    def components(self) -> tuple[ComponentInfo, ...]:
         """The components of all of its nodes."""
         return self.info.components
 
     def component(self, which: int | str | JausID) -> ComponentClient:
-        """By number (102) or by whole id ("101.1.102"); `ConfigError` that lists the components."""
+        """The client of a component by number (102) or by id ("101.1.102"); `ConfigError` lists the components."""
         if isinstance(which, str):
             which = JausID.parse(which)
         found = [each for each in self.components if which in (each.id, each.id.component)]
         if len(found) == 1:
-            return ComponentClient(self._link, found[0])
+            return ComponentClient(self._connection, found[0])
         if found:
             raise ConfigError(f"subsystem {self.id} has several components {which}; choose by whole id: {_ids(found)}")
         raise ConfigError(f"subsystem {self.id} has no component {which}; it has {_ids(self.components)}")
 
     def service(self, name: str) -> ServiceClient:
-        """The service of this URN, or end of one, as in `mobility:PrimitiveDriver`.
+        """The client of a service by its URN, or the end of it, such as `mobility:PrimitiveDriver`.
 
-        Raises `ConfigError` when none offers it, which lists what there is, or when several components do.
+        Raises `ConfigError`, which lists what is offered, unless exactly one component offers it.
         """
         check_text(name, "a service's name")
         offering = list(self.info.offering(name))
         if len(offering) == 1:
-            return ComponentClient(self._link, offering[0]).service(name)
+            return ComponentClient(self._connection, offering[0]).service(name)
         if offering:
             first = offering[0].id.component
             raise ConfigError(
@@ -94,9 +94,9 @@ class Robot:
         raise ConfigError(f"subsystem {self.id} does not offer {name}; it offers {offers}")
 
 
-def _ids(components: list[Component] | tuple[Component, ...]) -> str:
+def _ids(components: list[ComponentInfo] | tuple[ComponentInfo, ...]) -> str:
     return ", ".join(str(each.id) for each in components) or "none"
 
 
-def _listed(component: Component) -> str:
+def _listed(component: ComponentInfo) -> str:
     return ", ".join(map(str, component.services)) or "nothing"

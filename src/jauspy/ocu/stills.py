@@ -1,4 +1,4 @@
-"""Still images of a component's cameras (AS6060 StillImage)."""
+"""Still images of a component's cameras (Still Image service, AS6060)."""
 
 # ruff: noqa: ASYNC109 - a timeout ends in an error that says what was asked, and of whom
 
@@ -7,9 +7,10 @@ from __future__ import annotations
 import asyncio
 from contextlib import AbstractAsyncContextManager, nullcontext
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Final
+from typing import Any, Final
 
 from jauspy.errors import ConfigError, RequestError, ResponseTimeout
+from jauspy.ids import JausID
 from jauspy.messages.core import TimeStamp
 from jauspy.messages.environment_sensing.v1_0.types import StillImageSensorErrorRec
 from jauspy.messages.environment_sensing.v2_0.still_image import (
@@ -20,29 +21,28 @@ from jauspy.messages.environment_sensing.v2_0.still_image import (
     SetStillImageSensorConfiguration,
 )
 from jauspy.messages.environment_sensing.v2_0.visual_sensor import ConfirmSensorConfiguration
-from jauspy.ocu.link import Link
+from jauspy.ocu.connection import Connection, RetryPolicy
+from jauspy.ocu.control import DEFAULT_AUTHORITY, Control
 from jauspy.platform.stills import MAX_REPORT
 from jauspy.protocol.delivery import Delivery
 from jauspy.services.environment_sensing.frame_sizes import SIZES, number_of
 
-if TYPE_CHECKING:
-    from jauspy.ocu.service import ServiceClient
-
 Configuration = ReportStillImageSensorConfiguration.StillImageSensorConfigurationRec
 
-DELIVERY: Final = Delivery(max_message=MAX_REPORT)
-"""For an OCU that wants large pictures: by default messages have up to 1 MiB."""
-
+LARGE_IMAGE_DELIVERY: Final = Delivery(max_message=MAX_REPORT)
+"""Delivery settings of an OCU that requests large images: by default messages have up to 1 MiB."""
 FORMATS: Final = ReportStillImageSensorConfiguration.StillImageFormat
-ALL: Final = 0xFF
-ATTEMPTS: Final = 4
-PATIENT: Final = 2.0
-"""Seconds; who says later than this that there is no picture has waited for one, and may have it when asked again."""
+ALL_FIELDS: Final = 0xFF
+"""Presence vector of a query for all fields."""
+QUERIES_PER_TIMEOUT: Final = 4
+"""Times that the image is queried within the timeout."""
+CAMERA_WAIT: Final = 2.0
+"""Seconds; a component that takes longer to report no image has waited for its camera, and is queried again."""
 
 
 @dataclass(frozen=True, slots=True)
 class Photo:
-    """A picture as a file's content; `format` as JAUS calls it (JPEG, PNG); `taken`: time of day, UTC."""
+    """An image as the content of a file; `format` is JAUS's name of it (JPEG, PNG), `taken` a time of day in UTC."""
 
     content: bytes
     format: str
@@ -50,23 +50,25 @@ class Photo:
     taken: TimeStamp | None
 
 
-async def photograph(link: Link, service: ServiceClient, wanted: Configuration, timeout: float) -> Photo:
-    """As `ServiceClient.still`."""
+async def take_photo(connection: Connection, id: JausID, wanted: Configuration, timeout: float) -> Photo:
+    """As `ServiceClient.still`: the camera is configured for this image if need be, and set back after it."""
     sensor = wanted.sensor_id
-    before = await _configuration(service, sensor)
+    before = await _query_configuration(connection, id, sensor)
     if all(getattr(wanted, name) in (None, getattr(before, name)) for name in ("frame_size", "still_image_format")):
-        return await _taken(service, sensor, timeout)
-    control: AbstractAsyncContextManager[Any] = nullcontext() if service.id in link.controls else service.control()
+        return await _query_image(connection, id, sensor, timeout)
+    control: AbstractAsyncContextManager[Any] = nullcontext()
+    if id not in connection.controls:
+        control = Control(connection, id, DEFAULT_AUTHORITY, connection.retry)
     async with control:
-        await _set(service, wanted)
+        await _configure(connection, id, wanted)
         try:
-            return await _taken(service, sensor, timeout)
+            return await _query_image(connection, id, sensor, timeout)
         finally:
-            await _set(service, before)
+            await _configure(connection, id, before)
 
 
 def configuration(sensor: int, size: tuple[int, int] | None, format: str | None) -> Configuration:
-    """Settings as JAUS has them; `ConfigError` lists what there is. None stays as it is."""
+    """The configuration as JAUS has it, where None stays as it is; `ConfigError` lists the possible values."""
     number = number_of(*size) if size else None
     if size and number is None:
         known = ", ".join(f"{width}x{height}" for width, height in sorted(set(SIZES.values())))
@@ -76,47 +78,51 @@ def configuration(sensor: int, size: tuple[int, int] | None, format: str | None)
     return Configuration(sensor, number, FORMATS[format.upper()] if format else None)
 
 
-async def _configuration(service: ServiceClient, sensor: int) -> Configuration:
-    record = QueryStillImageSensorConfiguration.QueryStillImageSensorConfigurationRec(sensor, ALL)
-    report = await service.query(QueryStillImageSensorConfiguration([record]))
+async def _query_configuration(connection: Connection, id: JausID, sensor: int) -> Configuration:
+    record = QueryStillImageSensorConfiguration.QueryStillImageSensorConfigurationRec(sensor, ALL_FIELDS)
+    report = await connection.query(id, QueryStillImageSensorConfiguration([record]))
+    assert isinstance(report, ReportStillImageSensorConfiguration)
     if not report.still_image_sensor_configuration_list:
-        raise RequestError(f"{service.id} has no sensor {sensor}")
+        raise RequestError(f"{id} has no sensor {sensor}")
     return report.still_image_sensor_configuration_list[0]
 
 
-async def _set(service: ServiceClient, wanted: Configuration) -> None:
+async def _configure(connection: Connection, id: JausID, wanted: Configuration) -> None:
     kind = SetStillImageSensorConfiguration
     record = kind.StillImageSensorConfigurationRec(wanted.sensor_id, wanted.frame_size, wanted.still_image_format)
-    answer = await service.query(kind(kind.RequestIdRec(1), [record]), expects=ConfirmSensorConfiguration)
+    answer = await connection.query(id, kind(kind.RequestIdRec(1), [record]), expects=ConfirmSensorConfiguration)
+    assert isinstance(answer, ConfirmSensorConfiguration)
     for each in answer.confirm_sensor_list:
         if isinstance(each, StillImageSensorErrorRec):
-            raise RequestError(f"{service.id} refuses that for sensor {each.sensor_id}: {each.error_message}")
+            raise RequestError(f"{id} refuses that for sensor {each.sensor_id}: {each.error_message}")
 
 
-async def _taken(service: ServiceClient, sensor: int, timeout: float) -> Photo:
+async def _query_image(connection: Connection, id: JausID, sensor: int, timeout: float) -> Photo:
     record = QueryStillImageDataExt.QueryStillImageDataRec(
-        sensor, QueryStillImageDataExt.ReportCoordinateSystem.NATIVE, ALL
+        sensor, QueryStillImageDataExt.ReportCoordinateSystem.NATIVE, ALL_FIELDS
     )
     query, clock = QueryStillImageDataExt([record]), asyncio.get_running_loop().time
     end = clock() + timeout
-    late = ResponseTimeout(
-        f"{service.id} sent no picture of sensor {sensor} in {timeout:g} s: its camera may still be starting, or "
+    too_late = ResponseTimeout(
+        f"{id} sent no picture of sensor {sensor} in {timeout:g} s: its camera may still be starting, or "
         "its machine be busy; ask again, or allow more time"
     )
-    while (began := clock()) < end:
-        # Pieces get lost. Asked again while the picture is under way, the camera takes no second one.
+    while (queried_at := clock()) < end:
+        # Fragments get lost. When the query is sent again while the image is under way, the camera takes no second one.
+        retry = RetryPolicy((end - queried_at) / QUERIES_PER_TIMEOUT, QUERIES_PER_TIMEOUT - 1)
         try:
-            report = await service.query(query, timeout=(end - began) / ATTEMPTS, retries=ATTEMPTS - 1)
+            report = await connection.query(id, query, retry=retry)
         except ResponseTimeout as error:
-            raise late from error
+            raise too_late from error
+        assert isinstance(report, ReportStillImageDataExt)
         if (photo := _photo(report)) is not None:
             return photo
-        if clock() - began < PATIENT:
+        if clock() - queried_at < CAMERA_WAIT:
             raise RequestError(
-                f"{service.id} has no picture of sensor {sensor}: there is no such sensor, too much is asked of it, or "
+                f"{id} has no picture of sensor {sensor}: there is no such sensor, too much is asked of it, or "
                 "its robot has no extra 'video'; the robot's log tells"
             )
-    raise late
+    raise too_late
 
 
 def _photo(report: ReportStillImageDataExt) -> Photo | None:

@@ -1,15 +1,22 @@
-"""What a skid-steered chassis is like: its size, its mass, and what it can do."""
+"""Skid-steered chassis: what they are like (size, mass, limits), and how both backends drive them."""
 
 from __future__ import annotations
 
+import itertools
+from abc import ABC, abstractmethod
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Final
 
+from jauspy.geometry.frames import FrameTree
+from jauspy.geometry.poses import Acceleration, Pose, Transform, Twist
+from jauspy.geometry.urdf import CollisionBox, Inertial, collision_boxes, inertials
+from jauspy.geometry.vectors import Vector
+from jauspy.platform.contract import Command, OptionalPart, PartId, Robot, RobotLink
 from jauspy.platform.description import RobotModel
-from jauspy.platform.measures import measure
 
-ATTAINED: Final = 0.95
-"""Part of the speed that the tracks have without resistance which they keep on the ground."""
+SPEED_ON_GROUND: Final = 0.95
+"""Speed on the ground as a fraction of that which the tracks have without resistance."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,7 +51,7 @@ def chassis_of(robot: RobotModel) -> Chassis:
     left, right = (robot.description.joint(name) for name in (robot.tracks.left[0], robot.tracks.right[0]))
     found = measure(robot)
     return Chassis(
-        max_speed=ATTAINED * min(left.velocity, right.velocity),
+        max_speed=SPEED_ON_GROUND * min(left.velocity, right.velocity),
         track_separation=abs(left.origin.y - right.origin.y),
         front=max(0.0, found.high[0]),
         back=max(0.0, -found.low[0]),
@@ -55,3 +62,195 @@ def chassis_of(robot: RobotModel) -> Chassis:
         mass=found.mass,
         centre_of_gravity=found.centre_of_gravity,
     )
+
+
+@dataclass(frozen=True, slots=True)
+class Measures:
+    """Mass and size of a robot, in the frame of its root link; kilograms and metres."""
+
+    mass: float
+    centre_of_gravity: Vector
+    low: Vector
+    """The least x, y and z of the shapes that may collide."""
+    high: Vector
+    """The largest."""
+
+
+def measure(robot: RobotModel) -> Measures:
+    """Of the robot as it stands when it is opened. Meshes, whose size URDF does not tell, are left out."""
+    starts = {
+        joint: start for group in robot.groups.values() for joint, start in zip(group.joints, group.start, strict=True)
+    }
+    frames = FrameTree(robot.description).poses(starts)
+    urdf = robot.description.urdf
+    masses = [
+        (body, frames[body.link].apply((body.origin.x, body.origin.y, body.origin.z))) for body in inertials(urdf)
+    ]
+    mass = sum(body.mass for body, _ in masses)
+    corners = list(_corners(frames, collision_boxes(urdf)))
+    return Measures(mass, _centre_of_gravity(masses, mass), _least(corners), _largest(corners))
+
+
+def _centre_of_gravity(masses: list[tuple[Inertial, Vector]], mass: float) -> Vector:
+    x, y, z = (sum(body.mass * at[axis] for body, at in masses) / (mass or 1.0) for axis in range(3))
+    return x, y, z
+
+
+def _corners(frames: dict[str, Transform], found: list[CollisionBox]) -> Iterator[Vector]:
+    for shape in found:
+        frame = frames[shape.link] @ Transform.from_pose(shape.origin)
+        for signs in itertools.product((-1.0, 1.0), repeat=3):
+            x, y, z = (sign * size / 2.0 for sign, size in zip(signs, shape.size, strict=True))
+            yield frame.apply((x, y, z))
+
+
+def _least(corners: list[Vector]) -> Vector:
+    x, y, z = (min((corner[axis] for corner in corners), default=0.0) for axis in range(3))
+    return x, y, z
+
+
+def _largest(corners: list[Vector]) -> Vector:
+    x, y, z = (max((corner[axis] for corner in corners), default=0.0) for axis in range(3))
+    return x, y, z
+
+
+class ParkingBrake(OptionalPart):
+    """A brake that holds the chassis until it is released; efforts do not move it meanwhile."""
+
+    @property
+    def id(self) -> PartId:
+        """There is one."""
+        return PartId(ParkingBrake)
+
+    @property
+    @abstractmethod
+    def engaged(self) -> bool:
+        """True while it holds the chassis."""
+
+    @abstractmethod
+    def set(self, engaged: bool) -> None:
+        """Engage or release it. The chassis then stands until its next effort."""
+
+    def state(self) -> object:
+        """Whether it is engaged."""
+        return self.engaged
+
+    def proxy(self, link: RobotLink) -> ParkingBrake:
+        """The brake for other threads."""
+        return _ParkingBrakeProxy(link)
+
+
+@dataclass(frozen=True, slots=True)
+class ParkingBrakeCommand(Command):
+    """Engage or release the parking brake."""
+
+    engaged: bool
+
+    @property
+    def part(self) -> PartId:
+        """The brake."""
+        return PartId(ParkingBrake)
+
+    def apply(self, robot: Robot) -> None:
+        """Set the brake."""
+        if (brake := ParkingBrake.of(robot)) is not None:
+            brake.set(self.engaged)
+
+
+class _ParkingBrakeProxy(ParkingBrake):
+    def __init__(self, link: RobotLink) -> None:
+        self._link = link
+
+    @property
+    def engaged(self) -> bool:
+        return self._link.snapshot.parts[self.id] is True
+
+    def set(self, engaged: bool) -> None:
+        self._link.submit(ParkingBrakeCommand(engaged))
+
+
+class _HoldingBrake(ParkingBrake):
+    """Holds with the brakes of the tracks."""
+
+    engaged = False
+
+    def __init__(self, drive: SkidSteerDrive) -> None:
+        self._drive = drive
+
+    def set(self, engaged: bool) -> None:
+        self.engaged = engaged
+        self._drive.stop()
+
+
+class SkidSteerDrive(ABC):
+    """A `DriveBase` with two tracks, without an inertial sensor: what the drives of both backends share."""
+
+    def __init__(self) -> None:
+        self._acceleration = Acceleration()
+        self._brake = _HoldingBrake(self)
+        self.optional_parts: tuple[OptionalPart, ...] = (self._brake,)
+
+    @abstractmethod
+    def set_track_efforts(self, left: float, right: float) -> None:
+        """Drive the tracks with fractions of their full efforts, -1..1; zero for both brakes and then holds."""
+
+    @abstractmethod
+    def pose(self) -> Pose:
+        """Pose of the base in the world."""
+
+    @abstractmethod
+    def twist(self) -> Twist:
+        """Velocity of the base in its own frame."""
+
+    def set_effort(self, linear_x: float, rotational_z: float) -> None:
+        """Drive with fractions of the full effort, -1..1, clamped; positive z turns left."""
+        if not self._brake.engaged:
+            self.set_track_efforts(*mix(linear_x, rotational_z))
+
+    def stop(self) -> None:
+        """Brake to a standstill and hold it, also on a slope."""
+        self.set_track_efforts(0.0, 0.0)
+
+    def acceleration(self) -> Acceleration:
+        """Mean of the last `Robot.advance`, in the frame of the base."""
+        return self._acceleration
+
+    def update_acceleration(self, before: Twist, dt: float) -> None:
+        """Take the mean acceleration of the last `dt` seconds, at whose beginning the twist was `before`."""
+        self._acceleration = mean_acceleration(before, self.twist(), dt)
+
+
+def mix(linear_x: float, rotational_z: float) -> tuple[float, float]:
+    """Efforts of the left and right track, -1..1; when one would exceed 1, both shrink and the curve stays."""
+    linear, rotational = clamp(linear_x), clamp(rotational_z)
+    left, right = linear - rotational, linear + rotational
+    scale = max(1.0, abs(left), abs(right))
+    return left / scale, right / scale
+
+
+def clamp(effort: float) -> float:
+    """Limit an effort to -1..1; NaN means no effort."""
+    if effort != effort:  # noqa: PLR0124 - only NaN differs from itself
+        return 0.0
+    return min(1.0, max(-1.0, effort))
+
+
+def mean_acceleration(before: Twist, after: Twist, dt: float) -> Acceleration:
+    """Mean over the `dt` seconds (more than 0) between two body twists.
+
+    The frame turns with the body, so the change of its velocity lacks what turning it takes: the rate times the speed.
+    """
+    vx, vy, vz = _mean(before.vx, after.vx), _mean(before.vy, after.vy), _mean(before.vz, after.vz)
+    wx, wy, wz = _mean(before.wx, after.wx), _mean(before.wy, after.wy), _mean(before.wz, after.wz)
+    return Acceleration(
+        ax=(after.vx - before.vx) / dt + wy * vz - wz * vy,
+        ay=(after.vy - before.vy) / dt + wz * vx - wx * vz,
+        az=(after.vz - before.vz) / dt + wx * vy - wy * vx,
+        wx=(after.wx - before.wx) / dt,
+        wy=(after.wy - before.wy) / dt,
+        wz=(after.wz - before.wz) / dt,
+    )
+
+
+def _mean(before: float, after: float) -> float:
+    return (before + after) / 2.0

@@ -8,7 +8,7 @@ read snapshots through a `RobotLink`.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol, Self
 
@@ -69,6 +69,11 @@ class RobotParts(Protocol):
         """Its sensors of force and torque, by name, in the order of its description."""
         ...
 
+    @property
+    def optional_parts(self) -> Sequence[OptionalPart]:
+        """Parts that not every robot has; found by their types, as in `ParkingBrake.of(robot)`."""
+        ...
+
 
 class Robot(RobotParts, Protocol):
     """One robot of a backend, at rest at the world's origin when opened."""
@@ -117,6 +122,28 @@ class Command(ABC):
         return self
 
 
+class OptionalPart(ABC):
+    """A part that not every robot has. A subclass is the contract of one kind of part, as `ParkingBrake` is."""
+
+    @classmethod
+    def of(cls, robot: RobotParts) -> Self | None:
+        """The robot's part of this kind; None if it has none."""
+        return next((part for part in robot.optional_parts if isinstance(part, cls)), None)
+
+    @property
+    @abstractmethod
+    def id(self) -> PartId:
+        """Its kind, and its name among those; commands to the part have the same."""
+
+    @abstractmethod
+    def state(self) -> object:
+        """Its present state, which never changes afterwards, for snapshots."""
+
+    @abstractmethod
+    def proxy(self, link: RobotLink) -> OptionalPart:
+        """The same part for other threads: it submits commands, and reads `link.snapshot.parts[self.id]`."""
+
+
 @dataclass(frozen=True, slots=True)
 class Snapshot:
     """The state of a robot after a step; `time` is the robot's own, in seconds."""
@@ -131,6 +158,8 @@ class Snapshot:
     """The last scans, by lidar."""
     wrenches: Mapping[str, Wrench]
     """The last measurements, by sensor of force and torque."""
+    parts: Mapping[PartId, object]
+    """The states of optional parts."""
 
     @classmethod
     def of(cls, robot: Robot) -> Self:
@@ -139,7 +168,8 @@ class Snapshot:
         joints = {name: group.state() for name, group in robot.groups.items()}
         scans = {name: lidar.scan for name, lidar in robot.lidars.items()}
         wrenches = {name: sensor.wrench for name, sensor in robot.force_torque.items()}
-        return cls(robot.time, drive.pose(), drive.twist(), drive.acceleration(), joints, scans, wrenches)
+        parts = {part.id: part.state() for part in robot.optional_parts}
+        return cls(robot.time, drive.pose(), drive.twist(), drive.acceleration(), joints, scans, wrenches, parts)
 
 
 class RobotLink(Protocol):

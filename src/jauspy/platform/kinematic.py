@@ -3,22 +3,22 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final
 
 from jauspy.errors import ConfigError
 from jauspy.geometry.frames import gravity_wrench
-from jauspy.geometry.poses import Acceleration, Pose, Twist
-from jauspy.platform.acceleration import mean_acceleration
+from jauspy.geometry.poses import Pose, Twist
 from jauspy.platform.camera import Camera
+from jauspy.platform.chassis import SkidSteerDrive
+from jauspy.platform.contract import OptionalPart
 from jauspy.platform.description import RobotModel
 from jauspy.platform.force_torque import SampledForceTorque
 from jauspy.platform.joints import joint_positions
 from jauspy.platform.kinematic_cameras import KinematicCameras
 from jauspy.platform.kinematic_joints import KinematicJoints
 from jauspy.platform.scanner import Scanner
-from jauspy.platform.skid_steer import mix
 
 MAX_STEP: Final = 0.005
 """Longest integration step, seconds."""
@@ -61,23 +61,19 @@ def parameters_of(robot: RobotModel) -> SkidSteerParameters:
     return SkidSteerParameters(free_speed=left.velocity, slip_width=SLIP * gauge)
 
 
-class SkidSteer:
+class KinematicDrive(SkidSteerDrive):
     """The chassis of a kinematic robot: a `DriveBase`."""
 
     def __init__(self, parameters: SkidSteerParameters) -> None:
+        super().__init__()
         self._parameters = parameters
         self._efforts = (0.0, 0.0)
         self._left = self._right = 0.0
         self._x = self._y = self._yaw = 0.0
-        self._acceleration = Acceleration()
 
-    def set_effort(self, linear_x: float, rotational_z: float) -> None:
-        """Drive with fractions of the full effort, -1..1; positive z turns left."""
-        self._efforts = mix(linear_x, rotational_z)
-
-    def stop(self) -> None:
-        """Brake to a standstill."""
-        self._efforts = (0.0, 0.0)
+    def set_track_efforts(self, left: float, right: float) -> None:
+        """Drive the tracks with fractions of their full efforts, -1..1; zero for both brakes."""
+        self._efforts = (left, right)
 
     def pose(self) -> Pose:
         """Pose on the floor; the yaw is within -pi..pi."""
@@ -89,14 +85,6 @@ class SkidSteer:
             vx=(self._left + self._right) / 2.0,
             wz=(self._right - self._left) / self._parameters.slip_width,
         )
-
-    def acceleration(self) -> Acceleration:
-        """Mean of the last `advance`."""
-        return self._acceleration
-
-    def moved(self, before: Twist, dt: float) -> None:
-        """`dt` seconds have passed, at whose beginning the twist was `before`."""
-        self._acceleration = mean_acceleration(before, self.twist(), dt)
 
     def step(self, dt: float) -> None:
         """Move for `dt` seconds along the arc that the tracks' mean speeds describe."""
@@ -117,7 +105,7 @@ class KinematicRobot:
     """A chassis on a floor, joints that do not feel weight, lidars that see nothing, and scales for its own parts."""
 
     def __init__(self, robot: RobotModel) -> None:
-        self._drive = SkidSteer(parameters_of(robot))
+        self._drive = KinematicDrive(parameters_of(robot))
         self._groups = {name: KinematicJoints(robot.description, setup) for name, setup in robot.groups.items()}
         self._cameras = KinematicCameras(robot, self._drive, self._groups)
         self._lidars = {setup.name: Scanner(setup) for setup in robot.lidars}
@@ -129,7 +117,7 @@ class KinematicRobot:
         self._look()
 
     @property
-    def drive(self) -> SkidSteer:
+    def drive(self) -> KinematicDrive:
         """The chassis."""
         return self._drive
 
@@ -154,6 +142,11 @@ class KinematicRobot:
         return self._force_torque
 
     @property
+    def optional_parts(self) -> Sequence[OptionalPart]:
+        """Those of the chassis."""
+        return self._drive.optional_parts
+
+    @property
     def time(self) -> float:
         """Seconds since it was opened."""
         return self._time
@@ -169,7 +162,7 @@ class KinematicRobot:
             for group in self._groups.values():
                 group.step(dt / steps)
         if steps:
-            self._drive.moved(before, dt)
+            self._drive.update_acceleration(before, dt)
         self._time += dt
         self._look()
         self._cameras.show()

@@ -6,7 +6,7 @@ import logging
 
 
 class Counters(dict[str, int]):
-    """Counters by dotted name (`dropped.malformed.size`); a drop is logged once per reason at DEBUG.
+    """Counters by dotted name (`dropped.malformed.size`); what is dropped is logged once per reason at DEBUG.
 
     A dict, because `collections.Counter` takes twice as long, and every packet is counted twice.
     """
@@ -19,8 +19,11 @@ class Counters(dict[str, int]):
         return 0
 
     def drop(self, reason: str, detail: object = "") -> None:
-        """Count a dropped packet; the first of each reason is logged with `detail`."""
-        name = f"dropped.{reason}"
+        """Count a dropped packet as `dropped.` and the reason."""
+        self.count(f"dropped.{reason}", detail)
+
+    def count(self, name: str, detail: object = "") -> None:
+        """Count one more under this name; the first is logged."""
         if not self[name]:
             self._logger.debug("first %s: %s", name, detail)
         self[name] += 1

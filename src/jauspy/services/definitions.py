@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from difflib import get_close_matches
 
 from jauspy import messages
 from jauspy.codec.registry import Registry
-from jauspy.schema.model import Schema
-from jauspy.schema.needed import Wanted, load_needed, versions_of
+from jauspy.errors import ConfigError
+from jauspy.messages import registry
+from jauspy.schema.inheritance import ParentOf, is_a, lineage, most_derived_first
+from jauspy.schema.loader import Wanted, load_needed, versions_of
+from jauspy.schema.model import Schema, Service as Definition
 from jauspy.schema.state_tree import check_behavior
 from jauspy.services.service import Service
 
@@ -55,3 +59,79 @@ def registry_for(services: Iterable[Service]) -> Registry:
 def _registries(services: Iterable[Service]) -> list[Registry]:
     found = {id(service.definitions): service.definitions for service in services}
     return [each for each in found.values() if each is not None]
+
+
+def definitions_of(services: Iterable[Service], schema: Schema) -> dict[str, Definition]:
+    """Definitions by URN, most derived first, all ancestors included."""
+    parent_of = _parents(schema)
+    found: dict[str, Definition] = {}
+    # Those with the fewest versions to choose from, and those that others inherit from, decide before the rest.
+    services = sorted(services, key=lambda service: len(_versions(service, schema)))
+    for service in services:
+        if service.version is not None or not _inherited(service.urn, services, schema, parent_of):
+            _add(found, _fitting(found, service, schema, parent_of), parent_of)
+    for service in services:
+        if service.urn not in found:
+            _add(found, _fitting(found, service, schema, parent_of), parent_of)
+    return {each.id: each for each in most_derived_first(found.values(), parent_of)}
+
+
+def _parents(schema: Schema) -> ParentOf[Definition]:
+    def parent_of(definition: Definition) -> Definition | None:
+        parent = definition.inherits_from
+        return None if parent is None else _lookup(schema, parent.id, parent.version, definition.name)
+
+    return parent_of
+
+
+def _versions(service: Service, schema: Schema) -> list[Definition]:
+    """The definitions that a service may run, oldest first."""
+    return [each for each in schema.services if each.id == service.urn and service.version in (None, each.version)]
+
+
+def _fitting(
+    found: Mapping[str, Definition], service: Service, schema: Schema, parent_of: ParentOf[Definition]
+) -> Definition:
+    """The newest version whose parents are those of the others; the newest of all when none fits."""
+    newest = _lookup(schema, service.urn, service.version, type(service).__name__)
+    return next((each for each in reversed(_versions(service, schema)) if _fits(found, each, parent_of)), newest)
+
+
+def _fits(found: Mapping[str, Definition], definition: Definition, parent_of: ParentOf[Definition]) -> bool:
+    return all(found.get(each.id, each).version == each.version for each in lineage(definition, parent_of))
+
+
+def _inherited(urn: str, services: Iterable[Service], schema: Schema, parent_of: ParentOf[Definition]) -> bool:
+    """True when another of the services has this one as an ancestor, and so chooses its version."""
+    return any(
+        is_a(_lookup(schema, service.urn, service.version, service.urn), urn, parent_of)
+        for service in services
+        if service.urn != urn
+    )
+
+
+def _add(found: dict[str, Definition], definition: Definition, parent_of: ParentOf[Definition]) -> None:
+    for each in lineage(definition, parent_of):
+        there = found.setdefault(each.id, each)
+        if there.version != each.version:
+            raise ConfigError(
+                f"{definition.name} needs {each.id} {each.version}, but another service of this component needs "
+                f"{there.version}; give each version a component of its own"
+            )
+
+
+def _lookup(schema: Schema, urn: str, version: str | None, who: str) -> Definition:
+    if not any(service.id == urn and version in (None, service.version) for service in schema.services):
+        known = ", ".join(f"{service.version}" for service in schema.services if service.id == urn)
+        which = f"{urn} {version}" if version else urn
+        hint = f"versions there: {known}" if known else _meant(schema, urn)
+        raise ConfigError(f"{who}: no definition of {which} is loaded ({hint})")
+    return schema.service(urn, version)
+
+
+def _meant(schema: Schema, urn: str) -> str:
+    known = {each.id for each in schema.services} | {each.service for each in registry.entries}
+    by_end = sorted(each for each in known if each.endswith(f":{urn}"))
+    meant = (by_end or get_close_matches(urn, known, 1, 0.9))[:1]
+    own = "one of your own is given by `definitions=jauspy.load(...)`"
+    return f"did you mean {meant[0]}? {own}" if meant else own

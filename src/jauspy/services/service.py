@@ -1,22 +1,42 @@
-"""The base of a JAUS service: a JSIDL definition named by its URN, and a Python class with its actions."""
+"""Services of a component: `Service` is what their authors subclass, `ServiceHost` what they call as `self.host`."""
 
 from __future__ import annotations
 
+import logging
 import math
-from collections.abc import Callable, Iterable
-from typing import TYPE_CHECKING, ClassVar
+from collections.abc import Callable, Hashable, Iterable, Mapping
+from dataclasses import dataclass
+from datetime import datetime, timedelta
+from typing import TYPE_CHECKING, Any, ClassVar, Final, TypeVar
 
 from jauspy.arguments import check_number, described
+from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
-from jauspy.ids import JausID
+from jauspy.ids import JausID, component_id
+from jauspy.protocol.counters import Counters
+from jauspy.protocol.header import Broadcast, Priority
+from jauspy.schema.model import Service as Definition
+from jauspy.services.deferred import Deferred, DeferredReplies
+from jauspy.services.messaging import InputDecoder, MessageSender, Outgoing, OutputQueue, Reply, requested_report
+from jauspy.services.state_machine import (
+    ActionErrors,
+    CommandCompletion,
+    MachineInstance,
+    Trigger,
+    TriggerKey,
+    TriggerOutcome,
+    TriggerQueue,
+)
+from jauspy.services.timers import Timers
 
-if TYPE_CHECKING:
-    from jauspy.services.host import Host
+_LOG: Final = logging.getLogger("jauspy.services")
+
+S = TypeVar("S", bound="Service")
 
 
-def checked(services: object) -> list[Service]:
-    """Services as they were handed in; raises `TypeError` for what is none."""
+def check_services(services: object) -> list[Service]:
+    """The services as a list; raises `TypeError` for anything that is not a service."""
     if isinstance(services, Service) or not isinstance(services, Iterable) or isinstance(services, str):
         raise TypeError(f"services are a list, as in [Battery()], not {described(services)}")
     found = list(services)
@@ -36,8 +56,8 @@ class Service:
     `is_controlling_client`); `Send('ReportX', ...)` calls `report_x` and sends what it returns (None: nothing).
     Methods take what they need by name: `msg` or `query` (the message that triggered), `source` (its sender),
     `code` (the literal that the JSIDL gives, as in `'CONTROL_RELEASED'`). An action that returns a message answers
-    with it; one that returns `self.host.later(...)` answers when that is fulfilled. `definitions`, from `jauspy.load`,
-    has the definition of a service that is not built in.
+    with it; one that returns `self.host.defer(...)` answers when the result of that is set. `definitions`, from
+    `jauspy.load`, has the definition of a service that is not built in.
     """
 
     urn: ClassVar[str] = ""
@@ -51,7 +71,7 @@ class Service:
     omits: ClassVar[frozenset[str]] = frozenset()
     """Methods for actions that are never reached, since a predicate of this class rules them out."""
 
-    host: Host
+    host: ServiceHost
     """The component this service runs in; set before `attached`."""
 
     def __init_subclass__(
@@ -73,7 +93,7 @@ class Service:
     if not TYPE_CHECKING:
 
         def __getattr__(self, name: str) -> object:
-            """What is not there: most often `host`, in `__init__`."""
+            """Explains the most frequent mistake: `host` is used in `__init__`."""
             if name == "host":
                 hint = "it is there from `attached()` on, so set timers up there"
                 text = f"{type(self).__name__!r} object has no attribute {name!r}; {hint}"
@@ -81,9 +101,9 @@ class Service:
             return self.__getattribute__(name)  # which says why, also when a property of the user has failed
 
     def every(self, seconds: float, call: Callable[[], None]) -> None:
-        """Call a method of this service again and again, first in so many seconds; a second `every` replaces it.
+        """Call a method of this service periodically, first in `seconds`; a second `every` replaces the period.
 
-        What was missed while the program hung is left out. `self.host.cancel_timer(call)` ends it.
+        Calls missed while the program was blocked are skipped. `self.host.cancel_timer(call)` ends it.
         """
         check_number(seconds, "the seconds of every()")
         if not 0 < seconds < math.inf:
@@ -99,16 +119,218 @@ class Service:
         self.host.set_timer(call, due, tick)
 
     def attached(self) -> None:
-        """Called once, when `host` is there and before anything is received."""
+        """Called once, when `host` is set and before anything is received."""
 
     def client_lost(self, client: JausID) -> None:
-        """Called when messages to a client do not arrive any more."""
+        """Called when a client does not acknowledge messages any more."""
 
     def control_lost(self) -> None:
-        """Called when the controlling client lost or gave up control, or another took it. Stop what moves."""
+        """Called when the controlling client lost or released control, or another took it. Stop all motion."""
 
     def leaving(self) -> None:
-        """Called before the component gives up its id or is closed. End what clients know; they can still be told."""
+        """Called before the component gives up its id or is closed. Clients can still be sent messages."""
 
     def joined(self) -> None:
-        """Called after `leaving`, when the component has its new id, or may be opened again under the one it had."""
+        """Called after `leaving`, when the component has its new id, or can be opened again under the same one."""
+
+
+@dataclass(frozen=True, slots=True)
+class BoundServices:
+    """The services of a component, by URN, with their definitions and state machines."""
+
+    services: Mapping[str, Service]
+    definitions: Mapping[str, Definition]
+    machines: Mapping[str, MachineInstance]
+    receiver: MachineInstance | None
+    """The machine for messages, and for internal events that no machine names."""
+    inputs: Mapping[int, type[Message]]
+    """The messages that are received, by code."""
+    events: Mapping[TriggerKey, MachineInstance]
+    """The machine that each internal event is for."""
+    event_names: frozenset[str]
+    """The internal events that the definitions have, whether a transition takes them or not."""
+    queries: frozenset[int]
+    """Codes of messages that are answered without a change of state."""
+
+
+class ServiceHost:
+    """What the services of a component use of it, as `self.host`. `Host` binds and runs them.
+
+    `utc_now` is the wall clock; every other time is `now`, in seconds of one monotonic clock.
+    """
+
+    _bound: BoundServices
+    _decoder: InputDecoder
+
+    def __init__(self, id: JausID, *, utc_now: Callable[[], datetime], now: float, max_output: int) -> None:
+        self.id = id
+        self.utc_now = utc_now
+        self.now = now
+        self.requested_id: JausID | None = None
+        """The id that the component wants to change to."""
+        self.controller: JausID | None = None
+        """The client in control; set by AccessControl."""
+        self.clock_offset = timedelta()
+        """Difference of the component's clock to the wall clock; set by Time."""
+        self.on_timer_change: Callable[[], None] = lambda: None
+        """Called when a timer is set from outside of the host; set by the component that runs it."""
+        self.counters = Counters(_LOG)
+        self._output = OutputQueue(max_output, self.counters)
+        self._timers = Timers()
+        self._triggers = TriggerQueue(self._dispatch, lambda trigger: self.count("event_dropped", f"{trigger.key}"))
+        self._errors = ActionErrors(self.counters, self._on_action_error)
+        self._deferred = DeferredReplies(self, self._errors)
+        self._sender = MessageSender(self._dispatch, self._errors, self.counters)
+        self._by_class: dict[type[Service], Service | None] = {}
+
+    @property
+    def services(self) -> tuple[Service, ...]:
+        """All services, most derived first."""
+        return tuple(self._bound.services.values())
+
+    @property
+    def definitions(self) -> Mapping[str, Definition]:
+        """The definitions of the services, by URN, in the order of `services`."""
+        return self._bound.definitions
+
+    @property
+    def state(self) -> str:
+        """The innermost active state of the receiving machine, as a dotted path."""
+        return ".".join(self.path)
+
+    @property
+    def path(self) -> tuple[str, ...]:
+        """The names of the active states of the receiving machine, outermost first."""
+        return self._bound.receiver.path if self._bound.receiver else ()
+
+    @property
+    def utc_time(self) -> datetime:
+        """The date and time of the component's clock, which a client may have set (service Time)."""
+        return self.utc_now() + self.clock_offset
+
+    def service(self, kind: type[S]) -> S | None:
+        """The service of this class, None when the component has none."""
+        if kind not in self._by_class:
+            self._by_class[kind] = next((each for each in self.services if isinstance(each, kind)), None)
+        return self._by_class[kind]  # type: ignore[return-value]  # kept by its class
+
+    # --- messages -------------------------------------------------------------------------------------------------
+
+    def send(
+        self,
+        destination: JausID,
+        message: Message,
+        *,
+        priority: Priority = Priority.STANDARD,
+        broadcast: Broadcast = Broadcast.NONE,
+        on_acknowledged: Callable[[bool], None] | None = None,
+    ) -> None:
+        """Send a message; one that cannot be encoded is logged, counted and not sent.
+
+        With `on_acknowledged` it is sent up to four times, until its destination, which must be one component,
+        acknowledges it. The callback is called with whether it did, unless the component is closed before. When too
+        many such messages are pending it is sent once, without the callback. A destination that does not acknowledge
+        is not considered lost.
+        """
+        self._sender.send(destination, message, priority, broadcast, on_acknowledged)
+
+    def output(self, outgoing: Outgoing) -> None:
+        """Queue an encoded message; only the Transport service calls this."""
+        self._output.put(outgoing)
+
+    def ask(self, query: Message, source: JausID) -> tuple[TriggerOutcome, Reply]:
+        """What the component would answer `source` now; nothing is sent, and the state cannot change."""
+        return self._sender.ask(self._bound.machines["ReceiveFSM"], Trigger(query.CODE, query, source))
+
+    def defer(self, fallback: Callable[[], Message | None]) -> Deferred:
+        """For an action that cannot report yet: it returns this and sets its result later.
+
+        Without a result after `REPLY_TIMEOUT` seconds, `fallback` makes the report.
+        """
+        return self._deferred.begin(fallback)
+
+    def read(self, content: Message | bytes) -> Message | None:
+        """Decode a message inside another one; None when it is no input of this component."""
+        return self._decoder.read(content)
+
+    def is_query(self, message: Message) -> bool:
+        """True for an input that is no command and is answered, whatever its code: messages of users have any."""
+        return message.CODE in self._bound.queries and not message.IS_COMMAND
+
+    # --- events, commands, timers -----------------------------------------------------------------------------------
+
+    def fire(self, event: str, msg: Any = None, source: JausID | None = None) -> None:
+        """Raise an internal event of the JSIDL; handled when the current trigger has been handled.
+
+        Raises `ConfigError` for an event that no service of the component has.
+        """
+        if event not in self._bound.event_names:
+            known = ", ".join(sorted(self._bound.event_names))
+            raise ConfigError(f"no service of {self.id} has an internal event {event}; there are {known}")
+        self._triggers.put(Trigger(event, msg, source))
+
+    def perform(self, command: Message, source: JausID, on_ended: Callable[[bool], None]) -> None:
+        """Handle a command as if `source` had sent it. `on_ended` is called with whether it was carried out.
+
+        A command that no state takes, or whose action fails, was not. One that takes time ends when its service says
+        so (`begin_command`), any other one as soon as it is taken.
+        """
+        self._triggers.put(Trigger(command.CODE, command, source), CommandCompletion(on_ended))
+
+    def begin_command(self) -> CommandCompletion:
+        """For the action of a command that takes time: returns what to call when the command has ended."""
+        return self._triggers.begin_command()
+
+    def set_timer(self, key: Hashable, at: float, call: Callable[[], None]) -> None:
+        """Call `call` at time `at`; a timer with the same key is replaced."""
+        self._timers.set(key, at, call)
+
+    def cancel_timer(self, key: Hashable) -> None:
+        """Cancel the timer, if it is set."""
+        self._timers.cancel(key)
+
+    # --- the component ----------------------------------------------------------------------------------------------
+
+    def ask_for_id(self, id: JausID) -> None:
+        """Change the component's id, as soon as all queued messages are sent.
+
+        Raises `ConfigError` for an id that no component can have.
+        """
+        self.requested_id = None if id == self.id else component_id(id)
+
+    def control_lost(self) -> None:
+        """Tell every service that the controlling client lost control, or is another one now."""
+        self._call_each(Trigger("control_lost"), lambda service: service.control_lost())
+
+    def count(self, reason: str, detail: str) -> None:
+        """Count something that was dropped; logged at DEBUG the first time."""
+        self.counters.count(reason, f"{detail} ({self.id})")
+
+    def _call_each(self, trigger: Trigger, call: Callable[[Service], None]) -> None:
+        for service in self.services:
+            try:
+                call(service)
+            except Exception as error:  # noqa: BLE001 - any bug of a service
+                self._errors.record(f"{type(service).__name__}.{trigger.key}", trigger, error)
+
+    def _on_action_error(self) -> None:
+        """Called after each error of a service."""
+
+    def _dispatch(self, trigger: Trigger) -> TriggerOutcome:
+        machine = self._bound.events.get(trigger.key) or self._bound.receiver
+        return machine.handle(trigger) if machine else TriggerOutcome.IGNORED
+
+    def _reply(self, result: object, trigger: Trigger, to_source: bool) -> None:
+        """Send a report: to the source of the trigger, or else to the controlling client."""
+        if isinstance(result, Deferred):
+            if not self._sender.captures(result, to_source=to_source):
+                self._deferred.answer(result, trigger, lambda report: self._reply(report, trigger, to_source))
+            return
+        if not isinstance(result, Message):
+            return
+        to_source = to_source or not trigger.is_message
+        destination = (trigger.source if to_source else None) or self.controller
+        if destination is None:
+            self.count("nobody_to_send_to", result.NAME)
+            return
+        self.send(destination, requested_report(result, trigger))

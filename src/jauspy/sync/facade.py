@@ -3,49 +3,45 @@
 from __future__ import annotations
 
 from collections.abc import Generator, Iterable, Iterator, Mapping, MutableSequence
-from jauspy.codec.base import Message, Query
+from types import TracebackType
+from typing import Any, Generic, Self, overload
+
+from jauspy.codec.message import Message, Query
 from jauspy.codec.registry import Registry
 from jauspy.ids import JausID
 from jauspy.messages.core import ReportStatus
-from jauspy.ocu.elements import Element
-from jauspy.ocu.event_requests import Request
-from jauspy.ocu.model import Component, Node, ServiceInfo, Subsystem
-from jauspy.ocu.service import DEFAULT_AUTHORITY
-from jauspy.ocu.stats import Stats
+from jauspy.ocu.client import OCU as _OCU
+from jauspy.ocu.connection import Stats
+from jauspy.ocu.control import DEFAULT_AUTHORITY, Control as _Control
+from jauspy.ocu.discovery import News
+from jauspy.ocu.lists import Element, Elements as _Elements
+from jauspy.ocu.robot import ComponentClient as _ComponentClient, Robot as _Robot
+from jauspy.ocu.service import ServiceClient as _ServiceClient
 from jauspy.ocu.stills import Photo
-from jauspy.ocu.subscription import R
-from jauspy.ocu.watch import News
+from jauspy.ocu.subscription import EventRequest, R, Subscription as _Subscription
+from jauspy.ocu.subsystems import ComponentInfo, NodeInfo, ServiceInfo, SubsystemInfo
 from jauspy.protocol.delivery import Delivery
 from jauspy.sync.base import Facade, OpensPortal
 from jauspy.sync.portal import Portal
 from jauspy.transport import Transport
-from types import TracebackType
-from typing import Any, Generic, Self, overload
-from jauspy.ocu.client import OCU as _OCU
-from jauspy.ocu.control import Control as _Control
-from jauspy.ocu.elements import Elements as _Elements
-from jauspy.ocu.robot import ComponentClient as _ComponentClient
-from jauspy.ocu.robot import Robot as _Robot
-from jauspy.ocu.service import ServiceClient as _ServiceClient
-from jauspy.ocu.subscription import Subscription as _Subscription
 
 
 class Subscription(Facade[_Subscription[R]], Generic[R]):
     """`for report in subscription`, or `with subscription` and `subscription.get()`.
 
-    The event is created on entering, renewed in time, made anew when the component has lost it, as after a restart, and
-    cancelled on exit; entering raises `EventRejected` with the reason, or `ResponseTimeout`. When reports stay out,
-    `get` raises `ResponseTimeout`, and may be called again: the component may come back. At most `buffer` reports wait
-    to be read; the oldest is dropped for a new one.
+    The event is created on entering, renewed before its lifetime ends, created again when the component has lost it, as
+    after a restart, and cancelled on exit. Entering raises `EventRejected` with the reason, or `ResponseTimeout`. If no
+    report arrives for too long, `get` raises `ResponseTimeout`; it may be called again, since the component may come
+    back. At most `buffer` reports wait to be read; a new one replaces the oldest.
     """
 
     @property
-    def request(self) -> Request:
+    def request(self) -> EventRequest:
         return self._async.request
 
     @property
     def confirmed_rate(self) -> float:
-        """Hz, as the component confirmed it; 0 when it tells of every change."""
+        """Hz, as the component confirmed it; 0 for an every-change event."""
         return self._async.confirmed_rate
 
     @property
@@ -55,7 +51,7 @@ class Subscription(Facade[_Subscription[R]], Generic[R]):
 
     @property
     def lost(self) -> int:
-        """Reports that were sent and did not arrive, by their sequence numbers, which begin anew after 255."""
+        """Reports that were sent and did not arrive, by their sequence numbers, which wrap after 255."""
         return self._async.lost
 
     @property
@@ -88,16 +84,16 @@ class Subscription(Facade[_Subscription[R]], Generic[R]):
         return self._portal.iterate(self._async)
 
     def get(self) -> R:
-        """The next report, oldest first; raises `ResponseTimeout` when the component has gone silent."""
+        """The next report, oldest first; raises `ResponseTimeout` when the component has fallen silent."""
         return self._portal.run(self._async.get())
 
 
 class Control(Facade[_Control]):
-    """Holds control from `with` on, keeps it alive, and on the way out leaves Standby and releases it.
+    """Holds control inside `with`, renews it, and on exit sends Standby and releases control.
 
-    Entering raises `ControlRejected`, naming who holds it. When control is lost meanwhile, `lost` says why and
-    commands to the component raise `ControlRejected`; the block itself is not interrupted. Control also counts as lost
-    when the component has left Ready by itself, as after a restart: from then on it would ignore every command.
+    Entering raises `ControlRejected`, which names the client in control. When control is lost later, `lost` gives the
+    reason and commands to the component raise `ControlRejected`; the block itself is not interrupted. Control also
+    counts as lost when the component has left Ready by itself, as after a restart, since it then ignores commands.
     """
 
     @property
@@ -128,7 +124,7 @@ class Control(Facade[_Control]):
         self._async.check()
 
     def until_lost(self) -> None:
-        """Wait until control is lost, and `lost` says why, or until the block is left."""
+        """Wait until control is lost, and `lost` gives the reason, or until the block is left."""
         self._portal.run(self._async.until_lost())
 
     def __enter__(self) -> Self:
@@ -145,10 +141,10 @@ class Control(Facade[_Control]):
 
 
 class Elements(Facade[_Elements], MutableSequence[Element]):
-    """The elements as they were when they were last read or changed from here: `len`, `[]`, `in` and loops use those.
+    """The elements as they were last read or changed here: `len`, `[]`, `in` and loops use these.
 
-    What changes them is sent first and shows here when the component has confirmed it. Changing needs control; raises
-    `ElementRejected` with the reason, or `ResponseTimeout`. Lists longer than 255 are changed in several requests.
+    A change is sent first and shows here when the component has confirmed it. Changes need control; they raise
+    `ElementRejected` with the reason, or `ResponseTimeout`. More than 255 elements are changed in several requests.
     """
 
     def __len__(self) -> int:
@@ -164,50 +160,51 @@ class Elements(Facade[_Elements], MutableSequence[Element]):
         return self._async.__getitem__(index)
 
     def read(self) -> list[Element]:
-        """Fetch the list from the component."""
+        """Read the list from the component."""
         return self._portal.run(self._async.read())
 
     def upload(self, elements: Iterable[Element]) -> None:
-        """Replace the whole list, whatever it held, and end its execution.
+        """Replace the whole list and end its execution.
 
-        The old list is deleted when all of the new one is there, in front of it, where the robot does not come. When
-        anything goes wrong the old one stays.
+        The new elements are inserted in front of the old ones, which are deleted when all new ones are there. If an
+        error occurs before that, the old list remains.
         """
         self._portal.run(self._async.upload(elements))
 
     def append(self, element: Element) -> None:
-        """Put it at the end."""
+        """Add an element at the end."""
         self._portal.run(self._async.append(element))
 
     def extend(self, elements: Iterable[Element]) -> None:
-        """Put them at the end."""
+        """Add elements at the end."""
         self._portal.run(self._async.extend(elements))
 
     def insert(self, index: int, element: Element) -> None:
-        """Put it before the element at `index`, as `list.insert` does."""
+        """Insert an element before the one at `index`, as `list.insert` does."""
         self._portal.run(self._async.insert(index, element))
 
     def replace(self, index: int | slice, elements: Element | Iterable[Element]) -> None:
-        """What `list[index] = elements` does. One that is being carried out is begun anew."""
+        """What `list[index] = elements` does. The component restarts an active element that is replaced."""
         self._portal.run(self._async.replace(index, elements))
 
     __setitem__ = replace
 
     def delete(self, index: int | slice) -> None:
-        """What `del list[index]` does. Deleting the element that is being carried out ends the execution."""
+        """What `del list[index]` does. Deleting the active element ends the execution."""
         self._portal.run(self._async.delete(index))
 
     __delitem__ = delete
 
     def clear(self) -> None:
-        """Delete all, also what was not read yet."""
+        """Delete all elements of the component's list, read or not."""
         self._portal.run(self._async.clear())
 
     def execute(self, speed: float | None = None, *, start: int = 0) -> None:
-        """Carry out the list from the element at `start`; `speed` in m/s, for drivers that have one.
+        """Execute the list from the element at `start`; `speed` in m/s, for drivers that take one.
 
-        Raises `RequestError` when the component is not Ready, for then it ignores this. It is sent again while no
-        element is active, as often as queries are; a list may be over at once, so none at all is no error.
+        Raises `RequestError` when the component is not Ready, since it then ignores the command. The command is sent
+        again, as often as queries are, while no element is active; a short list may be over at once, so that having
+        no active element is no error.
         """
         self._portal.run(self._async.execute(speed, start=start))
 
@@ -216,20 +213,20 @@ class Elements(Facade[_Elements], MutableSequence[Element]):
         self._portal.run(self._async.set_speed(speed))
 
     def active(self) -> int | None:
-        """The index of the element that is being carried out, None when there is none."""
+        """The index of the active element, None when there is none."""
         return self._portal.run(self._async.active())
 
     def progress(self, *, rate: float | None = None, grace: float = 2.0) -> Generator[int, None, None]:
-        """The index of each element as it becomes the active one, until there is none any more.
+        """The index of each element as it becomes active, until no element is active any more.
 
-        The component tells of changes, or, with `rate`, how it is so many times a second. `grace` is how long
-        (seconds) it may take until the first is active.
+        The component reports changes, or, with `rate` (Hz), its state periodically. `grace` is the time in seconds
+        until the first element must be active.
         """
         return self._portal.iterate(self._async.progress(rate=rate, grace=grace))
 
 
 class ServiceClient(Facade[_ServiceClient]):
-    """Sends to one component. Times are in seconds; `timeout` is for one attempt, `retries` attempts follow."""
+    """Sends to one component. `timeout` is for each attempt, in seconds; `retries` is the number of further ones."""
 
     @property
     def id(self) -> JausID:
@@ -241,12 +238,12 @@ class ServiceClient(Facade[_ServiceClient]):
 
     @property
     def elements(self) -> Elements:
-        """The list that the component carries out, of services with a list manager."""
+        """The element list of the component, of services with a list manager."""
         return Elements(self._portal, self._async.elements)
 
     @property
     def waypoints(self) -> Elements:
-        """`elements`, as one calls them of LocalWaypointListDriver and GlobalWaypointListDriver."""
+        """Another name of `elements`, for LocalWaypointListDriver and GlobalWaypointListDriver."""
         return Elements(self._portal, self._async.waypoints)
 
     def message(self, name: str) -> type[Any]:
@@ -254,7 +251,9 @@ class ServiceClient(Facade[_ServiceClient]):
         return self._async.message(name)
 
     @overload
-    def query(self, message: Message, *, expects: type[R], timeout: float | None = ..., retries: int | None = ...) -> R: ...
+    def query(
+        self, message: Message, *, expects: type[R], timeout: float | None = ..., retries: int | None = ...
+    ) -> R: ...
 
     @overload
     def query(
@@ -284,26 +283,26 @@ class ServiceClient(Facade[_ServiceClient]):
         timeout: float | None = None,
         retries: int | None = None,
     ) -> Any:
-        """The report that answers a query, as in `ReportStatus` for `QueryStatus`; `expects` names another class.
+        """The report that answers a query, such as `ReportStatus` for `QueryStatus`; `expects` names another class.
 
-        Raises `ResponseTimeout` when it stays out.
+        If no answer arrives, `ResponseTimeout` is raised.
         """
         return self._portal.run(self._async.query(message, expects=expects, timeout=timeout, retries=retries))
 
     def send(self, message: Message, *, ack: bool = False) -> None:
-        """Send a command; raises `ControlRejected` when control was taken and is lost meanwhile.
+        """Send a command; raises `ControlRejected` when control was taken and has been lost.
 
-        With `ack` it is resent until the component acknowledges it; raises `ResponseTimeout` when that stays out.
+        With `ack` it is resent until the component acknowledges it. If it does not, `ResponseTimeout` is raised.
         """
         self._portal.run(self._async.send(message, ack=ack))
 
     def perform(self, command: Message, *, within: float) -> None:
-        """Send a command and wait until it has been carried out, as until an arm is where it was told to be.
+        """Send a command and wait until it has been carried out, for example until an arm has reached its target.
 
-        It may take `within` seconds. Raises `RequestError` when it was given up, `EventRejected` when the component
-        does not take it or tells no ends of commands (Events 1.1 does), `ControlRejected` and `ResponseTimeout`. Who
-        stops waiting, by cancellation, does not stop the command. It is sent again when no answer comes: components of
-        jauspy know it again, others may begin twice.
+        It may take `within` seconds. Raises `RequestError` when the component gave the command up, `EventRejected` when
+        it does not take the command or has no command events (Events 1.1 has), `ControlRejected` and `ResponseTimeout`.
+        Cancelling this call does not stop the command. The command is sent again when no answer arrives: components of
+        jauspy recognise it, others may execute it twice.
         """
         self._portal.run(self._async.perform(command, within=within))
 
@@ -361,9 +360,12 @@ class ServiceClient(Facade[_ServiceClient]):
     ) -> Subscription[Any]:
         """Reports on `query` at `rate` Hz, or on every change.
 
-        `silence` is how long reports may stay out; by default ten periods, at least 2 s, and any time on change.
+        `silence` (seconds) is how long reports may be missing before reading raises `ResponseTimeout`: by default ten
+        periods, at least 2 s; without limit on change. At most `buffer` reports wait to be read.
         """
-        return Subscription(self._portal, self._async.subscribe(query, rate=rate, expects=expects, buffer=buffer, silence=silence))
+        return Subscription(
+            self._portal, self._async.subscribe(query, rate=rate, expects=expects, buffer=buffer, silence=silence)
+        )
 
     def still(
         self,
@@ -373,31 +375,32 @@ class ServiceClient(Facade[_ServiceClient]):
         sensor: int = 1,
         timeout: float = 10.0,
     ) -> Photo:
-        """A picture by a camera with the service StillImage; a cold camera needs some seconds to start.
+        """An image of a camera with the service StillImage; a camera that is off needs some seconds to start.
 
-        `size` (width, height) and `format` ("jpeg", "png") are set for this one picture, which needs control for a
-        moment; without them it is as the camera is set. Raises `RequestError` when the camera refuses or has none.
+        `size` (width, height in pixels) and `format` ("jpeg", "png") are set for this one image, for which control is
+        taken for a moment; None leaves them as the camera is configured. Raises `RequestError` when the camera rejects
+        them or has no image.
         """
         return self._portal.run(self._async.still(size=size, format=format, sensor=sensor, timeout=timeout))
 
     def status(self) -> ReportStatus.Status | int:
-        """What Management reports."""
+        """The status that the Management service reports."""
         return self._portal.run(self._async.status())
 
     def resume(self, timeout: float = 3.0) -> None:
-        """To Ready: commands take effect. Needs control; raises `RequestError` when it does not happen in time."""
+        """To Ready: commands take effect. Needs control; raises `RequestError` if `timeout` seconds pass first."""
         self._portal.run(self._async.resume(timeout))
 
     def standby(self, timeout: float = 3.0) -> None:
-        """To Standby: what moves stops. Needs control; raises `RequestError` when it does not happen in time."""
+        """To Standby: motion stops. Needs control; raises `RequestError` if `timeout` seconds pass first."""
         self._portal.run(self._async.standby(timeout))
 
 
 class ComponentClient(Facade[_ComponentClient]):
-    """One discovered component."""
+    """The client of one discovered component; `info` describes it as it was discovered."""
 
     @property
-    def info(self) -> Component:
+    def info(self) -> ComponentInfo:
         return self._async.info
 
     @property
@@ -406,15 +409,15 @@ class ComponentClient(Facade[_ComponentClient]):
         return self._async.id
 
     def service(self, name: str) -> ServiceClient:
-        """The service of this URN, or end of one; `ConfigError` that lists what the component offers."""
+        """The client of a service by its URN, or the end of it; `ConfigError` lists what the component offers."""
         return ServiceClient(self._portal, self._async.service(name))
 
 
 class Robot(Facade[_Robot]):
-    """A subsystem as it was when it was discovered; `info` has it as plain values."""
+    """The client of a discovered subsystem; `info` describes it as it was discovered."""
 
     @property
-    def info(self) -> Subsystem:
+    def info(self) -> SubsystemInfo:
         return self._async.info
 
     @property
@@ -424,27 +427,27 @@ class Robot(Facade[_Robot]):
 
     @property
     def name(self) -> str:
-        """What it calls itself."""
+        """The name that it reports."""
         return self._async.name
 
     @property
-    def nodes(self) -> tuple[Node, ...]:
+    def nodes(self) -> tuple[NodeInfo, ...]:
         """Its nodes."""
         return self._async.nodes
 
     @property
-    def components(self) -> tuple[Component, ...]:
+    def components(self) -> tuple[ComponentInfo, ...]:
         """The components of all of its nodes."""
         return self._async.components
 
     def component(self, which: int | str | JausID) -> ComponentClient:
-        """By number (102) or by whole id ("101.1.102"); `ConfigError` that lists the components."""
+        """The client of a component by number (102) or by id ("101.1.102"); `ConfigError` lists the components."""
         return ComponentClient(self._portal, self._async.component(which))
 
     def service(self, name: str) -> ServiceClient:
-        """The service of this URN, or end of one, as in `mobility:PrimitiveDriver`.
+        """The client of a service by its URN, or the end of it, such as `mobility:PrimitiveDriver`.
 
-        Raises `ConfigError` when none offers it, which lists what there is, or when several components do.
+        Raises `ConfigError`, which lists what is offered, unless exactly one component offers it.
         """
         return ServiceClient(self._portal, self._async.service(name))
 
@@ -454,24 +457,36 @@ class OCU(OpensPortal):
 
     `connect`: None (the node manager of this machine, else multicast), `"udp://HOST[:PORT]"`, `"tcp://HOST[:PORT]"` or
     `"local:DIRECTORY"`.
-    `timeout` (seconds) and `retries` are what queries use unless told otherwise; `registry` has the known messages;
-    `delivery` the settings of reliable delivery and of large messages.
-    Others see the OCU as a subsystem with one component that answers discovery and heartbeat.
+    `timeout` (seconds) and `retries` are the defaults of queries; `registry` holds the known messages; `delivery` the
+    settings of reliable delivery and of large messages.
+    To others the OCU is a subsystem with one component, which answers discovery and heartbeat queries.
     """
 
     def __init__(
         self,
-        id: str | JausID = '42.1.1',
+        id: str | JausID = "42.1.1",
         connect: str | None = None,
         *,
-        name: str = 'jauspy OCU',
+        name: str = "jauspy OCU",
         timeout: float = 0.5,
         retries: int = 5,
         registry: Registry | None = None,
         transport: Transport | None = None,
         delivery: Delivery | None = None,
     ) -> None:
-        super().__init__(Portal(), _OCU(id, connect, name=name, timeout=timeout, retries=retries, registry=registry, transport=transport, delivery=delivery))
+        super().__init__(
+            Portal(),
+            _OCU(
+                id,
+                connect,
+                name=name,
+                timeout=timeout,
+                retries=retries,
+                registry=registry,
+                transport=transport,
+                delivery=delivery,
+            ),
+        )
 
     @property
     def id(self) -> JausID:
@@ -484,7 +499,7 @@ class OCU(OpensPortal):
 
     @property
     def counters(self) -> Mapping[str, int]:
-        """What the floors below counted; empty while the OCU is closed."""
+        """Counters of the component and of its transport; empty while the OCU is closed."""
         return self._async.counters
 
     @property
@@ -497,7 +512,7 @@ class OCU(OpensPortal):
         return Robot(self._portal, self._portal.run(self._async.discover(subsystem, timeout=timeout)))
 
     def discover_all(self, *, timeout: float = 2.0) -> tuple[Robot, ...]:
-        """Everybody who answers within `timeout` seconds, other OCUs too, in the order of their numbers."""
+        """All subsystems that answer within `timeout` seconds, other OCUs too, in the order of their numbers."""
         return tuple(Robot(self._portal, each) for each in self._portal.run(self._async.discover_all(timeout=timeout)))
 
     def watch(
@@ -509,8 +524,8 @@ class OCU(OpensPortal):
     ) -> Generator[News, None, None]:
         """`for news in ocu.watch()`: what is there, and then what appears, changes and vanishes, for ever.
 
-        All are asked every `interval` seconds; who has said nothing for `silence` seconds has vanished. `subsystem`
-        narrows it to one. A reader that is slow gets the sum of what happened meanwhile.
+        All are queried every `interval` seconds; a component that sends nothing for `silence` seconds has vanished.
+        `subsystem` restricts this to one. A slow reader gets the difference to what it read last.
         """
         return self._portal.iterate(self._async.watch(subsystem, interval=interval, silence=silence))
 
@@ -556,8 +571,10 @@ class OCU(OpensPortal):
         timeout: float | None = None,
         retries: int | None = None,
     ) -> Any:
-        """Ask any component; of several that a wildcard id reaches, the first answer counts."""
-        return self._portal.run(self._async.query(destination, message, expects=expects, timeout=timeout, retries=retries))
+        """Query any component; of several that a wildcard id reaches, the first answer is returned."""
+        return self._portal.run(
+            self._async.query(destination, message, expects=expects, timeout=timeout, retries=retries)
+        )
 
     def query_each(
         self,
@@ -567,12 +584,12 @@ class OCU(OpensPortal):
         within: float = 2.0,
         expects: type[Message] | None = None,
     ) -> Generator[tuple[JausID, Any], None, None]:
-        """Ask all that a wildcard id reaches: who answered and what, as it comes in the next `within` seconds."""
+        """Query all that a wildcard id reaches: sender and answer, as they arrive in the next `within` seconds."""
         return self._portal.iterate(self._async.query_each(destination, message, within=within, expects=expects))
 
     def send(self, destination: str | JausID, message: Message, *, ack: bool = False) -> None:
-        """Send to any component, or to all that a wildcard id reaches; raises `ControlRejected` as a service's `send`.
+        """Send to any component, or to all that a wildcard id reaches; `ControlRejected` as `ServiceClient.send`.
 
-        With `ack` it is resent until that one component acknowledges it, or `ResponseTimeout` is raised.
+        With `ack` it is resent until that one component acknowledges it. If it does not, `ResponseTimeout` is raised.
         """
         self._portal.run(self._async.send(destination, message, ack=ack))

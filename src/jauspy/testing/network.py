@@ -11,7 +11,7 @@ from itertools import count
 from types import TracebackType
 from typing import Final, Self
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.ids import JausID
 from jauspy.modules import robots
 from jauspy.modules.robot import RobotRunner

@@ -1,12 +1,11 @@
-"""How a component reaches others: through its node manager's socket, by UDP, TCP or a serial line, or in memory."""
+"""Transports of a component: its node manager's local socket, UDP, TCP, a serial line, or memory."""
 
 from __future__ import annotations
 
 from jauspy.transport.base import Transport
 from jauspy.transport.local import LocalTransport
 from jauspy.transport.loopback import LoopbackHub, LoopbackTransport
-from jauspy.transport.serial import SerialTransport
-from jauspy.transport.serial_link import SerialLine
+from jauspy.transport.serial import SerialLine, SerialTransport
 from jauspy.transport.tcp import TcpTransport
 from jauspy.transport.udp import UdpTransport
 

@@ -1,4 +1,4 @@
-"""How a component or an OCU reaches the network: what `connect=` may say."""
+"""The transport for a `connect=` argument of a component or an OCU."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from urllib.parse import urlsplit
 from jauspy.errors import ConfigError, TransportError
 from jauspy.ids import JausID
 from jauspy.protocol import judp, junior
-from jauspy.transport import LocalTransport, TcpTransport, Transport, UdpTransport, local_socket
+from jauspy.transport import LocalTransport, TcpTransport, Transport, UdpTransport, local as local_socket
 
 DEFAULT_ROOT: Final = Path("/tmp")  # noqa: S108 - where every JAUS node manager has its sockets
 FORMS: Final = (
@@ -22,28 +22,28 @@ FORMS: Final = (
 
 
 async def transport_for(id: JausID, connect: str | None) -> Transport:
-    """The transport that `connect` asks for.
+    """The transport for `connect`, not opened yet.
 
-    Raises `ConfigError` that shows the forms, and `TransportError` for an unknown host.
+    Raises `ConfigError` that lists the forms, and `TransportError` for an unknown host.
     """
     if connect is None:
         if local_socket.is_alive(DEFAULT_ROOT / junior.SOCKET_NAME):
             return LocalTransport(id, DEFAULT_ROOT)
         return UdpTransport(id, group=(judp.MULTICAST_GROUP, judp.PORT))
     if not isinstance(connect, str):
-        raise ConfigError(f"connect={connect!r} is not understood; use {FORMS}")
+        raise ConfigError(f"connect={connect!r} is not supported; use {FORMS}")
     if connect.startswith("local:"):
         return LocalTransport(id, _directory(connect))
     if connect.startswith("udp://"):
         return UdpTransport(id, peer=await udp_address(connect))
     if connect.startswith("tcp://"):
         return TcpTransport(id, _address(connect))
-    raise ConfigError(f"connect={connect!r} is not understood; use {FORMS}")
+    raise ConfigError(f"connect={connect!r} is not supported; use {FORMS}")
 
 
 async def udp_address(connect: str) -> tuple[str, int]:
     """The address in `udp://HOST[:PORT]`; raises as `transport_for`."""
-    return await _resolved(*_address(connect))
+    return await _resolve(*_address(connect))
 
 
 def _directory(connect: str) -> Path:
@@ -64,7 +64,7 @@ def _address(connect: str) -> tuple[str, int]:
     return host, port
 
 
-async def _resolved(host: str, port: int) -> tuple[str, int]:
+async def _resolve(host: str, port: int) -> tuple[str, int]:
     try:
         found = await asyncio.get_running_loop().getaddrinfo(host, port, family=socket.AF_INET, type=socket.SOCK_DGRAM)
     except OSError as error:

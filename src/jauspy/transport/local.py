@@ -1,10 +1,12 @@
-"""A component's socket to its node manager: the Junior local protocol, which reconnects by itself."""
+"""Local sockets: a component's transport to the node manager of its machine (the Junior local protocol)."""
 
 from __future__ import annotations
 
 import asyncio
 import contextlib
+import errno
 import logging
+import shutil
 import socket
 from collections.abc import Callable, Mapping
 from pathlib import Path
@@ -14,45 +16,51 @@ from jauspy.errors import TransportError
 from jauspy.ids import JausID
 from jauspy.protocol import junior
 from jauspy.protocol.counters import Counters
-from jauspy.transport import draining, local_socket
-from jauspy.transport.base import Receiver, ignore
-from jauspy.transport.local_sender import LocalSender
+from jauspy.transport import base
+from jauspy.transport.base import Receiver, SendQueue, ignore
 
 _LOGGER = logging.getLogger(__name__)
 
 CONNECT_INTERVAL: Final = 0.025
-"""Seconds between Connects until the node manager accepts; what its own clients use."""
-RETRY_INTERVAL: Final = 0.25
-"""Seconds between Connects once the node manager has been away for a while."""
-KEEP_ALIVE: Final = 1.0
-"""Seconds between Connects while connected; node managers answer each, so silence means that ours is gone."""
-MISSED: Final = 2
-"""Keep-alives without an answer after which the node manager counts as gone."""
+"""Seconds between Connects until the node manager accepts, as in its own clients."""
+RECONNECT_INTERVAL: Final = 0.25
+"""Seconds between Connects when the node manager has not answered for a while."""
+KEEP_ALIVE_INTERVAL: Final = 1.0
+"""Seconds between Connects while connected; node managers answer each, so that a missing answer shows a dead one."""
+MAX_UNANSWERED: Final = 2
+"""Unanswered keep-alives after which the node manager is regarded as dead."""
+SEND_RETRY_INTERVAL: Final = 0.002
+"""Seconds until a full socket is tried again; a datagram socket does not signal when its peer has room."""
+MAX_PATH: Final = 107
+"""Longest path of a Unix socket on Linux, in bytes."""
+OTHER_DIRECTORY: Final = "choose another directory for the local sockets"
+_NO_LISTENER: Final = (errno.ENOENT, errno.ECONNREFUSED)
 
 
 class LocalTransport:
     """Sends to `<root>/JuniorRTE`, listens on `<root>/<id in decimal>`.
 
-    `open` waits at most `patience` seconds for the node manager; `patience=None` does not wait for it at all.
+    It reconnects when the node manager restarts. `open` waits at most `timeout` seconds for the node manager, or not at
+    all with None.
     """
 
-    def __init__(self, id: JausID, root: Path = Path("/tmp"), *, patience: float | None = 2.0) -> None:  # noqa: S108
+    def __init__(self, id: JausID, root: Path = Path("/tmp"), *, timeout: float | None = 2.0) -> None:  # noqa: S108
         self.id = id
         self.received: Receiver = ignore
         self._root = Path(root)
         self._node = str(self._root / junior.SOCKET_NAME)
-        self._patience = patience
+        self._timeout = timeout
         self._counters = Counters(_LOGGER)
         self._socket: socket.socket | None = None
         self._sender: LocalSender | None = None
-        self._keeper: asyncio.Task[None] | None = None
+        self._keep_alive: asyncio.Task[None] | None = None
         self._accepted = asyncio.Event()
         self._loss = asyncio.Event()
         self._unanswered = 0
 
     @property
     def path(self) -> Path:
-        """The component's own socket."""
+        """The path of the component's socket."""
         return self._path(self.id)
 
     @property
@@ -62,55 +70,55 @@ class LocalTransport:
 
     @property
     def waiting(self) -> int:
-        """Datagrams that the node manager has not taken yet."""
+        """Datagrams that the node manager has not read yet."""
         return 0 if self._sender is None else self._sender.waiting(self._node)
 
     @property
     def counters(self) -> Mapping[str, int]:
-        """What was sent, received and dropped, by reason."""
+        """Counters of sent, received and dropped datagrams, by reason."""
         return self._counters
 
     async def open(self) -> None:
         """Bind the component's socket and connect; raises `TransportError` when no node manager answers."""
         loop = asyncio.get_running_loop()
         self._listen(loop, self._bind(self.id))
-        self._keeper = loop.create_task(self._keep_connected(), name=f"keep {self.id} connected")
-        if self._patience is not None:
+        self._keep_alive = loop.create_task(self._keep_connected(), name=f"keep {self.id} connected")
+        if self._timeout is not None:
             try:
-                await asyncio.wait_for(self._accepted.wait(), self._patience)
+                await asyncio.wait_for(self._accepted.wait(), self._timeout)
             except BaseException as error:
                 await self.close()
                 if not isinstance(error, TimeoutError):
                     raise
-                raise TransportError(self._silence()) from None
+                raise TransportError(self._no_answer()) from None
 
     async def close(self) -> None:
-        """Say goodbye, and remove the component's socket."""
-        sock, sender, keeper = self._socket, self._sender, self._keeper
-        self._socket = self._sender = self._keeper = None
-        if sock is None or sender is None or keeper is None:
+        """Send Cancel, and remove the component's socket."""
+        sock, sender, keep_alive = self._socket, self._sender, self._keep_alive
+        self._socket = self._sender = self._keep_alive = None
+        if sock is None or sender is None or keep_alive is None:
             return
-        keeper.cancel()
-        await asyncio.gather(keeper, return_exceptions=True)
-        self._leave(sock, sender)
+        keep_alive.cancel()
+        await asyncio.gather(keep_alive, return_exceptions=True)
+        self._disconnect(sock, sender)
         self._accepted.clear()
 
-    def move(self, id: JausID, goodbye: Callable[[], None]) -> None:
-        """Listen on another socket and register with the new id; raises `TransportError` when it is taken."""
+    def move(self, id: JausID, on_leave: Callable[[], None]) -> None:
+        """Listen on another socket and register with the new id; raises `TransportError` when it is in use."""
         old, sender = self._socket, self._sender
         if old is None or sender is None:
             self.id = id
             return
         new = self._bind(id)
-        goodbye()
-        self._leave(old, sender)
+        on_leave()
+        self._disconnect(old, sender)
         self.id = id
         self._listen(asyncio.get_running_loop(), new).send(self._node, junior.connect(id))
         self._accepted.clear()
-        self._loss.set()  # the keeper goes on until it is accepted
+        self._loss.set()  # the keep-alive task continues until it is accepted
 
     def send(self, datagram: bytes) -> None:
-        """Hand a datagram to the node manager; what it cannot take yet waits, in bounds."""
+        """Send a datagram to the node manager; while its socket is full, datagrams wait in a bounded queue."""
         if self._sender is None:
             self._counters.drop("closed")
             return
@@ -122,23 +130,23 @@ class LocalTransport:
 
     def _bind(self, id: JausID) -> socket.socket:
         path = self._path(id)
-        return local_socket.bind(path, owner=f"another component {id}", advice="use another id for this one")
+        return bind(path, owner=f"another component {id}", advice="use another id for this one")
 
     def _listen(self, loop: asyncio.AbstractEventLoop, sock: socket.socket) -> LocalSender:
         self._socket = sock
         sender = self._sender = LocalSender(sock, self._counters, self._lost)
-        draining.attach(loop, sock, self._take, self._failed)
+        base.start_reading(loop, sock, self._take, self._failed)
         return sender
 
-    def _leave(self, sock: socket.socket, sender: LocalSender) -> None:
+    def _disconnect(self, sock: socket.socket, sender: LocalSender) -> None:
         sender.send(self._node, junior.cancel(self.id))
         sender.close()
-        draining.detach(asyncio.get_running_loop(), sock)
-        local_socket.clean_up(self.path)
+        base.stop_reading(asyncio.get_running_loop(), sock)
+        clean_up(self.path)
 
-    def _silence(self) -> str:
-        """Why the node manager may not answer, and what to do."""
-        if (why := local_socket.refusal(Path(self._node))) is not None:
+    def _no_answer(self) -> str:
+        """Why the node manager may not have answered, and what to do."""
+        if (why := refusal(Path(self._node))) is not None:
             return why
         return (
             f"no node manager answers on {self._node}; start one with 'jauspy node-manager --local-root {self._root}', "
@@ -167,7 +175,7 @@ class LocalTransport:
     async def _keep_connected(self) -> None:
         interval = CONNECT_INTERVAL
         while self._sender is not None:
-            if self.connected and self._unanswered >= MISSED:
+            if self.connected and self._unanswered >= MAX_UNANSWERED:
                 self._accepted.clear()
             if self.connected:
                 interval = CONNECT_INTERVAL
@@ -175,6 +183,152 @@ class LocalTransport:
             self._sender.send(self._node, junior.connect(self.id))
             self._loss.clear()
             with contextlib.suppress(TimeoutError):
-                await asyncio.wait_for(self._loss.wait(), KEEP_ALIVE if self.connected else interval)
+                await asyncio.wait_for(self._loss.wait(), KEEP_ALIVE_INTERVAL if self.connected else interval)
             if not self.connected:
-                interval = min(interval * 1.3, RETRY_INTERVAL)
+                interval = min(interval * 1.3, RECONNECT_INTERVAL)
+
+
+class LocalSender:
+    """Sends on one socket to any path, with a bounded queue per path.
+
+    `gone(path)` is called when nobody listens on a path.
+    """
+
+    def __init__(self, sock: socket.socket, counters: Counters, gone: Callable[[str], None]) -> None:
+        self._socket = sock
+        self._counters = counters
+        self._gone = gone
+        self._queues: dict[str, SendQueue] = {}
+        self._retry: asyncio.TimerHandle | None = None
+
+    def send(self, path: str, datagram: bytes) -> None:
+        """Send now, or as soon as there is room. Never blocks, never raises; dropped datagrams are counted."""
+        queue = self._queues.get(path)
+        if queue is None:
+            if self._try(path, datagram):
+                return
+            queue = self._queues[path] = SendQueue()
+        for _ in range(queue.push(datagram)):
+            self._counters.drop("queue_full", path)
+        self._retry_later()
+
+    def waiting(self, path: str) -> int:
+        """The number of queued datagrams."""
+        return len(self._queues.get(path, ()))
+
+    def close(self) -> None:
+        """Drop the queued datagrams; the socket belongs to the caller."""
+        if self._retry is not None:
+            self._retry.cancel()
+            self._retry = None
+        for path, queue in self._queues.items():
+            for _ in range(len(queue)):
+                self._counters.drop("closed", path)
+        self._queues.clear()
+
+    def _try(self, path: str, datagram: bytes) -> bool:
+        try:
+            self._socket.sendto(datagram, path)
+        except BlockingIOError:
+            return False
+        except OSError as error:
+            self._counters.drop("nobody_listens" if error.errno in _NO_LISTENER else "not_sent", f"{path}: {error}")
+            if error.errno in _NO_LISTENER:
+                self._gone(path)
+        return True
+
+    def _retry_later(self) -> None:
+        if self._retry is None:
+            self._retry = asyncio.get_running_loop().call_later(SEND_RETRY_INTERVAL, self._retry_all)
+
+    def _retry_all(self) -> None:
+        self._retry = None
+        for path, queue in list(self._queues.items()):
+            while len(queue) and self._try(path, queue.peek()):
+                queue.pop()
+            if not len(queue):
+                del self._queues[path]
+        if self._queues:
+            self._retry_later()
+
+
+def is_alive(path: Path) -> bool:
+    """True when a process listens on this socket, and this user may send to it."""
+    return _probe(path) == 0
+
+
+def is_dead(path: Path) -> bool:
+    """True when nobody listens on this socket; false when that cannot be found out."""
+    return _probe(path) in _NO_LISTENER
+
+
+def refusal(path: Path) -> str | None:
+    """Why this user cannot send to `path`, as one sentence; None when nothing prevents it."""
+    match _probe(path):
+        case errno.ENOTDIR:
+            return f"{path.parent} is not a directory; {OTHER_DIRECTORY}"
+        case errno.EACCES | errno.EPERM:
+            return f"this user may not use {path}; run as its owner or in its group, or {OTHER_DIRECTORY}"
+        case errno.EPROTOTYPE:
+            return f"{path} is a socket of another kind; move it, or {OTHER_DIRECTORY}"
+        case _:
+            return None
+
+
+def bind(path: Path, *, owner: str, advice: str = OTHER_DIRECTORY, mode: int | None = None) -> socket.socket:
+    """A non-blocking socket bound to `path`; raises `TransportError`.
+
+    `owner` names the program that may already listen there, `advice` says what to do if it is to keep running.
+    """
+    if len(str(path).encode()) > MAX_PATH:
+        raise TransportError(
+            f"the socket path {path} is longer than {MAX_PATH} bytes; "
+            "choose a directory with a shorter name for the local sockets"
+        )
+    if is_alive(path):
+        raise TransportError(f"{owner} is already running on {path}; stop it, or {advice}")
+    if (why := refusal(path)) is not None:
+        raise TransportError(why)
+    if path.exists() and not path.is_socket():
+        raise TransportError(f"{path} exists and is not a socket; move it, or {OTHER_DIRECTORY}")
+    sock = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
+    try:
+        sock.setblocking(False)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.unlink(missing_ok=True)
+        sock.bind(str(path))
+        if mode is not None:
+            path.chmod(mode)
+    except OSError as error:
+        sock.close()
+        raise TransportError(f"cannot open the socket {path}: {error.strerror}; {OTHER_DIRECTORY}") from error
+    return sock
+
+
+def give_to_group(path: Path, group: str | None) -> None:
+    """Change the group of the socket; raises `TransportError` if this user may not."""
+    if group is None:
+        return
+    try:
+        shutil.chown(path, group=group)
+    except LookupError:
+        raise TransportError(f"local_group: there is no group {group!r} on this machine") from None
+    except OSError as error:
+        raise TransportError(f"local_group: cannot give {path} to {group!r}: {error.strerror}") from error
+
+
+def clean_up(path: Path) -> None:
+    """Remove a socket that nobody listens on; one that cannot be removed remains."""
+    if path.is_socket() and is_dead(path):
+        with contextlib.suppress(OSError):
+            path.unlink()
+
+
+def _probe(path: Path) -> int:
+    """The error number of an attempt to connect; 0 for success."""
+    try:
+        with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as probe:
+            probe.connect(str(path))
+    except OSError as error:
+        return error.errno or errno.ENAMETOOLONG
+    return 0

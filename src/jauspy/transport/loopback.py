@@ -1,4 +1,4 @@
-"""Components in one process, without sockets: for tests, and for systems that fit into one program."""
+"""Transports between components of one process, without sockets."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _LOGGER = logging.getLogger(__name__)
 
 
 class LoopbackHub:
-    """The place where loopback transports meet; routes as a node manager does."""
+    """Connects loopback transports; routes like a node manager."""
 
     def __init__(self) -> None:
         self.members: dict[int, LoopbackTransport] = {}
@@ -34,7 +34,7 @@ class LoopbackHub:
 
 
 class LoopbackTransport:
-    """A transport whose other end is a `LoopbackHub`; datagrams arrive in a later turn of the event loop."""
+    """A transport over a `LoopbackHub`; datagrams arrive in a later turn of the event loop."""
 
     def __init__(self, id: JausID, hub: LoopbackHub) -> None:
         self.id = id
@@ -49,16 +49,16 @@ class LoopbackTransport:
 
     @property
     def waiting(self) -> int:
-        """Nothing ever waits."""
+        """Always 0."""
         return 0
 
     @property
     def counters(self) -> Mapping[str, int]:
-        """What was sent, received and dropped, by reason."""
+        """Counters of sent, received and dropped datagrams, by reason."""
         return self._counters
 
     async def open(self) -> None:
-        """Join the hub; raises `TransportError` when the id is taken."""
+        """Join the hub; raises `TransportError` when the id is in use."""
         self._join(self.id)
 
     async def close(self) -> None:
@@ -66,16 +66,16 @@ class LoopbackTransport:
         if self.connected:
             del self._hub.members[int(self.id)]
 
-    def move(self, id: JausID, goodbye: Callable[[], None]) -> None:
-        """Be another member of the hub; raises `TransportError` when the id is taken."""
+    def move(self, id: JausID, on_leave: Callable[[], None]) -> None:
+        """Change the id; raises `TransportError` when the new one is in use."""
         if self.connected:
             self._join(id)
-            goodbye()
+            on_leave()
             del self._hub.members[int(self.id)]
         self.id = id
 
     def send(self, datagram: bytes) -> None:
-        """Hand a datagram to the hub; dropped and counted when it is malformed or the transport is closed."""
+        """Route a datagram; dropped and counted when it is malformed or the transport is closed."""
         if not self.connected:
             self._counters.drop("closed")
             return

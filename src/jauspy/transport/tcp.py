@@ -1,30 +1,221 @@
-"""A component that reaches a node manager by JTCP."""
+"""JTCP connections: an open one, one that is reconnected, and a component's transport."""
 
 from __future__ import annotations
 
 import asyncio
 import logging
 from collections.abc import Callable, Mapping
+from typing import Final, cast
 
 from jauspy.errors import ProtocolError, TransportError
 from jauspy.ids import JausID
-from jauspy.protocol import judp
+from jauspy.protocol import header, jtcp, judp
 from jauspy.protocol.address_book import Address
 from jauspy.protocol.counters import Counters
-from jauspy.transport.base import Receiver, ignore
-from jauspy.transport.stream import Dialer, StreamLink
+from jauspy.transport.base import Receiver, SendQueue, ignore
 
 _LOGGER = logging.getLogger(__name__)
 
+HIGH_WATER: Final = 64 * 1024
+"""Bytes in asyncio's write buffer above which packets wait in a bounded queue, by priority."""
+READ_SIZE: Final = 2048
+"""Bytes read per turn of the event loop: about a hundred of the smallest packets, so that a flood delays nobody."""
+CONNECT_TIMEOUT: Final = 5.0
+MIN_RETRY_INTERVAL: Final = 0.1
+MAX_RETRY_INTERVAL: Final = 10.0
+
+
+class StreamLink(asyncio.BufferedProtocol):
+    """An open connection. `received(link, datagram)` is called for each packet, `ended(link)` once when it is closed.
+
+    A stream that has lost the packet boundaries is closed, because nothing restores them. A connection has one version:
+    the client sends the version byte of AS5669A; the server, which has the callback `accepted`, sends the version that
+    it has received.
+    """
+
+    def __init__(
+        self,
+        counters: Counters,
+        received: Callable[[StreamLink, bytes], None],
+        ended: Callable[[StreamLink], None],
+        accepted: Callable[[StreamLink], None] | None = None,
+    ) -> None:
+        self.peer: Address = ("", 0)
+        self.has_received = False
+        """True when a complete packet has arrived."""
+        self._counters = counters
+        self._received = received
+        self._ended = ended
+        self._accepted = accepted
+        self._decoder = jtcp.StreamDecoder()
+        self._buffer = bytearray(READ_SIZE)
+        self._sent_version: int | None = None
+        self._transport: asyncio.Transport | None = None
+        self._paused = False
+        self._waiting = SendQueue()
+
+    @property
+    def waiting(self) -> int:
+        """The number of queued datagrams."""
+        return len(self._waiting)
+
+    def send(self, datagram: bytes) -> bool:
+        """Send a checked datagram, or queue it; false when it cannot be sent on this connection."""
+        if self._transport is None or self._transport.is_closing():
+            self._counters.drop("tcp_closed", self.peer)
+        elif datagram[0] != self._send_version(self._transport):
+            self._counters.drop("tcp_version", f"version {datagram[0]} to {self.peer} with {self._sent_version}")
+        elif not self._paused:
+            self._transport.write(self._decoder.frame(datagram))
+            return True
+        else:
+            for _ in range(self._waiting.push(datagram)):
+                self._counters.drop("queue_full", self.peer)
+            return True
+        return False
+
+    def close(self) -> None:
+        """Close at once; queued datagrams are lost."""
+        if self._transport is not None:
+            self._transport.abort()
+
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
+        """Send the version byte, or report an accepted connection to the owner."""
+        self._transport = cast("asyncio.Transport", transport)
+        self.peer = (transport.get_extra_info("peername") or self.peer)[:2]
+        self._transport.set_write_buffer_limits(high=HIGH_WATER)
+        if self._accepted is not None:
+            self._accepted(self)
+        else:
+            self._send_version(self._transport)
+
+    def get_buffer(self, _sizehint: int) -> bytearray:
+        """The buffer for the next bytes."""
+        return self._buffer
+
+    def buffer_updated(self, nbytes: int) -> None:
+        """Pass on complete packets."""
+        if self._transport is None or self._transport.is_closing():
+            return
+        datagrams, error = self._decoder.feed(bytes(self._buffer[:nbytes]))
+        self.has_received = self.has_received or bool(datagrams)
+        for datagram in datagrams:
+            self._received(self, datagram)
+        if error is not None:
+            self._counters.drop(f"malformed.{error.reason}", f"{self.peer}: {error}")
+            self.close()
+
+    def _send_version(self, transport: asyncio.Transport) -> int:
+        """Send the version byte once; returns the version."""
+        if self._sent_version is None:
+            self._sent_version = self._decoder.version or header.VERSION
+            transport.write(bytes([self._sent_version]))
+        return self._sent_version
+
+    def pause_writing(self) -> None:
+        """Queue packets, because the peer does not read."""
+        self._paused = True
+
+    def resume_writing(self) -> None:
+        """Send queued packets, those of the highest priority first."""
+        self._paused = False
+        while self._waiting and not self._paused and self._transport is not None:
+            datagram = self._waiting.peek()
+            self._waiting.pop()
+            self._transport.write(self._decoder.frame(datagram))
+
+    def connection_lost(self, _error: Exception | None) -> None:
+        """Report the end to the owner, and count the queued packets as dropped."""
+        for _ in range(len(self._waiting)):
+            self._counters.drop("tcp_closed", self.peer)
+        self._transport, self._waiting = None, SendQueue()
+        self._ended(self)
+
+
+class Dialer:
+    """Keeps a connection to one address, and reconnects after a growing pause.
+
+    Packets are dropped while there is none: a command that arrives seconds late is worse than a lost one.
+    """
+
+    def __init__(self, address: Address, counters: Counters, received: Callable[[StreamLink, bytes], None]) -> None:
+        self.address = address
+        self.link: StreamLink | None = None
+        self.connected = asyncio.Event()
+        self.problem = "it does not answer"
+        """Why the last attempt failed."""
+        self._counters = counters
+        self._received = received
+        self._lost = asyncio.Event()
+        self._task = asyncio.get_running_loop().create_task(self._keep(), name=f"JTCP to {address[0]}:{address[1]}")
+
+    def send(self, datagram: bytes) -> bool:
+        """Send a checked datagram; false when it was dropped."""
+        if self.link is None:
+            self._counters.drop("tcp_unconnected", self.address)
+            return False
+        return self.link.send(datagram)
+
+    async def close(self) -> None:
+        """Close the connection, and do not reconnect."""
+        self._task.cancel()
+        await asyncio.gather(self._task, return_exceptions=True)
+
+    async def _keep(self) -> None:
+        pause = MIN_RETRY_INTERVAL
+        while True:
+            try:
+                await self._connect()
+            except (OSError, TimeoutError) as error:
+                self.problem = str(error) or "no answer in time"
+                self._counters["tcp.connect_failed"] += 1
+                _LOGGER.debug("no JTCP connection to %s: %s", self.address, self.problem)
+            else:
+                pause = MIN_RETRY_INTERVAL
+                await self._until_lost()
+            await asyncio.sleep(pause)
+            pause = min(2 * pause, MAX_RETRY_INTERVAL)
+
+    async def _connect(self) -> None:
+        loop = asyncio.get_running_loop()
+        self._lost.clear()
+        async with asyncio.timeout(CONNECT_TIMEOUT):
+            _, link = await loop.create_connection(
+                lambda: StreamLink(self._counters, self._received, self._ended), *self.address
+            )
+        self.link = link
+        self.connected.set()
+        self._counters["tcp.connected"] += 1
+        _LOGGER.info("JTCP connection to %s", self.address)
+
+    async def _until_lost(self) -> None:
+        try:
+            await self._lost.wait()
+        finally:
+            if self.link is not None:
+                self.link.close()
+            self.link = None
+            self.connected.clear()
+
+    def _ended(self, link: StreamLink) -> None:
+        if link is self.link:
+            self.link = None
+            self.connected.clear()
+        self._lost.set()
+        self._counters["tcp.closed"] += 1
+
 
 class TcpTransport:
-    """One connection to `peer`, opened again when it is lost. `open` waits at most `patience` seconds for it."""
+    """A component's transport over a JTCP connection to a node manager at `peer`, reconnected when it is lost.
 
-    def __init__(self, id: JausID, peer: Address, *, patience: float | None = 5.0) -> None:
+    `open` waits at most `timeout` seconds for the connection, or not at all with None.
+    """
+
+    def __init__(self, id: JausID, peer: Address, *, timeout: float | None = 5.0) -> None:
         self.id = id
         self.received: Receiver = ignore
         self._peer = peer
-        self._patience = patience
+        self._timeout = timeout
         self._counters = Counters(_LOGGER)
         self._dialer: Dialer | None = None
 
@@ -35,21 +226,21 @@ class TcpTransport:
 
     @property
     def waiting(self) -> int:
-        """Datagrams that the connection has not taken yet."""
+        """The number of queued datagrams."""
         return 0 if self._dialer is None or self._dialer.link is None else self._dialer.link.waiting
 
     @property
     def counters(self) -> Mapping[str, int]:
-        """What was sent, received and dropped, by reason."""
+        """Counters of sent, received and dropped datagrams, by reason."""
         return self._counters
 
     async def open(self) -> None:
-        """Connect; raises `TransportError` when nobody answers. With `patience=None` it does not wait."""
+        """Connect; raises `TransportError` if there is no connection in time."""
         dialer = self._dialer = Dialer(self._peer, self._counters, self._take)
-        if self._patience is None:
+        if self._timeout is None:
             return
         try:
-            await asyncio.wait_for(dialer.connected.wait(), self._patience)
+            await asyncio.wait_for(dialer.connected.wait(), self._timeout)
         except BaseException as error:
             await self.close()
             if not isinstance(error, TimeoutError):
@@ -66,13 +257,13 @@ class TcpTransport:
         if dialer is not None:
             await dialer.close()
 
-    def move(self, id: JausID, goodbye: Callable[[], None]) -> None:
-        """Be another component; the way to it stays the same."""
-        goodbye()
+    def move(self, id: JausID, on_leave: Callable[[], None]) -> None:
+        """Change the id; the connection is kept."""
+        on_leave()
         self.id = id
 
     def send(self, datagram: bytes) -> None:
-        """Send, or drop and count."""
+        """Send a datagram; counted when dropped."""
         if self._dialer is None:
             self._counters.drop("closed")
             return

@@ -1,4 +1,4 @@
-"""A component that speaks JUDP itself, such as an OCU on a machine without a node manager."""
+"""A component's transport by JUDP, for example of an OCU on a machine without a node manager."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ from jauspy.protocol import addressing, judp
 from jauspy.protocol.address_book import Address, AddressBook
 from jauspy.protocol.addressing import UdpPort
 from jauspy.protocol.counters import Counters
-from jauspy.transport import draining, memberships, multicast
+from jauspy.transport import base, multicast, multicast as memberships
 from jauspy.transport.base import Receiver, ignore
-from jauspy.transport.memberships import Memberships
+from jauspy.transport.multicast import Memberships
 
 _LOGGER = logging.getLogger(__name__)
 
 
 class UdpTransport:
-    """Sends what is for an id that was heard before to where it was heard from, and all else to `peer` and `group`.
+    """Sends to the learned address of a destination, or to `peer` and `group` while none is known.
 
-    `peer` is the UDP address of a node manager. `group` is a multicast address and port, which is listened to as well.
-    At least one of them is needed. Multicasts leave and arrive by `interface`, an IPv4 address of this machine.
+    `peer` is the UDP address of a node manager, `group` a multicast address and port, which is joined as well; at least
+    one of them is needed. Multicasts are sent and received by `interface`, an IPv4 address of this machine.
     """
 
     def __init__(
@@ -51,17 +51,17 @@ class UdpTransport:
 
     @property
     def connected(self) -> bool:
-        """True between `open` and `close`: UDP knows no more."""
+        """True between `open` and `close`; UDP has no other state."""
         return self._socket is not None
 
     @property
     def waiting(self) -> int:
-        """Nothing ever waits: the kernel takes all, or it is dropped."""
+        """Always 0: what the kernel does not accept is dropped."""
         return 0
 
     @property
     def counters(self) -> Mapping[str, int]:
-        """What was sent, received and dropped, by reason."""
+        """Counters of sent, received and dropped datagrams, by reason."""
         return self._counters
 
     async def open(self) -> None:
@@ -71,7 +71,7 @@ class UdpTransport:
         sock = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         try:
             sock.setblocking(False)
-            multicast.hold_bursts(sock)
+            multicast.set_receive_buffer(sock)
             multicast.prepare_sender(sock, self._interface, judp.MULTICAST_TTL)
             sock.bind(self._bind)
         except OSError as error:
@@ -79,7 +79,7 @@ class UdpTransport:
             host, port = self._bind
             raise TransportError(f"cannot use UDP {host}:{port}: {error.strerror}") from error
         self._socket = sock
-        draining.attach(asyncio.get_running_loop(), sock, self._take, self._failed)
+        base.start_reading(asyncio.get_running_loop(), sock, self._take, self._failed)
         if self._group is not None:
             self._listen_to(self._group)
 
@@ -91,15 +91,15 @@ class UdpTransport:
         self._socket = self._group_socket = self._memberships = self._watch = None
         for sock in sockets:
             if sock is not None:
-                draining.detach(asyncio.get_running_loop(), sock)
+                base.stop_reading(asyncio.get_running_loop(), sock)
 
-    def move(self, id: JausID, goodbye: Callable[[], None]) -> None:
-        """Be another component; the way to it stays the same."""
-        goodbye()
+    def move(self, id: JausID, on_leave: Callable[[], None]) -> None:
+        """Change the id; the socket is kept."""
+        on_leave()
         self.id = id
 
     def send(self, datagram: bytes) -> None:
-        """Send to the learned address of the destination, or ask everywhere."""
+        """Send to the learned address of the destination, or to `peer` and `group`."""
         if self._socket is None:
             self._counters.drop("closed")
             return
@@ -113,7 +113,7 @@ class UdpTransport:
             self._send_to(self._socket, datagram, address)
 
     def _listen_to(self, group: Address) -> None:
-        """Without it answers still arrive; a node manager that has the port for itself would be asked instead."""
+        """Join the group; if another program has the port for itself, only unicasts are received."""
         try:
             sock = multicast.receiver(group)
         except OSError as error:
@@ -124,11 +124,11 @@ class UdpTransport:
         self._counters["multicast.not_joined"] += not self._memberships.joined
         self._group_socket = sock
         loop = asyncio.get_running_loop()
-        draining.attach(loop, sock, self._take, self._failed)
+        base.start_reading(loop, sock, self._take, self._failed)
         self._watch = loop.call_later(memberships.WATCH_INTERVAL, self._watch_interfaces)
 
     def _watch_interfaces(self) -> None:
-        """Join on a network that has come up since, or is back."""
+        """Join on interfaces that have appeared."""
         if self._memberships is not None:
             self._memberships.refresh()
             loop = asyncio.get_running_loop()

@@ -7,8 +7,7 @@ from dataclasses import replace
 
 from jauspy.geometry.kinematics import InverseKinematics, Solution, forward_kinematics
 from jauspy.geometry.poses import Transform
-from jauspy.modules.description import robot_model
-from jauspy.modules.robots import load
+from jauspy.modules.robots import load, robot_model
 from jauspy.platform.kinematic_joints import KinematicJoints
 from jauspy.services.manipulator.arm import Arm
 

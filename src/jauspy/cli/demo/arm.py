@@ -26,7 +26,7 @@ from jauspy.messages.manipulator import (
 )
 from jauspy.ocu.robot import ComponentClient, Robot
 from jauspy.platform.description import RobotModel
-from jauspy.services.manipulator.values import positions
+from jauspy.services.manipulator.joints import position_records
 
 
 class ArmKinematics:
@@ -114,7 +114,7 @@ class Arm:
         """Move the tool; returns the largest joint error, rad."""
         wanted = self.kinematics.joints(turn, distance, height, pitch)
         self._state.commanded(wanted)
-        await self._driver.send(SetJointPositions(positions(wanted, self.kinematics.geometry.links)), ack=True)
+        await self._driver.send(SetJointPositions(position_records(wanted, self.kinematics.geometry.links)), ack=True)
         late = f"rad off after {plan.MOVE_TIMEOUT:g} s, or still moves; it may be blocked"
         async with time_limit(plan.MOVE_TIMEOUT, lambda: f"the arm is {self._off(wanted):.3f} {late}"):
             await self._arrive(wanted)

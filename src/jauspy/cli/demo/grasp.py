@@ -56,7 +56,7 @@ class Grasp:
         await asyncio.sleep(plan.SETTLING_TIME)
         photo = await self._camera.still(size=self._size, format="jpeg", timeout=plan.CAMERA_TIMEOUT)
         (folder / STILL_FILE).write_bytes(photo.content)
-        frames = await self._frames.look()
+        frames = await self._frames.read()
         spot = red_spot(decode_image(photo.content))
         camera = frames.pose(self._setup.link, LOCAL)
         seen = spot and at_height(camera, ray(spot, self._setup.fov), plan.CAN_POSITION[2])

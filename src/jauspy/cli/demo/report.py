@@ -21,7 +21,7 @@ from rich.text import Text
 
 from jauspy.cli import console
 from jauspy.errors import RequestError
-from jauspy.ocu import OCU, Subsystem
+from jauspy.ocu import OCU, SubsystemInfo
 
 if TYPE_CHECKING:
     from jauspy.cli.demo.full_tour import VideoRecording
@@ -136,7 +136,7 @@ class View:
         """Show the step that begins."""
         self._line(Text(text, style="bold"))
 
-    def discovered(self, robot: Subsystem) -> None:
+    def discovered(self, robot: SubsystemInfo) -> None:
         """Show the discovered robot."""
         services = sum(len(each.services) for each in robot.components)
         line = f"subsystem {robot.id} {robot.name}: {len(robot.components)} components with {services} services"

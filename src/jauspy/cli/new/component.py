@@ -19,12 +19,11 @@ from jauspy.ids import JausID, component_id
 from jauspy.messages import registry
 from jauspy.schema import load_builtin
 from jauspy.schema.inheritance import lineage, parents_among
+from jauspy.schema.loader import load_beside_builtin
 from jauspy.schema.model import Schema, Service as Definition
-from jauspy.schema.own import load_beside_builtin
-from jauspy.services.core.complete import with_core
-from jauspy.services.core.defaults import DEFAULTS
+from jauspy.services.binding import RequiredMethod, required_methods
+from jauspy.services.core.defaults import INHERITED_DEFAULTS, with_core_services
 from jauspy.services.service import Service
-from jauspy.services.signatures import Need, needs
 
 
 def component(
@@ -134,8 +133,8 @@ def package(
 
 def core_services() -> dict[str, type[Service]]:
     """The classes of the core services, which are added to every component, and of base services."""
-    given = {each.urn: type(each) for each in with_core([], "")}
-    return given | {urn: type(make()) for urn, make in DEFAULTS.items()}
+    given = {each.urn: type(each) for each in with_core_services([], "")}
+    return given | {urn: type(make()) for urn, make in INHERITED_DEFAULTS.items()}
 
 
 class _Writer:
@@ -170,21 +169,25 @@ class _Writer:
         own = self._is_own(definition)
         keywords = ", definitions=DEFINITIONS" if own else f', version="{definition.version}"'
         head = f'class {class_name(definition.name)}(jauspy.Service, urn="{definition.id}"{keywords}):\n'
-        methods = [self._method(definition, each) for each in needs(definition) if not self._inherits(definition, each)]
+        methods = [
+            self._method(definition, each)
+            for each in required_methods(definition)
+            if not self._inherits(definition, each)
+        ]
         return head + f'    """{definition.name} {definition.version}."""\n' + "".join(methods)
 
-    def _inherits(self, definition: Definition, need: Need) -> bool:
+    def _inherits(self, definition: Definition, need: RequiredMethod) -> bool:
         """True if a parent class has this method."""
         for parent in self._line[self._line.index(definition) + 1 :]:
             kind = self._core.get(parent.id)
             if kind is None:
-                if any(each.method == need.method for each in needs(parent)):
+                if any(each.method == need.method for each in required_methods(parent)):
                     return True
             elif not kind.private and callable(getattr(kind, need.method, None)):
                 return True
         return False
 
-    def _method(self, definition: Definition, need: Need) -> str:
+    def _method(self, definition: Definition, need: RequiredMethod) -> str:
         parameters = ["self"]
         if need.takes_message:
             word = "query" if all(each.startswith("Query") for each in need.messages) else "msg"

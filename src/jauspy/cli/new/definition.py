@@ -10,10 +10,10 @@ from typing import Annotated, Final
 import typer
 
 from jauspy.cli.new import write_new
-from jauspy.codec.entries import Entry
 from jauspy.codec.names import attribute, class_name, snake
+from jauspy.codec.registry import MessageEntry
 from jauspy.messages import registry
-from jauspy.schema.own import load_own
+from jauspy.schema.loader import load_own
 
 MAX_FIELDS: Final = 16
 """As many as there are bits in the presence vector."""
@@ -182,7 +182,7 @@ def first_of_two(text: str) -> int:
     return code
 
 
-def _user(code: int) -> Entry | None:
+def _user(code: int) -> MessageEntry | None:
 
     return next(iter(registry.entries_of(code)), None)
 

@@ -16,9 +16,9 @@ from jauspy.cli.schema.ls import is_set, split_version
 from jauspy.errors import ConfigError
 from jauspy.ids import is_called
 from jauspy.schema import load_builtin
-from jauspy.schema.compare import Change, MessageDiff, ServiceDiff, compare
+from jauspy.schema.differences import Change, MessageDiff, ServiceDiff, compare
+from jauspy.schema.loader import load_own
 from jauspy.schema.model import Message, Schema, Service
-from jauspy.schema.own import load_own
 from jauspy.schema.services import version_key
 
 _WHAT = "A file, folder or pattern, or NAME@VERSION of a built-in service or set."

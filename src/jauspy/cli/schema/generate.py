@@ -10,9 +10,9 @@ from typing import Annotated
 import typer
 
 from jauspy.cli import console
-from jauspy.codec.generator import generate as make
+from jauspy.codec.source import generate as make
 from jauspy.errors import ConfigError
-from jauspy.schema.own import load_own
+from jauspy.schema.loader import load_own
 
 _MARK = "; do not edit."
 """In the first line of every generated file."""

@@ -18,8 +18,8 @@ from jauspy.cli.console import print_table
 from jauspy.cli.options import Json
 from jauspy.codec.lint import RULES as PYTHON_RULES
 from jauspy.schema import builtin_paths
-from jauspy.schema.lint import RULES, UNREADABLE, Finding, Rule, lint as run
-from jauspy.schema.own import find_files
+from jauspy.schema.lint import RULES, UNREADABLE, LintFinding, LintRule, lint as run
+from jauspy.schema.loader import find_files
 
 _STYLES: Final = {"error": "bold red", "warning": "yellow", "hint": "dim"}
 
@@ -72,7 +72,7 @@ def _paths(files: list[str]) -> list[Path]:
     return find_files(files) if files else builtin_paths()
 
 
-def _rules(ignored: list[str]) -> Sequence[Rule]:
+def _rules(ignored: list[str]) -> Sequence[LintRule]:
 
     rules = (*RULES, *PYTHON_RULES)
     codes = [rule.code for rule in rules]
@@ -84,12 +84,12 @@ def _rules(ignored: list[str]) -> Sequence[Rule]:
     return [rule for rule in rules if rule.code not in ignored]
 
 
-def _print_rules(rules: Sequence[Rule]) -> None:
+def _print_rules(rules: Sequence[LintRule]) -> None:
 
     print_table(("code", "severity", "what it finds"), [(rule.code, rule.severity, rule.summary) for rule in rules])
 
 
-def _print(finding: Finding) -> None:
+def _print(finding: LintFinding) -> None:
 
     line = Text.assemble(
         f"{finding.file}:{finding.line}: ",
@@ -101,7 +101,7 @@ def _print(finding: Finding) -> None:
     console.stdout().print(line)
 
 
-def _print_summary(findings: list[Finding]) -> None:
+def _print_summary(findings: list[LintFinding]) -> None:
 
     counts = Counter(finding.severity for finding in findings)
     parts = [f"{number} {severity}{'s' if number > 1 else ''}" for severity, number in sorted(counts.items())]

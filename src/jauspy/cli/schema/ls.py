@@ -17,8 +17,8 @@ from jauspy.codec.names import set_package
 from jauspy.errors import ConfigError
 from jauspy.ids import is_called, service_set
 from jauspy.schema import load_builtin
+from jauspy.schema.loader import load_own
 from jauspy.schema.model import Message, Schema, Service
-from jauspy.schema.own import load_own
 from jauspy.schema.services import version_key
 from jauspy.schema.wire import same_wire
 

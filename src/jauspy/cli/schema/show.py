@@ -18,11 +18,11 @@ from jauspy.cli.render import unit_symbol
 from jauspy.cli.schema.ls import Match, SchemasOption, as_object, definitions, find, set_of
 from jauspy.codec.wire import CODES, FLOATS, limits
 from jauspy.schema import load_builtin, model as m
-from jauspy.schema.compare.behavior import short, trigger
+from jauspy.schema.differences import short_name, trigger
+from jauspy.schema.fields import BITS
 from jauspy.schema.inheritance import lineage, parents_among
 from jauspy.schema.model import Action, Behavior, Message, Schema, Service, State, Transition
-from jauspy.schema.sizes import Sizes, can_be_there, scalar_size, sizes
-from jauspy.schema.values import BITS
+from jauspy.schema.wire import Sizes, can_be_there, scalar_size, sizes
 
 MIN_NAME_WIDTH = 24
 MIN_VALUES_WIDTH = 12
@@ -404,7 +404,7 @@ def machine_trees(behavior: Behavior) -> Iterator[Tree]:
     starts = {start.machine: start.state for start in behavior.start}
     for machine in behavior.machines:
         start = starts.get(machine.name)
-        label = Text.assemble((short(machine.name), "bold"), f" starts in {start}" if start else "")
+        label = Text.assemble((short_name(machine.name), "bold"), f" starts in {start}" if start else "")
         tree = Tree(label, guide_style="dim")
         _add_transitions(tree, machine.default_transitions, "by default ")
         for state in machine.states:
@@ -448,7 +448,7 @@ def _actions(actions: Sequence[Action]) -> str:
 
 
 def _action(action: Action) -> str:
-    name = short(action.name)
+    name = short_name(action.name)
     if name == "Send" and action.arguments:
         what, *rest = (argument.strip("'") for argument in action.arguments if argument != "transportData")
         return f"send {what}" + (f" {' '.join(rest)}" if rest else "")

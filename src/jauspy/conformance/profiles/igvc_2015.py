@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.conformance import event_streams, waypoint_drive
 from jauspy.conformance.checks import Check, carries, carries_only, has, near, that
 from jauspy.conformance.offers import ALL_SERVICES

@@ -11,7 +11,7 @@ from jauspy.conformance.profile import Action, Step
 from jauspy.conformance.results import Late, Silent
 from jauspy.conformance.tester import HARMLESS_QUERIES, Client, Tester, is_answer
 from jauspy.ids import JausID
-from jauspy.ocu.answers import REPORT_OFFSET
+from jauspy.ocu.replies import REPORT_OFFSET
 from jauspy.protocol import header
 from jauspy.protocol.header import Ack, DataFlag, Packet
 

@@ -7,7 +7,8 @@ from typing import Final
 
 from jauspy.conformance.checks import has
 from jauspy.conformance.results import Skipped
-from jauspy.conformance.state_tests.explorer import EARLIEST, LONGEST, OBSERVER, Aftermath, Stimulus, Walker
+from jauspy.conformance.state_tests.explorer import EARLIEST, LONGEST, Aftermath, Stimulus, Walker
+from jauspy.conformance.tester import OBSERVER
 from jauspy.messages.core import QueryAuthority, ReportAuthority, RequestControl, SetAuthority
 
 

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from typing import Final
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.conformance.results import Outcome, Skipped
 from jauspy.conformance.state_tests import lists
 from jauspy.conformance.state_tests.events import UNKNOWN_ID
-from jauspy.conformance.state_tests.explorer import OBSERVER, PILOT, Prepare, Stimulus, Walker
+from jauspy.conformance.state_tests.explorer import Prepare, Stimulus, Walker
 from jauspy.conformance.state_tests.sample_messages import neutral
+from jauspy.conformance.tester import CONTROLLER, OBSERVER
 from jauspy.messages.manipulator import (
     ExecuteList,
     QueryCommandedJointPositions,
@@ -44,7 +45,7 @@ def _harmless(kind: type[Message], truths: dict[str, bool], before: Prepare) -> 
 
 def _hold(walker: Walker, role: str) -> None:
     """A list of one element, when the sender is in control and can set it."""
-    if role == PILOT and lists.LIST_MANAGER in walker.services:
+    if role == CONTROLLER and lists.LIST_MANAGER in walker.services:
         lists.hold(walker, role)
 
 

@@ -7,12 +7,13 @@ from dataclasses import replace
 from types import MappingProxyType
 from typing import Any, Final
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.conformance.checks import Check, has, near
 from jauspy.conformance.state_tests import lists, sample_messages
 from jauspy.conformance.state_tests.effects import SLOW, effect, over_ground
 from jauspy.conformance.state_tests.events import UNKNOWN_ID
-from jauspy.conformance.state_tests.explorer import OBSERVER, PILOT, Aftermath, Prepare, Stimulus, Walker
+from jauspy.conformance.state_tests.explorer import Aftermath, Prepare, Stimulus, Walker
+from jauspy.conformance.tester import CONTROLLER, OBSERVER
 from jauspy.messages.core import Standby
 from jauspy.messages.mobility import (
     ExecuteList,
@@ -107,7 +108,7 @@ def _taken(walker: Walker, kinds: Mapping[str, Message]) -> Iterator[Message]:
 
 def place(walker: Walker, waypoint: Message) -> None:
     """The one in control sets a waypoint, before anybody drives."""
-    walker.client(PILOT).send(waypoint, to=walker.component)
+    walker.client(CONTROLLER).send(waypoint, to=walker.component)
 
 
 def place_all(walker: Walker) -> None:
@@ -118,8 +119,8 @@ def place_all(walker: Walker) -> None:
 
 def stop(walker: Walker, role: str) -> None:  # noqa: ARG001 - a Prepare
     """Nobody drives any more."""
-    walker.client(PILOT).send(Standby(), to=walker.component)
-    lists.clear(walker, PILOT)
+    walker.client(CONTROLLER).send(Standby(), to=walker.component)
+    lists.clear(walker, CONTROLLER)
     walker.where = None
 
 
@@ -130,9 +131,9 @@ def _left_behind(waypoint: Message) -> Prepare:
     """Set by a client that has gone since."""
 
     def before(walker: Walker, role: str) -> None:  # noqa: ARG001 - a Prepare
-        walker.steer("RequestControl", PILOT)
+        walker.steer("RequestControl", CONTROLLER)
         place(walker, waypoint)
-        walker.steer("ReleaseControl", PILOT)
+        walker.steer("ReleaseControl", CONTROLLER)
         walker.look()
 
     return before
@@ -197,7 +198,7 @@ def _travel(command: Callable[[float], Message], query: Message, report: type[Me
 
 def _hold(walker: Walker, role: str) -> None:  # noqa: ARG001 - a Prepare
     """A list of one waypoint, when somebody is in control who can set it."""
-    walker.client(PILOT).send(lists.upload(element(walker)), to=walker.component)
+    walker.client(CONTROLLER).send(lists.upload(element(walker)), to=walker.component)
     walker.look()
 
 
@@ -210,7 +211,7 @@ def _is_active(then: Aftermath) -> None:
 def _execution(make: Callable[..., Message], speed: Callable[[float], Any]) -> tuple[Stimulus, ...]:
     def under_way(walker: Walker, role: str) -> None:
         _hold(walker, role)
-        walker.client(PILOT).send(make(speed=speed(0.0), element_uid=lists.UID), to=walker.component)
+        walker.client(CONTROLLER).send(make(speed=speed(0.0), element_uid=lists.UID), to=walker.component)
 
     def start(variant: str, uid: int, *, exists: bool) -> Stimulus:
         return Stimulus(

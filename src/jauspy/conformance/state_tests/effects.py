@@ -6,11 +6,12 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Any, Final
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.conformance.checks import near, value_of
 from jauspy.conformance.results import Skipped
 from jauspy.conformance.state_tests.behaviour import Truth
-from jauspy.conformance.state_tests.explorer import OBSERVER, Aftermath, Prepare, Stimulus, Walker, nothing
+from jauspy.conformance.state_tests.explorer import Aftermath, Prepare, Stimulus, Walker, nothing
+from jauspy.conformance.tester import OBSERVER
 from jauspy.messages.manipulator import (
     QueryEndEffectorEffort,
     QueryToolOffset,

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from typing import Final
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.conformance import event_streams
 from jauspy.conformance.checks import has, that
 from jauspy.conformance.event_streams import ONE_HERTZ
 from jauspy.conformance.results import Outcome, Skipped
-from jauspy.conformance.state_tests.explorer import EARLIEST, LONGEST, OBSERVER, Aftermath, Stimulus, Walker
+from jauspy.conformance.state_tests.explorer import EARLIEST, LONGEST, Aftermath, Stimulus, Walker
+from jauspy.conformance.tester import OBSERVER
 from jauspy.messages.core import (
     AllEventsRec,
     CancelEvent,

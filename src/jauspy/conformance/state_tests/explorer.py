@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Final, TypeAlias
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.conformance.checks import Check
 from jauspy.conformance.results import Failed, Outcome, Silent, Skipped
 from jauspy.conformance.state_tests.behaviour import Judge, Prediction, Situation, Subject, Truth
-from jauspy.conformance.tester import Client, Tester
+from jauspy.conformance.tester import CLIENTS, CONTROLLER, EMERGENCY_CLIENT, OBSERVER, Client, Tester
 from jauspy.ids import JausID
 from jauspy.messages.core import (
     AllEventsRec,
@@ -35,15 +34,11 @@ from jauspy.messages.core import (
     Shutdown,
     Standby,
 )
-from jauspy.schema import guards
-
-PILOT, RIVAL, MEDIC, OBSERVER = "pilot", "rival", "medic", "observer"
-CLIENTS: Final[Mapping[str, str]] = {PILOT: "42.2.1", RIVAL: "42.2.2", MEDIC: "42.2.4", OBSERVER: "42.2.9"}
-"""Who controls, who does not, who sets emergencies, and who only looks."""
+from jauspy.schema import behavior
 
 STOP: Final = SetEmergency.EmergencyCode.STOP
 AUTHORITY: Final = 200
-"""Of the pilot, when the default authority of the component is less."""
+"""Authority of the controller, when the default authority of the component is less."""
 STATUS: Final[Mapping[str, ReportStatus.Status]] = {
     "Init": ReportStatus.Status.INITIALIZE,
     "Ready": ReportStatus.Status.READY,
@@ -56,14 +51,14 @@ STATUS: Final[Mapping[str, ReportStatus.Status]] = {
 MANAGEMENT, ACCESS_CONTROL = "urn:jaus:jss:core:Management", "urn:jaus:jss:core:AccessControl"
 
 STEERING: Final[tuple[tuple[str, str], ...]] = (
-    ("RequestControl", PILOT),
-    ("Resume", PILOT),
-    ("Standby", PILOT),
-    ("SetEmergency", MEDIC),
-    ("ClearEmergency", MEDIC),
-    ("ReleaseControl", PILOT),
-    ("Reset", PILOT),
-    ("Shutdown", PILOT),
+    ("RequestControl", CONTROLLER),
+    ("Resume", CONTROLLER),
+    ("Standby", CONTROLLER),
+    ("SetEmergency", EMERGENCY_CLIENT),
+    ("ClearEmergency", EMERGENCY_CLIENT),
+    ("ReleaseControl", CONTROLLER),
+    ("Reset", CONTROLLER),
+    ("Shutdown", CONTROLLER),
 )
 """The inputs that lead from state to state."""
 
@@ -99,7 +94,7 @@ class Walker:
 
     @property
     def authority(self) -> int:
-        """Of the pilot."""
+        """Authority of the controller."""
         return min(254, max(AUTHORITY, self.default_authority + 2))
 
     def client(self, role: str) -> Client:
@@ -115,8 +110,8 @@ class Walker:
             seen = self.look()
             if where != goal or not self.agrees(seen, goal):
                 seen = self._travel(path)
-            if goal.controller == PILOT and "Emergency" not in goal.state:
-                self.steer("RequestControl", PILOT)
+            if goal.controller == CONTROLLER and "Emergency" not in goal.state:
+                self.steer("RequestControl", CONTROLLER)
         except Outcome as outcome:
             if not path:
                 raise  # where the component begins it must at least say where it is
@@ -163,7 +158,7 @@ class Walker:
         made = self.steering(message)
         client = self.client(role)
         if isinstance(made, RequestControl):
-            with self._unnoticed():
+            with self.tester.unreported():
                 client.ask(made, ConfirmControl, to=self.component)
         else:
             client.send(made, to=self.component)
@@ -184,16 +179,8 @@ class Walker:
 
     def look(self) -> Seen:
         """Ask the component where it is; what it was told before, it has heard when it answers."""
-        with self._unnoticed():
+        with self.tester.unreported():
             return self._ask()
-
-    @contextmanager
-    def _unnoticed(self) -> Iterator[None]:
-        """What is asked meanwhile is no business of the report."""
-        tester = self.tester
-        notes = list(tester.why), list(tester.expected), list(tester.looked)
-        yield
-        tester.why, tester.expected, tester.looked = notes
 
     def _ask(self) -> Seen:
         observer = self.client(OBSERVER)
@@ -340,7 +327,7 @@ class Stimulus:
     def judge(self, role: str) -> Judge:
         """Decides predicates for this input from this sender."""
 
-        def decide(call: guards.Call, situation: Situation) -> Truth:
+        def decide(call: behavior.Call, situation: Situation) -> Truth:
             name = call.name.rpartition(".")[2]
             if name in SENDER:
                 return situation.controller == role

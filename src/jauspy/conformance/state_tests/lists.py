@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Final
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.conformance.checks import has, that
 from jauspy.conformance.results import Failed, Skipped
 from jauspy.conformance.state_tests.events import CREATE, UNKNOWN_ID
-from jauspy.conformance.state_tests.explorer import OBSERVER, PILOT, Aftermath, Stimulus, Walker
+from jauspy.conformance.state_tests.explorer import Aftermath, Stimulus, Walker
 from jauspy.conformance.state_tests.sample_messages import neutral
+from jauspy.conformance.tester import CONTROLLER, OBSERVER
 from jauspy.messages import registry
 from jauspy.messages.core import (
     ConfirmElementRequest,
@@ -73,7 +74,7 @@ def content(walker: Walker) -> Message:
 
 def clear(walker: Walker, role: str) -> None:
     """An empty list, as far as the sender may do that."""
-    if role == PILOT:
+    if role == CONTROLLER:
         for uid in (UID, ALL):
             walker.client(role).send(delete(uid), to=walker.component)
         walker.look()
@@ -82,7 +83,7 @@ def clear(walker: Walker, role: str) -> None:
 def find(walker: Walker, role: str) -> None:
     """An empty list, and content that it takes; those who are not in control send anything."""
     clear(walker, role)
-    if role == PILOT and _content_of(walker) not in walker.tester.memory:
+    if role == CONTROLLER and _content_of(walker) not in walker.tester.memory:
         taken = (each for each in map(_harmless, CANDIDATES) if _is_taken(walker, each))
         found = next(taken, None)
         if found is None:
@@ -98,7 +99,7 @@ def _harmless(name: str) -> Message:
 
 
 def _is_taken(walker: Walker, candidate: Message) -> bool:
-    client, answers = walker.client(PILOT), (ConfirmElementRequest.CODE, RejectElementRequest.CODE)
+    client, answers = walker.client(CONTROLLER), (ConfirmElementRequest.CODE, RejectElementRequest.CODE)
     client.pending.clear()
     client.send(upload(candidate), to=walker.component)
     end = walker.tester.now + walker.tester.timeout
@@ -115,16 +116,16 @@ def hold(walker: Walker, role: str) -> None:
 
 def _left_behind(walker: Walker, role: str) -> None:  # noqa: ARG001 - a Prepare
     """By a client that has gone since; whether it stays, the component decides."""
-    walker.steer("RequestControl", PILOT)
-    hold(walker, PILOT)
-    walker.steer("ReleaseControl", PILOT)
+    walker.steer("RequestControl", CONTROLLER)
+    hold(walker, CONTROLLER)
+    walker.steer("ReleaseControl", CONTROLLER)
     walker.look()
 
 
 def _removed(walker: Walker, role: str) -> None:  # noqa: ARG001 - a Prepare
-    walker.steer("RequestControl", PILOT)
-    clear(walker, PILOT)
-    walker.steer("ReleaseControl", PILOT)
+    walker.steer("RequestControl", CONTROLLER)
+    clear(walker, CONTROLLER)
+    walker.steer("ReleaseControl", CONTROLLER)
     walker.look()
 
 
@@ -139,7 +140,7 @@ def _leaves(*uids: int) -> Callable[[Aftermath], None]:
 
     def verify(then: Aftermath) -> None:
         walker = then.walker
-        observer, mine = walker.client(OBSERVER), then.role == PILOT
+        observer, mine = walker.client(OBSERVER), then.role == CONTROLLER
         if not mine:
             unchanged = has(element_count=walker.tester.memory[COUNT])
             observer.ask(QueryElementCount(), ReportElementCount, unchanged, to=walker.component)

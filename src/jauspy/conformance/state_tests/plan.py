@@ -8,11 +8,12 @@ from dataclasses import dataclass, replace
 from itertools import groupby
 from typing import Final, TypeAlias
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.conformance.checks import has
 from jauspy.conformance.offers import ALL_SERVICES, Offers, ServiceKey
 from jauspy.conformance.profile import Profile, Step
 from jauspy.conformance.results import Skipped
+from jauspy.conformance.state_tables import table_steps
 from jauspy.conformance.state_tests import sample_messages
 from jauspy.conformance.state_tests.access_control import ACCESS, SILENT_CLIENT
 from jauspy.conformance.state_tests.arms import ARMS
@@ -20,28 +21,17 @@ from jauspy.conformance.state_tests.behaviour import Machine, Prediction, Rule, 
 from jauspy.conformance.state_tests.driving import DRIVING
 from jauspy.conformance.state_tests.effects import EFFECTS
 from jauspy.conformance.state_tests.events import COMMANDS, DUE, EVENTS, EXPIRED, NOT_RENEWED
-from jauspy.conformance.state_tests.explorer import (
-    CLIENTS,
-    MEDIC,
-    OBSERVER,
-    PILOT,
-    RIVAL,
-    SENDER,
-    SETTER,
-    STEERING,
-    STOP,
-    Stimulus,
-)
+from jauspy.conformance.state_tests.explorer import SENDER, SETTER, STEERING, STOP, Stimulus
 from jauspy.conformance.state_tests.lists import LISTS
 from jauspy.conformance.state_tests.sample_messages import neutral, presence_fields
 from jauspy.conformance.state_tests.sensors import PICTURES, SENSORS
 from jauspy.conformance.state_tests.settings import CLOCKS, MIRRORS
 from jauspy.conformance.state_tests.state_test import Trial
-from jauspy.conformance.tester import Tester
+from jauspy.conformance.tester import CLIENTS, CONTROLLER, EMERGENCY_CLIENT, OBSERVER, OTHER_CLIENT, Tester
 from jauspy.errors import ConfigError
 from jauspy.messages import registry
 from jauspy.messages.core import ClearEmergency, QueryConfiguration, QueryIdentification, SetEmergency
-from jauspy.schema import guards
+from jauspy.schema import behavior
 
 
 def untried(
@@ -179,8 +169,9 @@ SPONTANEOUS: Final[tuple[Stimulus, ...]] = (SILENT_CLIENT, NOT_RENEWED, DUE, EXP
 
 STANDARD: Final = "urn:jaus:jss:"
 ROLES: Final = (
-    f"{PILOT} is {CLIENTS[PILOT]}, who takes control; {RIVAL} {CLIENTS[RIVAL]}, who does not have it; "
-    f"{MEDIC} {CLIENTS[MEDIC]}, who sets emergencies; {OBSERVER} {CLIENTS[OBSERVER]}, who only asks"
+    f"the controller is {CLIENTS[CONTROLLER]}, which takes control; the other client {CLIENTS[OTHER_CLIENT]}, which "
+    f"does not have it; the emergency client {CLIENTS[EMERGENCY_CLIENT]}, which sets emergencies; and the observer "
+    f"{CLIENTS[OBSERVER]}, which only sends queries"
 )
 PREFIX: Final = ("Receiving", "Ready")
 """What every state is inside of; left out of names."""
@@ -202,7 +193,10 @@ def profile_of(name: str, title: str, set_name: str, version: str) -> Profile:
         return [
             replace(step, id=f"{id}/{step.id}") if prefix else step
             for id, services in found.items()
-            for step in Planner(subject_of(id, offers.components[id]), services).steps()
+            for step in (
+                *table_steps(id, offers.components[id], services),
+                *Planner(subject_of(id, offers.components[id]), services).steps(),
+            )
         ]
 
     return Profile(name, title, steps, (ROLES,))
@@ -266,18 +260,18 @@ class Planner:
     def _roles(self, stimulus: Stimulus, situation: Situation) -> tuple[str, ...]:
         """The senders that the guards distinguish."""
         if stimulus.by_controller:
-            return (PILOT,)
+            return (CONTROLLER,)
         if stimulus.make is None:
-            return (RIVAL,)
+            return (OTHER_CLIENT,)
         asked = {
             call.name.rpartition(".")[2]
             for rule in self.subject.machine.rules
             if rule.trigger == stimulus.message and rule.transition.guard.strip()
-            for call in guards.calls(guards.parse(rule.transition.guard))
+            for call in behavior.calls(behavior.parse(rule.transition.guard))
         }
         if asked & SETTER:
-            return (MEDIC, PILOT)
-        return (PILOT, RIVAL) if asked & SENDER and situation.controller else (RIVAL,)
+            return (EMERGENCY_CLIENT, CONTROLLER)
+        return (CONTROLLER, OTHER_CLIENT) if asked & SENDER and situation.controller else (OTHER_CLIENT,)
 
 
 def _step(trial: Trial) -> Step:

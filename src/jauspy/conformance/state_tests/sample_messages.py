@@ -7,27 +7,13 @@ import struct
 from collections.abc import Iterable, Iterator
 from typing import Final
 
-from jauspy.codec.base import Message, Struct
-from jauspy.codec.items import (
-    Bits,
-    Blob,
-    Choice,
-    Composite,
-    Count,
-    Formatted,
-    Grid,
-    Item,
-    Number,
-    Real,
-    Repeat,
-    Text,
-    Union,
-    Values,
-)
-from jauspy.codec.layout import Slot
+from jauspy.codec.items import Bits, Blob, Choice, Count, Formatted, Item, Number, Real, Text, Values
+from jauspy.codec.layout import Composite, Grid, Repeat, Slot, Union
+from jauspy.codec.message import Message, Struct
 from jauspy.codec.wire import FLOATS, limits
 from jauspy.conformance.checks import Check
-from jauspy.conformance.state_tests.explorer import OBSERVER, Aftermath, Stimulus
+from jauspy.conformance.state_tests.explorer import Aftermath, Stimulus
+from jauspy.conformance.tester import OBSERVER
 
 PRESENCE: Final = "presence_vector"
 

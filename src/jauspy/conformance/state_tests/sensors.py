@@ -6,11 +6,12 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Any, Final
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.conformance.checks import Check, has, that
 from jauspy.conformance.results import Skipped
 from jauspy.conformance.state_tests.events import CREATE
-from jauspy.conformance.state_tests.explorer import OBSERVER, Aftermath, Stimulus, Walker
+from jauspy.conformance.state_tests.explorer import Aftermath, Stimulus, Walker
+from jauspy.conformance.tester import OBSERVER
 from jauspy.messages.environment_sensing.v1_0.types import SensorIdRec
 from jauspy.messages.environment_sensing.v2_0.digital_video import (
     QueryDigitalVideoSensorConfiguration as QueryVideo,

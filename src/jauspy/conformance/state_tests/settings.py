@@ -7,11 +7,12 @@ from dataclasses import dataclass
 from datetime import datetime, timedelta
 from typing import Any, Final
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.conformance.checks import Check
 from jauspy.conformance.results import Failed, Outcome, Skipped
-from jauspy.conformance.state_tests.explorer import OBSERVER, Aftermath, Stimulus, Walker
+from jauspy.conformance.state_tests.explorer import Aftermath, Stimulus, Walker
 from jauspy.conformance.state_tests.sample_messages import neutral
+from jauspy.conformance.tester import OBSERVER
 from jauspy.messages.core import QueryTime, ReportTime, SetTime
 from jauspy.messages.manipulator import (
     QueryJointMotionProfile,
@@ -22,7 +23,7 @@ from jauspy.messages.manipulator import (
     SetPanTiltMotionProfile,
 )
 from jauspy.messages.mobility import QueryAccelerationLimit, ReportAccelerationLimit, SetAccelerationLimit
-from jauspy.services.stamps import date_stamp, time_stamp
+from jauspy.services.units import date_stamp, time_stamp
 
 TOLD: Final = "limits before"
 

@@ -6,12 +6,12 @@ from collections import Counter
 from dataclasses import dataclass
 from functools import cached_property
 
-from jauspy.codec.base import Message
+from jauspy.codec.message import Message
 from jauspy.conformance.checks import Check, has
 from jauspy.conformance.results import Late, Malformed, Silent
 from jauspy.conformance.state_tests.behaviour import Output, Prediction, Situation, Subject
-from jauspy.conformance.state_tests.explorer import CLIENTS, STATUS, Aftermath, Seen, Stimulus, Walker, walker_of
-from jauspy.conformance.tester import EVENTS, Tester
+from jauspy.conformance.state_tests.explorer import STATUS, Aftermath, Seen, Stimulus, Walker, walker_of
+from jauspy.conformance.tester import CLIENTS, EVENTS, Tester
 from jauspy.conformance.trace import Heard, named
 from jauspy.errors import DecodeError
 

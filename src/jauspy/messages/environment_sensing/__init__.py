@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from jauspy.codec.lazy import exports, load
+from jauspy.codec.registry import lazy
 
 if TYPE_CHECKING:
     from jauspy.messages.environment_sensing.v1_0.digital_video import (
@@ -12,8 +12,7 @@ if TYPE_CHECKING:
         ReportDigitalVideoSensorCapabilities as ReportDigitalVideoSensorCapabilities,
     )
     from jauspy.messages.environment_sensing.v1_0.still_image import (
-        QueryStillImageData as QueryStillImageData,
-        ReportStillImageData as ReportStillImageData,
+        QueryStillImageData as QueryStillImageData, ReportStillImageData as ReportStillImageData,
     )
     from jauspy.messages.environment_sensing.v1_0.types import (
         AnalogVideoSensorErrorRec as AnalogVideoSensorErrorRec,
@@ -21,34 +20,21 @@ if TYPE_CHECKING:
         DigitalAudioOutputErrorRec as DigitalAudioOutputErrorRec,
         DigitalAudioSensorErrorRec as DigitalAudioSensorErrorRec,
         DigitalVideoSensorErrorRec as DigitalVideoSensorErrorRec,
-        DigitalVideoSensorErrorRecV1 as DigitalVideoSensorErrorRecV1,
-        ExposureModes as ExposureModes,
-        FocusModes as FocusModes,
-        H264VideoEncodingErrorRec as H264VideoEncodingErrorRec,
-        JAUS_ID as JAUS_ID,
+        DigitalVideoSensorErrorRecV1 as DigitalVideoSensorErrorRecV1, ExposureModes as ExposureModes,
+        FocusModes as FocusModes, H264VideoEncodingErrorRec as H264VideoEncodingErrorRec, JAUS_ID as JAUS_ID,
         LightSensitivityLevels as LightSensitivityLevels,
-        ManipulatorGeometricPropertiesRec as ManipulatorGeometricPropertiesRec,
-        MeteringModes as MeteringModes,
-        RangeSensorErrorRec as RangeSensorErrorRec,
-        RangeSensorErrorRecV1 as RangeSensorErrorRecV1,
-        SensorIDQueryRec as SensorIDQueryRec,
-        SensorIdRec as SensorIdRec,
+        ManipulatorGeometricPropertiesRec as ManipulatorGeometricPropertiesRec, MeteringModes as MeteringModes,
+        RangeSensorErrorRec as RangeSensorErrorRec, RangeSensorErrorRecV1 as RangeSensorErrorRecV1,
+        SensorIDQueryRec as SensorIDQueryRec, SensorIdRec as SensorIdRec,
         StaticGeometricPropertiesRec as StaticGeometricPropertiesRec,
         StillImageSensorErrorRec as StillImageSensorErrorRec,
-        StillImageSensorErrorRecV1 as StillImageSensorErrorRecV1,
-        SupportedAnalogFormats as SupportedAnalogFormats,
-        SupportedAudioFormats as SupportedAudioFormats,
-        SupportedBitDepths as SupportedBitDepths,
-        SupportedCompression as SupportedCompression,
-        SupportedDigitalFormats as SupportedDigitalFormats,
-        SupportedFrameSizes as SupportedFrameSizes,
-        SupportedImageFormats as SupportedImageFormats,
-        SupportedStates as SupportedStates,
-        SupportedWhiteBalance as SupportedWhiteBalance,
-        VideoIlluminatorErrorRec as VideoIlluminatorErrorRec,
-        VisualSensorErrorRec as VisualSensorErrorRec,
-        VisualSensorErrorRecV1 as VisualSensorErrorRecV1,
-        ZoomModes as ZoomModes,
+        StillImageSensorErrorRecV1 as StillImageSensorErrorRecV1, SupportedAnalogFormats as SupportedAnalogFormats,
+        SupportedAudioFormats as SupportedAudioFormats, SupportedBitDepths as SupportedBitDepths,
+        SupportedCompression as SupportedCompression, SupportedDigitalFormats as SupportedDigitalFormats,
+        SupportedFrameSizes as SupportedFrameSizes, SupportedImageFormats as SupportedImageFormats,
+        SupportedStates as SupportedStates, SupportedWhiteBalance as SupportedWhiteBalance,
+        VideoIlluminatorErrorRec as VideoIlluminatorErrorRec, VisualSensorErrorRec as VisualSensorErrorRec,
+        VisualSensorErrorRecV1 as VisualSensorErrorRecV1, ZoomModes as ZoomModes,
     )
     from jauspy.messages.environment_sensing.v2_0.analog_video import (
         QueryAnalogVideoSensorCapabilities as QueryAnalogVideoSensorCapabilities,
@@ -91,10 +77,8 @@ if TYPE_CHECKING:
         SetDigitalVideoSensorConfiguration as SetDigitalVideoSensorConfiguration,
     )
     from jauspy.messages.environment_sensing.v2_0.force_torque_sensor import (
-        QueryForceTorque as QueryForceTorque,
-        QueryForceTorqueCapabilities as QueryForceTorqueCapabilities,
-        ReportForceTorque as ReportForceTorque,
-        ReportForceTorqueCapabilities as ReportForceTorqueCapabilities,
+        QueryForceTorque as QueryForceTorque, QueryForceTorqueCapabilities as QueryForceTorqueCapabilities,
+        ReportForceTorque as ReportForceTorque, ReportForceTorqueCapabilities as ReportForceTorqueCapabilities,
     )
     from jauspy.messages.environment_sensing.v2_0.h264_video_encoding import (
         QueryH264VideoEncodingCapabilities as QueryH264VideoEncodingCapabilities,
@@ -104,10 +88,8 @@ if TYPE_CHECKING:
         SetH264VideoEncodingConfiguration as SetH264VideoEncodingConfiguration,
     )
     from jauspy.messages.environment_sensing.v2_0.port_mapper import (
-        CancelPortMapping as CancelPortMapping,
-        GrantPortMapping as GrantPortMapping,
-        QueryPortMappings as QueryPortMappings,
-        ReportPortMappings as ReportPortMappings,
+        CancelPortMapping as CancelPortMapping, GrantPortMapping as GrantPortMapping,
+        QueryPortMappings as QueryPortMappings, ReportPortMappings as ReportPortMappings,
         RequestPortMapping as RequestPortMapping,
     )
     from jauspy.messages.environment_sensing.v2_0.range_sensor import (
@@ -149,7 +131,7 @@ if TYPE_CHECKING:
         SetVisualSensorConfiguration as SetVisualSensorConfiguration,
     )
 
-_MODULES = exports({
+__all__, __getattr__, __dir__ = lazy(__name__, {
     "jauspy.messages.environment_sensing.v1_0.digital_video": "QueryDigitalVideoSensorCapabilities ReportDigitalVideoSensorCapabilities",
     "jauspy.messages.environment_sensing.v1_0.still_image": "QueryStillImageData ReportStillImageData",
     "jauspy.messages.environment_sensing.v1_0.types": "AnalogVideoSensorErrorRec AnalogVideoSensorErrorRecV1 DigitalAudioOutputErrorRec DigitalAudioSensorErrorRec DigitalVideoSensorErrorRec DigitalVideoSensorErrorRecV1 ExposureModes FocusModes H264VideoEncodingErrorRec JAUS_ID LightSensitivityLevels ManipulatorGeometricPropertiesRec MeteringModes RangeSensorErrorRec RangeSensorErrorRecV1 SensorIDQueryRec SensorIdRec StaticGeometricPropertiesRec StillImageSensorErrorRec StillImageSensorErrorRecV1 SupportedAnalogFormats SupportedAudioFormats SupportedBitDepths SupportedCompression SupportedDigitalFormats SupportedFrameSizes SupportedImageFormats SupportedStates SupportedWhiteBalance VideoIlluminatorErrorRec VisualSensorErrorRec VisualSensorErrorRecV1 ZoomModes",
@@ -166,14 +148,3 @@ _MODULES = exports({
     "jauspy.messages.environment_sensing.v2_0.video_illuminator": "QueryVideoIlluminatorCapabilities QueryVideoIlluminatorConfiguration ReportVideoIlluminatorCapabilities ReportVideoIlluminatorConfiguration SetVideoIlluminatorConfiguration",
     "jauspy.messages.environment_sensing.v2_0.visual_sensor": "QueryVisualSensorCapabilities QueryVisualSensorCapabilitiesExt QueryVisualSensorConfiguration ReportVisualSensorCapabilities ReportVisualSensorCapabilitiesExt ReportVisualSensorConfiguration SetVisualSensorConfiguration",
 })
-
-__all__ = sorted(_MODULES)
-
-
-def __getattr__(name: str) -> object:
-    globals()[name] = value = load(name, _MODULES, __name__)
-    return value
-
-
-def __dir__() -> list[str]:
-    return sorted({*globals(), *_MODULES})

@@ -4,40 +4,20 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from jauspy.codec.lazy import exports, load
+from jauspy.codec.registry import lazy
 
 if TYPE_CHECKING:
     from jauspy.messages.mission_spooler.v1_0.mission_spooler import (
-        AbortMission as AbortMission,
-        InsertMessages as InsertMessages,
-        InsertMissionTask as InsertMissionTask,
-        PauseMission as PauseMission,
-        QueryMissionPlan as QueryMissionPlan,
-        QueryMissionStatus as QueryMissionStatus,
-        QuerySpoolingPreferences as QuerySpoolingPreferences,
-        QueryStoredMissions as QueryStoredMissions,
-        RemoveMessages as RemoveMessages,
-        RemoveMissionTask as RemoveMissionTask,
-        ReportMissionPlan as ReportMissionPlan,
-        ReportMissionStatus as ReportMissionStatus,
-        ReportSpoolingPreferences as ReportSpoolingPreferences,
-        ReportStoredMissions as ReportStoredMissions,
-        ResumeMission as ResumeMission,
-        RunMission as RunMission,
+        AbortMission as AbortMission, InsertMessages as InsertMessages, InsertMissionTask as InsertMissionTask,
+        PauseMission as PauseMission, QueryMissionPlan as QueryMissionPlan,
+        QueryMissionStatus as QueryMissionStatus, QuerySpoolingPreferences as QuerySpoolingPreferences,
+        QueryStoredMissions as QueryStoredMissions, RemoveMessages as RemoveMessages,
+        RemoveMissionTask as RemoveMissionTask, ReportMissionPlan as ReportMissionPlan,
+        ReportMissionStatus as ReportMissionStatus, ReportSpoolingPreferences as ReportSpoolingPreferences,
+        ReportStoredMissions as ReportStoredMissions, ResumeMission as ResumeMission, RunMission as RunMission,
         SpoolMission as SpoolMission,
     )
 
-_MODULES = exports({
+__all__, __getattr__, __dir__ = lazy(__name__, {
     "jauspy.messages.mission_spooler.v1_0.mission_spooler": "AbortMission InsertMessages InsertMissionTask PauseMission QueryMissionPlan QueryMissionStatus QuerySpoolingPreferences QueryStoredMissions RemoveMessages RemoveMissionTask ReportMissionPlan ReportMissionStatus ReportSpoolingPreferences ReportStoredMissions ResumeMission RunMission SpoolMission",
 })
-
-__all__ = sorted(_MODULES)
-
-
-def __getattr__(name: str) -> object:
-    globals()[name] = value = load(name, _MODULES, __name__)
-    return value
-
-
-def __dir__() -> list[str]:
-    return sorted({*globals(), *_MODULES})

@@ -7,7 +7,7 @@ from typing import Final, TypeAlias
 
 from jauspy.messages.environment_sensing.v2_0.still_image import ReportStillImageDataExt
 from jauspy.platform.stills import Still
-from jauspy.services.later import Later
+from jauspy.services.deferred import Deferred
 
 Record: TypeAlias = ReportStillImageDataExt.StillImageDataRec
 
@@ -18,7 +18,7 @@ class Album:
     """Fulfils `answer` when nothing is missing; a camera without a picture is reported without one."""
 
     def __init__(
-        self, sensors: Iterable[int], answer: Callable[[Callable[[], ReportStillImageDataExt]], Later]
+        self, sensors: Iterable[int], answer: Callable[[Callable[[], ReportStillImageDataExt]], Deferred]
     ) -> None:
         self._records = {sensor: Record(sensor, NATIVE) for sensor in sensors}
         self._missing = set(self._records)
@@ -38,4 +38,4 @@ class Album:
 
     def _look(self) -> None:
         if not self._missing:
-            self.answer.fulfil(self.report())
+            self.answer.set_result(self.report())

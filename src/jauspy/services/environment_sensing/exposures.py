@@ -8,7 +8,6 @@ from typing import TypeAlias
 
 from jauspy.errors import ConfigError
 from jauspy.platform.stills import Still, StillSettings
-from jauspy.services.drops import Count
 from jauspy.services.environment_sensing.video_camera import Cameras
 
 Then: TypeAlias = Callable[[Still | None], None]
@@ -17,7 +16,7 @@ Then: TypeAlias = Callable[[Still | None], None]
 class Exposures:
     """Has the cameras take pictures. Those that come to nothing are counted: `still_refused`, `still_lost`."""
 
-    def __init__(self, cameras: Cameras, count: Count) -> None:
+    def __init__(self, cameras: Cameras, count: Callable[[str, str], None]) -> None:
         self._cameras, self._count = cameras, count
         self._waiting: dict[tuple[int, StillSettings], list[Then]] = {}
 

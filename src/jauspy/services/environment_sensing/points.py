@@ -13,7 +13,7 @@ from jauspy.geometry.poses import Transform
 from jauspy.messages.core import TimeStamp
 from jauspy.messages.environment_sensing.v2_0.range_sensor import QueryRangeSensorCompressedData, ReportRangeSensorData
 from jauspy.platform.ranging import RangeFinder, RangeScan
-from jauspy.services.presence import masked
+from jauspy.services.messaging import requested_fields
 
 Point = ReportRangeSensorData.RangeSensorDataPointRec
 
@@ -41,7 +41,7 @@ def points(scan: RangeScan, lidar: RangeFinder, asked: int, frame: Transform | N
     tells_validity = bool(asked & VALIDITY_BIT)
     rays = enumerate(zip(scan.angles, scan.ranges, strict=True))
     found = [(number, ray) for number, ray in rays if tells_validity or math.isfinite(ray[1])]
-    return [masked(_point(number, ray, lidar, frame), asked) for number, ray in found]
+    return [requested_fields(_point(number, ray, lidar, frame), asked) for number, ray in found]
 
 
 def _point(number: int, ray: tuple[float, float], lidar: RangeFinder, frame: Transform | None) -> Point:

@@ -29,7 +29,7 @@ from jauspy.services.environment_sensing.points import COMPRESS, Point, data_rec
 from jauspy.services.environment_sensing.range_settings import Code, State, Wanted, refusal, settings
 from jauspy.services.environment_sensing.wanted import chosen
 from jauspy.services.service import Service
-from jauspy.services.stamps import time_stamp
+from jauspy.services.units import time_stamp
 
 _Compressed = ReportRangeSensorCompressedData
 _Error = ReportRangeSensorData.DataErrorCode

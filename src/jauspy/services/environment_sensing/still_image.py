@@ -23,14 +23,14 @@ from jauspy.messages.environment_sensing.v2_0.still_image import (
 )
 from jauspy.messages.environment_sensing.v2_0.visual_sensor import ConfirmSensorConfiguration
 from jauspy.platform.stills import Still, StillFormat, StillSettings
+from jauspy.services.deferred import Deferred
 from jauspy.services.environment_sensing.album import NATIVE, Album, Record
 from jauspy.services.environment_sensing.exposures import Exposures
 from jauspy.services.environment_sensing.frame_sizes import OFFERED, number_of, offered
 from jauspy.services.environment_sensing.video_camera import Cameras
 from jauspy.services.environment_sensing.wanted import chosen
-from jauspy.services.later import Later
 from jauspy.services.service import Service
-from jauspy.services.stamps import time_stamp
+from jauspy.services.units import time_stamp
 
 _Capabilities = ReportStillImageSensorCapabilities.StillImageSensorCapabilitiesRec
 _Configuration = ReportStillImageSensorConfiguration.StillImageSensorConfigurationRec
@@ -57,7 +57,7 @@ class StillImage(Service, urn="urn:jaus:jss:environmentSensing:StillImage"):
         self._settings = {
             sensor: StillSettings(stream.width, stream.height, StillFormat.JPEG) for sensor, stream in streams.items()
         }
-        self._answer: Later | None = None
+        self._answer: Deferred | None = None
 
     def attached(self) -> None:
         """Pictures that come to nothing are counted by the component."""
@@ -72,14 +72,14 @@ class StillImage(Service, urn="urn:jaus:jss:environmentSensing:StillImage"):
     def capture_still_image(self, msg: QueryStillImageDataExt) -> None:
         """Take a picture with each camera that is asked for."""
         wanted = chosen(msg.query_still_image_data_list, self._cameras, known_only=True)
-        album = Album([sensor for sensor, _ in wanted], self.host.later)
+        album = Album([sensor for sensor, _ in wanted], self.host.defer)
         for sensor, _ in wanted:
             settings = self._settings[sensor]
             develop = partial(self._developed, sensor, settings.format)
             self._exposures.take(sensor, settings, partial(album.add, sensor, develop))
         self._answer = album.answer
 
-    def send_report_still_image_data_ext_in_native_coordinate_system(self) -> Later | None:
+    def send_report_still_image_data_ext_in_native_coordinate_system(self) -> Deferred | None:
         """The pictures that were just asked for, when all are there."""
         answer, self._answer = self._answer, None
         return answer

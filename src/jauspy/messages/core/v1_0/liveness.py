@@ -2,26 +2,14 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
-
+from jauspy.codec import declare as jd
 from jauspy.messages.core.v1_0 import liveliness as core_v1_0_liveliness
 
+_SERVICE = jd.Service("urn:jaus:jss:core:Liveness", "1.0")
 
+@jd.derived(_SERVICE)
+class ReportHeartbeatPulse(core_v1_0_liveliness.ReportHeartbeatPulse): ...
+
+@jd.derived(_SERVICE)
 class QueryHeartbeatPulse(core_v1_0_liveliness.QueryHeartbeatPulse):
-    """QueryHeartbeatPulse (0x2202): Asks for a sign of life."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:core:Liveness"
-    VERSION = "1.0"
-    REPORT: ClassVar[type[ReportHeartbeatPulse]]
-
-
-class ReportHeartbeatPulse(core_v1_0_liveliness.ReportHeartbeatPulse):
-    """ReportHeartbeatPulse (0x4202): The sign of life."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:core:Liveness"
-    VERSION = "1.0"
-
-
-QueryHeartbeatPulse.REPORT = ReportHeartbeatPulse
+    REPORT = ReportHeartbeatPulse

@@ -2,109 +2,46 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
-
+from jauspy.codec import declare as jd
 from jauspy.messages.core.v1_0 import events as core_v1_0_events
 from jauspy.messages.core.v1_1 import events as core_v1_1_events
 
+_SERVICE = jd.Service("urn:jaus:jss:core:EventsClient", "1.1")
 
-class ConfirmEventRequest(core_v1_0_events.ConfirmEventRequest):
-    """ConfirmEventRequest (0x01F3): Answers a request about an event that has been carried out."""
+@jd.derived(_SERVICE)
+class ConfirmEventRequest(core_v1_0_events.ConfirmEventRequest): ...
 
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:core:EventsClient"
-    VERSION = "1.1"
+@jd.derived(_SERVICE)
+class RejectEventRequest(core_v1_0_events.RejectEventRequest): ...
 
+@jd.derived(_SERVICE)
+class ReportEvents(core_v1_1_events.ReportEvents): ...
 
-class RejectEventRequest(core_v1_0_events.RejectEventRequest):
-    """RejectEventRequest (0x01F4): Answers a request about an event that has been refused, and why."""
+@jd.derived(_SERVICE)
+class Event(core_v1_1_events.Event): ...
 
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:core:EventsClient"
-    VERSION = "1.1"
+@jd.derived(_SERVICE)
+class CommandEvent(core_v1_1_events.CommandEvent): ...
 
+@jd.derived(_SERVICE)
+class ReportEventTimeout(core_v1_1_events.ReportEventTimeout): ...
 
-class ReportEvents(core_v1_1_events.ReportEvents):
-    """ReportEvents (0x41F0): Lists events of the component."""
+@jd.derived(_SERVICE)
+class CreateEvent(core_v1_1_events.CreateEvent): ...
 
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:core:EventsClient"
-    VERSION = "1.1"
+@jd.derived(_SERVICE)
+class CreateCommandEvent(core_v1_1_events.CreateCommandEvent): ...
 
+@jd.derived(_SERVICE)
+class UpdateEvent(core_v1_1_events.UpdateEvent): ...
 
-class Event(core_v1_1_events.Event):
-    """Event (0x41F1): Carries one report to a subscriber."""
+@jd.derived(_SERVICE)
+class CancelEvent(core_v1_0_events.CancelEvent): ...
 
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:core:EventsClient"
-    VERSION = "1.1"
-
-
-class CommandEvent(core_v1_1_events.CommandEvent):
-    """CommandEvent (0x41F6): Tells how a command has ended."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:core:EventsClient"
-    VERSION = "1.1"
-
-
-class ReportEventTimeout(core_v1_1_events.ReportEventTimeout):
-    """ReportEventTimeout (0x41F2): Tells after how long events end unless they are renewed."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:core:EventsClient"
-    VERSION = "1.1"
-
-
-class CreateEvent(core_v1_1_events.CreateEvent):
-    """CreateEvent (0x01F0): Subscribes to the report that answers a query."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:core:EventsClient"
-    VERSION = "1.1"
-
-
-class CreateCommandEvent(core_v1_1_events.CreateCommandEvent):
-    """CreateCommandEvent (0x01F6): Sends a command whose completion the client wants to be told."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:core:EventsClient"
-    VERSION = "1.1"
-
-
-class UpdateEvent(core_v1_1_events.UpdateEvent):
-    """UpdateEvent (0x01F1): Changes type, rate or query of an existing event, or renews it."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:core:EventsClient"
-    VERSION = "1.1"
-
-
-class CancelEvent(core_v1_0_events.CancelEvent):
-    """CancelEvent (0x01F2): Ends an event."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:core:EventsClient"
-    VERSION = "1.1"
-
-
+@jd.derived(_SERVICE)
 class QueryEvents(core_v1_1_events.QueryEvents):
-    """QueryEvents (0x21F0): Asks for the events of the component, selected by message, type or identifier."""
+    REPORT = ReportEvents
 
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:core:EventsClient"
-    VERSION = "1.1"
-    REPORT: ClassVar[type[ReportEvents]]
-
-
+@jd.derived(_SERVICE)
 class QueryEventTimeout(core_v1_1_events.QueryEventTimeout):
-    """QueryEventTimeout (0x21F2): Asks after how long events end unless they are renewed."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:core:EventsClient"
-    VERSION = "1.1"
-    REPORT: ClassVar[type[ReportEventTimeout]]
-
-
-QueryEvents.REPORT = ReportEvents
-QueryEventTimeout.REPORT = ReportEventTimeout
+    REPORT = ReportEventTimeout

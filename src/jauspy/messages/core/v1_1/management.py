@@ -2,74 +2,32 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
-
+from jauspy.codec import declare as jd
 from jauspy.messages.core.v1_0 import management as core_v1_0_management
 
+_SERVICE = jd.Service("urn:jaus:jss:core:Management", "1.1")
 
-class Shutdown(core_v1_0_management.Shutdown):
-    """Shutdown (0x0002): Makes the component release its resources and stop."""
+@jd.derived(_SERVICE)
+class Shutdown(core_v1_0_management.Shutdown): ...
 
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:core:Management"
-    VERSION = "1.1"
+@jd.derived(_SERVICE)
+class Standby(core_v1_0_management.Standby): ...
 
+@jd.derived(_SERVICE)
+class Resume(core_v1_0_management.Resume): ...
 
-class Standby(core_v1_0_management.Standby):
-    """Standby (0x0003): Moves the component from Ready to Standby."""
+@jd.derived(_SERVICE)
+class Reset(core_v1_0_management.Reset): ...
 
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:core:Management"
-    VERSION = "1.1"
+@jd.derived(_SERVICE)
+class SetEmergency(core_v1_0_management.SetEmergency): ...
 
+@jd.derived(_SERVICE)
+class ClearEmergency(core_v1_0_management.ClearEmergency): ...
 
-class Resume(core_v1_0_management.Resume):
-    """Resume (0x0004): Moves the component from Standby to Ready."""
+@jd.derived(_SERVICE)
+class ReportStatus(core_v1_0_management.ReportStatus): ...
 
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:core:Management"
-    VERSION = "1.1"
-
-
-class Reset(core_v1_0_management.Reset):
-    """Reset (0x0005): Makes the component initialise again."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:core:Management"
-    VERSION = "1.1"
-
-
-class SetEmergency(core_v1_0_management.SetEmergency):
-    """SetEmergency (0x0006): Puts the component into the Emergency state; needs no control."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:core:Management"
-    VERSION = "1.1"
-
-
-class ClearEmergency(core_v1_0_management.ClearEmergency):
-    """ClearEmergency (0x0007): Ends the emergency that the same client has set."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:core:Management"
-    VERSION = "1.1"
-
-
+@jd.derived(_SERVICE)
 class QueryStatus(core_v1_0_management.QueryStatus):
-    """QueryStatus (0x2002): Asks for the state of the component."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:core:Management"
-    VERSION = "1.1"
-    REPORT: ClassVar[type[ReportStatus]]
-
-
-class ReportStatus(core_v1_0_management.ReportStatus):
-    """ReportStatus (0x4002): Tells the state of the component."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:core:Management"
-    VERSION = "1.1"
-
-
-QueryStatus.REPORT = ReportStatus
+    REPORT = ReportStatus

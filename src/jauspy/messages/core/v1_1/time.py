@@ -2,34 +2,17 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
-
+from jauspy.codec import declare as jd
 from jauspy.messages.core.v1_0 import time as core_v1_0_time
 
+_SERVICE = jd.Service("urn:jaus:jss:core:Time", "1.1")
 
-class SetTime(core_v1_0_time.SetTime):
-    """SetTime (0x0011): Sets time, date or both."""
+@jd.derived(_SERVICE)
+class SetTime(core_v1_0_time.SetTime): ...
 
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:core:Time"
-    VERSION = "1.1"
+@jd.derived(_SERVICE)
+class ReportTime(core_v1_0_time.ReportTime): ...
 
-
+@jd.derived(_SERVICE)
 class QueryTime(core_v1_0_time.QueryTime):
-    """QueryTime (0x2011): Asks for time, date or both."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:core:Time"
-    VERSION = "1.1"
-    REPORT: ClassVar[type[ReportTime]]
-
-
-class ReportTime(core_v1_0_time.ReportTime):
-    """ReportTime (0x4011): Tells time, date or both."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:core:Time"
-    VERSION = "1.1"
-
-
-QueryTime.REPORT = ReportTime
+    REPORT = ReportTime

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from jauspy.codec.lazy import exports, load
+from jauspy.codec.registry import lazy
 
 if TYPE_CHECKING:
     from jauspy.messages.environment_sensing.v2_0.analog_video import (
@@ -48,10 +48,8 @@ if TYPE_CHECKING:
         SetDigitalVideoSensorConfiguration as SetDigitalVideoSensorConfiguration,
     )
     from jauspy.messages.environment_sensing.v2_0.force_torque_sensor import (
-        QueryForceTorque as QueryForceTorque,
-        QueryForceTorqueCapabilities as QueryForceTorqueCapabilities,
-        ReportForceTorque as ReportForceTorque,
-        ReportForceTorqueCapabilities as ReportForceTorqueCapabilities,
+        QueryForceTorque as QueryForceTorque, QueryForceTorqueCapabilities as QueryForceTorqueCapabilities,
+        ReportForceTorque as ReportForceTorque, ReportForceTorqueCapabilities as ReportForceTorqueCapabilities,
     )
     from jauspy.messages.environment_sensing.v2_0.h264_video_encoding import (
         QueryH264VideoEncodingCapabilities as QueryH264VideoEncodingCapabilities,
@@ -61,10 +59,8 @@ if TYPE_CHECKING:
         SetH264VideoEncodingConfiguration as SetH264VideoEncodingConfiguration,
     )
     from jauspy.messages.environment_sensing.v2_0.port_mapper import (
-        CancelPortMapping as CancelPortMapping,
-        GrantPortMapping as GrantPortMapping,
-        QueryPortMappings as QueryPortMappings,
-        ReportPortMappings as ReportPortMappings,
+        CancelPortMapping as CancelPortMapping, GrantPortMapping as GrantPortMapping,
+        QueryPortMappings as QueryPortMappings, ReportPortMappings as ReportPortMappings,
         RequestPortMapping as RequestPortMapping,
     )
     from jauspy.messages.environment_sensing.v2_0.range_sensor import (
@@ -106,7 +102,7 @@ if TYPE_CHECKING:
         SetVisualSensorConfiguration as SetVisualSensorConfiguration,
     )
 
-_MODULES = exports({
+__all__, __getattr__, __dir__ = lazy(__name__, {
     "jauspy.messages.environment_sensing.v2_0.analog_video": "QueryAnalogVideoSensorCapabilities QueryAnalogVideoSensorConfiguration ReportAnalogVideoSensorCapabilities ReportAnalogVideoSensorConfiguration SetAnalogVideoSensorConfiguration",
     "jauspy.messages.environment_sensing.v2_0.digital_audio_output": "ConfirmSensorConfiguration QueryDigitalAudioOutputCapabilities QueryDigitalAudioOutputSource ReportDigitalAudioOutputCapabilities ReportDigitalAudioOutputSource SetDigitalAudioOutputSource",
     "jauspy.messages.environment_sensing.v2_0.digital_audio_sensor": "QueryDigitalAudioSensorCapabilities QueryDigitalAudioSensorConfiguration ReportDigitalAudioSensorCapabilities ReportDigitalAudioSensorConfiguration SetDigitalAudioSensorConfiguration",
@@ -120,14 +116,3 @@ _MODULES = exports({
     "jauspy.messages.environment_sensing.v2_0.video_illuminator": "QueryVideoIlluminatorCapabilities QueryVideoIlluminatorConfiguration ReportVideoIlluminatorCapabilities ReportVideoIlluminatorConfiguration SetVideoIlluminatorConfiguration",
     "jauspy.messages.environment_sensing.v2_0.visual_sensor": "QueryVisualSensorCapabilities QueryVisualSensorCapabilitiesExt QueryVisualSensorConfiguration ReportVisualSensorCapabilities ReportVisualSensorCapabilitiesExt ReportVisualSensorConfiguration SetVisualSensorConfiguration",
 })
-
-__all__ = sorted(_MODULES)
-
-
-def __getattr__(name: str) -> object:
-    globals()[name] = value = load(name, _MODULES, __name__)
-    return value
-
-
-def __dir__() -> list[str]:
-    return sorted({*globals(), *_MODULES})

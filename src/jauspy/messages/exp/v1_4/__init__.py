@@ -4,26 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from jauspy.codec.lazy import exports, load
+from jauspy.codec.registry import lazy
 
 if TYPE_CHECKING:
     from jauspy.messages.exp.v1_4.health_monitor import (
-        QueryUGVSummary as QueryUGVSummary,
-        ReportUGVSummary as ReportUGVSummary,
+        QueryUGVSummary as QueryUGVSummary, ReportUGVSummary as ReportUGVSummary,
         UpdateUGVSummary as UpdateUGVSummary,
     )
 
-_MODULES = exports({
+__all__, __getattr__, __dir__ = lazy(__name__, {
     "jauspy.messages.exp.v1_4.health_monitor": "QueryUGVSummary ReportUGVSummary UpdateUGVSummary",
 })
-
-__all__ = sorted(_MODULES)
-
-
-def __getattr__(name: str) -> object:
-    globals()[name] = value = load(name, _MODULES, __name__)
-    return value
-
-
-def __dir__() -> list[str]:
-    return sorted({*globals(), *_MODULES})

@@ -2,34 +2,17 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
-
+from jauspy.codec import declare as jd
 from jauspy.messages.exp.v1_4 import health_monitor as exp_v1_4_health_monitor
 
+_SERVICE = jd.Service("urn:jaus:jss:exp:aeodrs:HealthMonitorClient", "1.4")
 
-class ReportUGVSummary(exp_v1_4_health_monitor.ReportUGVSummary):
-    """ReportUGVSummary (0xFD10): Tells the health of the vehicle."""
+@jd.derived(_SERVICE)
+class ReportUGVSummary(exp_v1_4_health_monitor.ReportUGVSummary): ...
 
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:exp:aeodrs:HealthMonitorClient"
-    VERSION = "1.4"
-
-
+@jd.derived(_SERVICE)
 class QueryUGVSummary(exp_v1_4_health_monitor.QueryUGVSummary):
-    """QueryUGVSummary (0xED10): Asks for the health of the vehicle."""
+    REPORT = ReportUGVSummary
 
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:exp:aeodrs:HealthMonitorClient"
-    VERSION = "1.4"
-    REPORT: ClassVar[type[ReportUGVSummary]]
-
-
-class UpdateUGVSummary(exp_v1_4_health_monitor.UpdateUGVSummary):
-    """UpdateUGVSummary (0xDD10): Asks for the health to be found out anew."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:exp:aeodrs:HealthMonitorClient"
-    VERSION = "1.4"
-
-
-QueryUGVSummary.REPORT = ReportUGVSummary
+@jd.derived(_SERVICE)
+class UpdateUGVSummary(exp_v1_4_health_monitor.UpdateUGVSummary): ...

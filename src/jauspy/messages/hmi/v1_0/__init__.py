@@ -4,31 +4,23 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from jauspy.codec.lazy import exports, load
+from jauspy.codec.registry import lazy
 
 if TYPE_CHECKING:
     from jauspy.messages.hmi.v1_0.analog_control import (
-        QueryAnalogAction as QueryAnalogAction,
-        QueryAnalogDevices as QueryAnalogDevices,
-        ReportAnalogAction as ReportAnalogAction,
-        ReportAnalogDevices as ReportAnalogDevices,
+        QueryAnalogAction as QueryAnalogAction, QueryAnalogDevices as QueryAnalogDevices,
+        ReportAnalogAction as ReportAnalogAction, ReportAnalogDevices as ReportAnalogDevices,
     )
     from jauspy.messages.hmi.v1_0.digital_control import (
-        QueryDCM as QueryDCM,
-        ReportDCM as ReportDCM,
-        SetDCM as SetDCM,
+        QueryDCM as QueryDCM, ReportDCM as ReportDCM, SetDCM as SetDCM,
     )
     from jauspy.messages.hmi.v1_0.drawing import (
-        QueryData as QueryData,
-        QueryDataDefinition as QueryDataDefinition,
-        QueryDrawingDefinition as QueryDrawingDefinition,
-        ReportData as ReportData,
-        ReportDataDefinition as ReportDataDefinition,
-        ReportDrawingDefinition as ReportDrawingDefinition,
+        QueryData as QueryData, QueryDataDefinition as QueryDataDefinition,
+        QueryDrawingDefinition as QueryDrawingDefinition, ReportData as ReportData,
+        ReportDataDefinition as ReportDataDefinition, ReportDrawingDefinition as ReportDrawingDefinition,
     )
     from jauspy.messages.hmi.v1_0.keyboard import (
-        QueryKeyboardAction as QueryKeyboardAction,
-        ReportKeyboardAction as ReportKeyboardAction,
+        QueryKeyboardAction as QueryKeyboardAction, ReportKeyboardAction as ReportKeyboardAction,
     )
     from jauspy.messages.hmi.v1_0.pointing_device import (
         QueryPointingDeviceAction as QueryPointingDeviceAction,
@@ -37,21 +29,10 @@ if TYPE_CHECKING:
         ReportPointingDeviceMovement as ReportPointingDeviceMovement,
     )
 
-_MODULES = exports({
+__all__, __getattr__, __dir__ = lazy(__name__, {
     "jauspy.messages.hmi.v1_0.analog_control": "QueryAnalogAction QueryAnalogDevices ReportAnalogAction ReportAnalogDevices",
     "jauspy.messages.hmi.v1_0.digital_control": "QueryDCM ReportDCM SetDCM",
     "jauspy.messages.hmi.v1_0.drawing": "QueryData QueryDataDefinition QueryDrawingDefinition ReportData ReportDataDefinition ReportDrawingDefinition",
     "jauspy.messages.hmi.v1_0.keyboard": "QueryKeyboardAction ReportKeyboardAction",
     "jauspy.messages.hmi.v1_0.pointing_device": "QueryPointingDeviceAction QueryPointingDeviceMovement ReportPointingDeviceAction ReportPointingDeviceMovement",
 })
-
-__all__ = sorted(_MODULES)
-
-
-def __getattr__(name: str) -> object:
-    globals()[name] = value = load(name, _MODULES, __name__)
-    return value
-
-
-def __dir__() -> list[str]:
-    return sorted({*globals(), *_MODULES})

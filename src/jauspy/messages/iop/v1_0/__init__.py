@@ -4,40 +4,20 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from jauspy.codec.lazy import exports, load
+from jauspy.codec.registry import lazy
 
 if TYPE_CHECKING:
     from jauspy.messages.iop.v1_0.types import (
-        CostAndConfidenceDataRec as CostAndConfidenceDataRec,
-        CostDataRec as CostDataRec,
-        CostMap2DGlobalPoseRec as CostMap2DGlobalPoseRec,
-        CostMap2DLocalPoseRec as CostMap2DLocalPoseRec,
-        CostMap2DRec as CostMap2DRec,
-        DeviceRec as DeviceRec,
-        DigitalResourceEndpointRec as DigitalResourceEndpointRec,
-        GlobalPoseRec as GlobalPoseRec,
-        GlobalVertexRec as GlobalVertexRec,
-        LocalVertexRec as LocalVertexRec,
-        PathReporterCapabilitiesRec as PathReporterCapabilitiesRec,
-        QueryCostMap2DRec as QueryCostMap2DRec,
-        ReadingRec as ReadingRec,
-        ReleaseControlRec as ReleaseControlRec,
-        RunLengthEncodedDataRec as RunLengthEncodedDataRec,
-        TimestampRec as TimestampRec,
-        ValueRec as ValueRec,
+        CostAndConfidenceDataRec as CostAndConfidenceDataRec, CostDataRec as CostDataRec,
+        CostMap2DGlobalPoseRec as CostMap2DGlobalPoseRec, CostMap2DLocalPoseRec as CostMap2DLocalPoseRec,
+        CostMap2DRec as CostMap2DRec, DeviceRec as DeviceRec,
+        DigitalResourceEndpointRec as DigitalResourceEndpointRec, GlobalPoseRec as GlobalPoseRec,
+        GlobalVertexRec as GlobalVertexRec, LocalVertexRec as LocalVertexRec,
+        PathReporterCapabilitiesRec as PathReporterCapabilitiesRec, QueryCostMap2DRec as QueryCostMap2DRec,
+        ReadingRec as ReadingRec, ReleaseControlRec as ReleaseControlRec,
+        RunLengthEncodedDataRec as RunLengthEncodedDataRec, TimestampRec as TimestampRec, ValueRec as ValueRec,
     )
 
-_MODULES = exports({
+__all__, __getattr__, __dir__ = lazy(__name__, {
     "jauspy.messages.iop.v1_0.types": "CostAndConfidenceDataRec CostDataRec CostMap2DGlobalPoseRec CostMap2DLocalPoseRec CostMap2DRec DeviceRec DigitalResourceEndpointRec GlobalPoseRec GlobalVertexRec LocalVertexRec PathReporterCapabilitiesRec QueryCostMap2DRec ReadingRec ReleaseControlRec RunLengthEncodedDataRec TimestampRec ValueRec",
 })
-
-__all__ = sorted(_MODULES)
-
-
-def __getattr__(name: str) -> object:
-    globals()[name] = value = load(name, _MODULES, __name__)
-    return value
-
-
-def __dir__() -> list[str]:
-    return sorted({*globals(), *_MODULES})

@@ -2,26 +2,14 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
-
+from jauspy.codec import declare as jd
 from jauspy.messages.iop.v1_1 import measurement_sensor as iop_v1_1_measurement_sensor
 
+_SERVICE = jd.Service("urn:jaus:jss:iop:MeasurementSensorClient", "1.1")
 
-class ReportMeasurement(iop_v1_1_measurement_sensor.ReportMeasurement):
-    """ReportMeasurement (0xF92B): Tells readings."""
+@jd.derived(_SERVICE)
+class ReportMeasurement(iop_v1_1_measurement_sensor.ReportMeasurement): ...
 
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:iop:MeasurementSensorClient"
-    VERSION = "1.1"
-
-
+@jd.derived(_SERVICE)
 class QueryMeasurement(iop_v1_1_measurement_sensor.QueryMeasurement):
-    """QueryMeasurement (0xF92A): Asks for readings."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:iop:MeasurementSensorClient"
-    VERSION = "1.1"
-    REPORT: ClassVar[type[ReportMeasurement]]
-
-
-QueryMeasurement.REPORT = ReportMeasurement
+    REPORT = ReportMeasurement

@@ -2,44 +2,21 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
-
+from jauspy.codec import declare as jd
 from jauspy.messages.iop.v1_1 import path_reporter as iop_v1_1_path_reporter
 
+_SERVICE = jd.Service("urn:jaus:jss:iop:PathReporterClient", "1.1")
 
-class ReportPathReporterCapabilities(iop_v1_1_path_reporter.ReportPathReporterCapabilities):
-    """ReportPathReporterCapabilities (0xDEF2): Tells which paths can be reported."""
+@jd.derived(_SERVICE)
+class ReportPathReporterCapabilities(iop_v1_1_path_reporter.ReportPathReporterCapabilities): ...
 
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:iop:PathReporterClient"
-    VERSION = "1.1"
+@jd.derived(_SERVICE)
+class ReportPath(iop_v1_1_path_reporter.ReportPath): ...
 
-
-class ReportPath(iop_v1_1_path_reporter.ReportPath):
-    """ReportPath (0xDEF3): Tells a path."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:iop:PathReporterClient"
-    VERSION = "1.1"
-
-
+@jd.derived(_SERVICE)
 class QueryPathReporterCapabilities(iop_v1_1_path_reporter.QueryPathReporterCapabilities):
-    """QueryPathReporterCapabilities (0xDEF0): Asks which paths can be reported."""
+    REPORT = ReportPathReporterCapabilities
 
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:iop:PathReporterClient"
-    VERSION = "1.1"
-    REPORT: ClassVar[type[ReportPathReporterCapabilities]]
-
-
+@jd.derived(_SERVICE)
 class QueryPath(iop_v1_1_path_reporter.QueryPath):
-    """QueryPath (0xDEF1): Asks for a path."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:iop:PathReporterClient"
-    VERSION = "1.1"
-    REPORT: ClassVar[type[ReportPath]]
-
-
-QueryPathReporterCapabilities.REPORT = ReportPathReporterCapabilities
-QueryPath.REPORT = ReportPath
+    REPORT = ReportPath

@@ -2,42 +2,20 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
-
+from jauspy.codec import declare as jd
 from jauspy.messages.iop.v1_1 import platform_state as iop_v1_1_platform_state
 
+_SERVICE = jd.Service("urn:jaus:jss:iop:PlatformStateClient", "1.1")
 
-class ConfirmPlatformStateRequest(iop_v1_1_platform_state.ConfirmPlatformStateRequest):
-    """ConfirmPlatformStateRequest (0xFF27): Tells whether the state of the platform is changing."""
+@jd.derived(_SERVICE)
+class ConfirmPlatformStateRequest(iop_v1_1_platform_state.ConfirmPlatformStateRequest): ...
 
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:iop:PlatformStateClient"
-    VERSION = "1.1"
+@jd.derived(_SERVICE)
+class ReportPlatformState(iop_v1_1_platform_state.ReportPlatformState): ...
 
+@jd.derived(_SERVICE)
+class SetPlatformState(iop_v1_1_platform_state.SetPlatformState): ...
 
-class ReportPlatformState(iop_v1_1_platform_state.ReportPlatformState):
-    """ReportPlatformState (0xFF28): Tells the state of the platform."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:iop:PlatformStateClient"
-    VERSION = "1.1"
-
-
-class SetPlatformState(iop_v1_1_platform_state.SetPlatformState):
-    """SetPlatformState (0xFF25): Sets the state of the platform."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:iop:PlatformStateClient"
-    VERSION = "1.1"
-
-
+@jd.derived(_SERVICE)
 class QueryPlatformState(iop_v1_1_platform_state.QueryPlatformState):
-    """QueryPlatformState (0xFF26): Asks for the state of the platform."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:iop:PlatformStateClient"
-    VERSION = "1.1"
-    REPORT: ClassVar[type[ReportPlatformState]]
-
-
-QueryPlatformState.REPORT = ReportPlatformState
+    REPORT = ReportPlatformState

@@ -4,20 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from jauspy.codec.lazy import exports, load
+from jauspy.codec.registry import lazy
 
 if TYPE_CHECKING:
     from jauspy.messages.manipulator.v1_0.list_manager import (
-        ConfirmElementRequest as ConfirmElementRequest,
-        DeleteElement as DeleteElement,
-        QueryElement as QueryElement,
-        QueryElementCount as QueryElementCount,
-        QueryElementList as QueryElementList,
-        RejectElementRequest as RejectElementRequest,
-        ReportElement as ReportElement,
-        ReportElementCount as ReportElementCount,
-        ReportElementList as ReportElementList,
-        SetElement as SetElement,
+        ConfirmElementRequest as ConfirmElementRequest, DeleteElement as DeleteElement,
+        QueryElement as QueryElement, QueryElementCount as QueryElementCount, QueryElementList as QueryElementList,
+        RejectElementRequest as RejectElementRequest, ReportElement as ReportElement,
+        ReportElementCount as ReportElementCount, ReportElementList as ReportElementList, SetElement as SetElement,
     )
     from jauspy.messages.manipulator.v1_0.manipulator_actuator_force_torque_driver import (
         QueryCommandedActuatorForceTorques as QueryCommandedActuatorForceTorques,
@@ -27,24 +21,18 @@ if TYPE_CHECKING:
         SetActuatorForceTorques as SetActuatorForceTorques,
     )
     from jauspy.messages.manipulator.v1_0.manipulator_end_effector_pose_driver import (
-        QueryCommandedEndEffectorPose as QueryCommandedEndEffectorPose,
-        QueryMotionProfile as QueryMotionProfile,
-        QueryToolOffset as QueryToolOffset,
-        ReportCommandedEndEffectorPose as ReportCommandedEndEffectorPose,
-        ReportMotionProfile as ReportMotionProfile,
-        ReportToolOffset as ReportToolOffset,
-        SetEndEffectorPose as SetEndEffectorPose,
-        SetMotionProfile as SetMotionProfile,
+        QueryCommandedEndEffectorPose as QueryCommandedEndEffectorPose, QueryMotionProfile as QueryMotionProfile,
+        QueryToolOffset as QueryToolOffset, ReportCommandedEndEffectorPose as ReportCommandedEndEffectorPose,
+        ReportMotionProfile as ReportMotionProfile, ReportToolOffset as ReportToolOffset,
+        SetEndEffectorPose as SetEndEffectorPose, SetMotionProfile as SetMotionProfile,
         SetToolOffset as SetToolOffset,
     )
     from jauspy.messages.manipulator.v1_0.manipulator_end_effector_pose_list_driver import (
-        ExecuteList as ExecuteList,
-        QueryActiveElement as QueryActiveElement,
+        ExecuteList as ExecuteList, QueryActiveElement as QueryActiveElement,
         ReportActiveElement as ReportActiveElement,
     )
     from jauspy.messages.manipulator.v1_0.manipulator_end_effector_pose_sensor import (
-        QueryEndEffectorPose as QueryEndEffectorPose,
-        ReportEndEffectorPose as ReportEndEffectorPose,
+        QueryEndEffectorPose as QueryEndEffectorPose, ReportEndEffectorPose as ReportEndEffectorPose,
     )
     from jauspy.messages.manipulator.v1_0.manipulator_end_effector_velocity_state_driver import (
         QueryCommandedEndEffectorVelocityState as QueryCommandedEndEffectorVelocityState,
@@ -56,26 +44,21 @@ if TYPE_CHECKING:
         ReportEndEffectorVelocityState as ReportEndEffectorVelocityState,
     )
     from jauspy.messages.manipulator.v1_0.manipulator_joint_force_torque_sensor import (
-        QueryJointForceTorques as QueryJointForceTorques,
-        ReportJointForceTorques as ReportJointForceTorques,
+        QueryJointForceTorques as QueryJointForceTorques, ReportJointForceTorques as ReportJointForceTorques,
     )
     from jauspy.messages.manipulator.v1_0.manipulator_joint_position_driver import (
         QueryCommandedJointPositions as QueryCommandedJointPositions,
-        ReportCommandedJointPositions as ReportCommandedJointPositions,
-        SetJointPositions as SetJointPositions,
+        ReportCommandedJointPositions as ReportCommandedJointPositions, SetJointPositions as SetJointPositions,
     )
     from jauspy.messages.manipulator.v1_0.manipulator_joint_position_sensor import (
-        QueryJointPositions as QueryJointPositions,
-        ReportJointPositions as ReportJointPositions,
+        QueryJointPositions as QueryJointPositions, ReportJointPositions as ReportJointPositions,
     )
     from jauspy.messages.manipulator.v1_0.manipulator_joint_velocities_driver import (
         QueryCommandedJointVelocities as QueryCommandedJointVelocities,
-        ReportCommandedJointVelocities as ReportCommandedJointVelocities,
-        SetJointVelocities as SetJointVelocities,
+        ReportCommandedJointVelocities as ReportCommandedJointVelocities, SetJointVelocities as SetJointVelocities,
     )
     from jauspy.messages.manipulator.v1_0.manipulator_joint_velocity_sensor import (
-        QueryJointVelocities as QueryJointVelocities,
-        ReportJointVelocities as ReportJointVelocities,
+        QueryJointVelocities as QueryJointVelocities, ReportJointVelocities as ReportJointVelocities,
     )
     from jauspy.messages.manipulator.v1_0.pan_tilt_joint_position_driver import (
         QueryCommandedPanTiltJointPositions as QueryCommandedPanTiltJointPositions,
@@ -84,8 +67,7 @@ if TYPE_CHECKING:
         ReportCommandedPanTiltJointPositions as ReportCommandedPanTiltJointPositions,
         ReportPanTiltMotionProfile as ReportPanTiltMotionProfile,
         ReportPanTiltSpecifications as ReportPanTiltSpecifications,
-        SetPanTiltJointPositions as SetPanTiltJointPositions,
-        SetPanTiltMotionProfile as SetPanTiltMotionProfile,
+        SetPanTiltJointPositions as SetPanTiltJointPositions, SetPanTiltMotionProfile as SetPanTiltMotionProfile,
     )
     from jauspy.messages.manipulator.v1_0.pan_tilt_joint_position_sensor import (
         QueryPanTiltJointPositions as QueryPanTiltJointPositions,
@@ -108,30 +90,25 @@ if TYPE_CHECKING:
         SetEndEffectorEffort as SetEndEffectorEffort,
     )
     from jauspy.messages.manipulator.v1_0.primitive_manipulator import (
-        QueryJointEfforts as QueryJointEfforts,
-        ReportJointEfforts as ReportJointEfforts,
+        QueryJointEfforts as QueryJointEfforts, ReportJointEfforts as ReportJointEfforts,
         SetJointEfforts as SetJointEfforts,
     )
     from jauspy.messages.manipulator.v1_0.primitive_pan_tilt import (
         QueryPanTiltJointEfforts as QueryPanTiltJointEfforts,
-        ReportPanTiltJointEfforts as ReportPanTiltJointEfforts,
-        SetPanTiltJointEfforts as SetPanTiltJointEfforts,
+        ReportPanTiltJointEfforts as ReportPanTiltJointEfforts, SetPanTiltJointEfforts as SetPanTiltJointEfforts,
     )
     from jauspy.messages.manipulator.v1_0.types import (
-        ActuatorForceTorqueRec as ActuatorForceTorqueRec,
-        JointEffortRec as JointEffortRec,
-        JointPositionRec as JointPositionRec,
-        JointVelocityRec as JointVelocityRec,
+        ActuatorForceTorqueRec as ActuatorForceTorqueRec, JointEffortRec as JointEffortRec,
+        JointPositionRec as JointPositionRec, JointVelocityRec as JointVelocityRec,
         ManipulatorCoordinateSystemRec as ManipulatorCoordinateSystemRec,
         PrismaticJoint1AngleRec as PrismaticJoint1AngleRec,
         PrismaticJointSpecificationRec as PrismaticJointSpecificationRec,
-        PrismaticMotionProfileRec as PrismaticMotionProfileRec,
-        RevoluteJoint1OffsetRec as RevoluteJoint1OffsetRec,
+        PrismaticMotionProfileRec as PrismaticMotionProfileRec, RevoluteJoint1OffsetRec as RevoluteJoint1OffsetRec,
         RevoluteJointSpecificationRec as RevoluteJointSpecificationRec,
         RevoluteMotionProfileRec as RevoluteMotionProfileRec,
     )
 
-_MODULES = exports({
+__all__, __getattr__, __dir__ = lazy(__name__, {
     "jauspy.messages.manipulator.v1_0.list_manager": "ConfirmElementRequest DeleteElement QueryElement QueryElementCount QueryElementList RejectElementRequest ReportElement ReportElementCount ReportElementList SetElement",
     "jauspy.messages.manipulator.v1_0.manipulator_actuator_force_torque_driver": "QueryCommandedActuatorForceTorques QueryManipulatorSpecifications ReportCommandedActuatorForceTorques ReportManipulatorSpecifications SetActuatorForceTorques",
     "jauspy.messages.manipulator.v1_0.manipulator_end_effector_pose_driver": "QueryCommandedEndEffectorPose QueryMotionProfile QueryToolOffset ReportCommandedEndEffectorPose ReportMotionProfile ReportToolOffset SetEndEffectorPose SetMotionProfile SetToolOffset",
@@ -153,14 +130,3 @@ _MODULES = exports({
     "jauspy.messages.manipulator.v1_0.primitive_pan_tilt": "QueryPanTiltJointEfforts ReportPanTiltJointEfforts SetPanTiltJointEfforts",
     "jauspy.messages.manipulator.v1_0.types": "ActuatorForceTorqueRec JointEffortRec JointPositionRec JointVelocityRec ManipulatorCoordinateSystemRec PrismaticJoint1AngleRec PrismaticJointSpecificationRec PrismaticMotionProfileRec RevoluteJoint1OffsetRec RevoluteJointSpecificationRec RevoluteMotionProfileRec",
 })
-
-__all__ = sorted(_MODULES)
-
-
-def __getattr__(name: str) -> object:
-    globals()[name] = value = load(name, _MODULES, __name__)
-    return value
-
-
-def __dir__() -> list[str]:
-    return sorted({*globals(), *_MODULES})

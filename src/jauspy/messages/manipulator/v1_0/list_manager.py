@@ -2,94 +2,40 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
-
+from jauspy.codec import declare as jd
 from jauspy.messages.core.v1_1 import list_manager as core_v1_1_list_manager
 
+_SERVICE = jd.Service("urn:jaus:jss:manipulator:ListManager", "1.0")
 
-class SetElement(core_v1_1_list_manager.SetElement):
-    """SetElement (0x041A): Inserts elements into the list, or replaces them."""
+@jd.derived(_SERVICE)
+class SetElement(core_v1_1_list_manager.SetElement): ...
 
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:ListManager"
-    VERSION = "1.0"
+@jd.derived(_SERVICE)
+class DeleteElement(core_v1_1_list_manager.DeleteElement): ...
 
+@jd.derived(_SERVICE)
+class ReportElement(core_v1_1_list_manager.ReportElement): ...
 
-class DeleteElement(core_v1_1_list_manager.DeleteElement):
-    """DeleteElement (0x041B): Deletes elements from the list."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:ListManager"
-    VERSION = "1.0"
-
-
+@jd.derived(_SERVICE)
 class QueryElement(core_v1_1_list_manager.QueryElement):
-    """QueryElement (0x241A): Asks for one element of the list."""
+    REPORT = ReportElement
 
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:ListManager"
-    VERSION = "1.0"
-    REPORT: ClassVar[type[ReportElement]]
+@jd.derived(_SERVICE)
+class ReportElementList(core_v1_1_list_manager.ReportElementList): ...
 
-
+@jd.derived(_SERVICE)
 class QueryElementList(core_v1_1_list_manager.QueryElementList):
-    """QueryElementList (0x241B): Asks for the identifiers of all elements."""
+    REPORT = ReportElementList
 
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:ListManager"
-    VERSION = "1.0"
-    REPORT: ClassVar[type[ReportElementList]]
+@jd.derived(_SERVICE)
+class ReportElementCount(core_v1_1_list_manager.ReportElementCount): ...
 
-
+@jd.derived(_SERVICE)
 class QueryElementCount(core_v1_1_list_manager.QueryElementCount):
-    """QueryElementCount (0x241C): Asks for the number of elements."""
+    REPORT = ReportElementCount
 
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:ListManager"
-    VERSION = "1.0"
-    REPORT: ClassVar[type[ReportElementCount]]
+@jd.derived(_SERVICE)
+class ConfirmElementRequest(core_v1_1_list_manager.ConfirmElementRequest): ...
 
-
-class ConfirmElementRequest(core_v1_1_list_manager.ConfirmElementRequest):
-    """ConfirmElementRequest (0x041C): Tells that a change of the list has been carried out."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:ListManager"
-    VERSION = "1.0"
-
-
-class RejectElementRequest(core_v1_1_list_manager.RejectElementRequest):
-    """RejectElementRequest (0x041D): Tells that a change of the list has been refused, and why."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:ListManager"
-    VERSION = "1.0"
-
-
-class ReportElement(core_v1_1_list_manager.ReportElement):
-    """ReportElement (0x441A): Carries one element of the list."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:ListManager"
-    VERSION = "1.0"
-
-
-class ReportElementList(core_v1_1_list_manager.ReportElementList):
-    """ReportElementList (0x441B): Tells the identifiers of all elements, in list order."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:ListManager"
-    VERSION = "1.0"
-
-
-class ReportElementCount(core_v1_1_list_manager.ReportElementCount):
-    """ReportElementCount (0x441C): Tells the number of elements."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:ListManager"
-    VERSION = "1.0"
-
-
-QueryElement.REPORT = ReportElement
-QueryElementList.REPORT = ReportElementList
-QueryElementCount.REPORT = ReportElementCount
+@jd.derived(_SERVICE)
+class RejectElementRequest(core_v1_1_list_manager.RejectElementRequest): ...

@@ -2,193 +2,52 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import ClassVar, Self
-
-from jauspy.codec import runtime as rt
+from jauspy.codec import declare as jd
 from jauspy.messages.manipulator.v1_0 import manipulator_actuator_force_torque_driver as manipulator_v1_0_manipulator_actuator_force_torque_driver
 from jauspy.messages.manipulator.v1_0 import manipulator_end_effector_pose_driver as manipulator_v1_0_manipulator_end_effector_pose_driver
 from jauspy.messages.manipulator.v1_0 import types as manipulator_v1_0_types
 
+_SERVICE = jd.Service("urn:jaus:jss:manipulator:ManipulatorJointVelocitiesDriver", "1.0")
 
+@jd.derived(_SERVICE)
+class ReportManipulatorSpecifications(manipulator_v1_0_manipulator_actuator_force_torque_driver.ReportManipulatorSpecifications): ...
+
+@jd.derived(_SERVICE)
 class QueryManipulatorSpecifications(manipulator_v1_0_manipulator_actuator_force_torque_driver.QueryManipulatorSpecifications):
-    """QueryManipulatorSpecifications (0x2600): Asks for geometry and limits of the manipulator."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointVelocitiesDriver"
-    VERSION = "1.0"
-    REPORT: ClassVar[type[ReportManipulatorSpecifications]]
+    REPORT = ReportManipulatorSpecifications
 
 
-@dataclass(slots=True, repr=False)
-class SetJointVelocities(rt.Message):
+@jd.message(_SERVICE, 0x0603, command=True)
+class SetJointVelocities(jd.Message):
     """SetJointVelocities (0x0603): Sets the velocity of each joint.
 
     joint_velocity_list: 0..255 items. The joints, from the base
     """
-
-    CODE = 0x0603
-    NAME = "SetJointVelocities"
-    SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointVelocitiesDriver"
-    VERSION = "1.0"
-    IS_COMMAND = True
-    IS_QUERY = False
-
     JointVelocityRec = manipulator_v1_0_types.JointVelocityRec
+    joint_velocity_list: list[manipulator_v1_0_types.JointVelocityRec] = jd.field("JointVelocityList", lambda: jd.Repeat(jd.Count("B", 0, 255), manipulator_v1_0_types.JointVelocityRec.layout()))
 
-    joint_velocity_list: list[manipulator_v1_0_types.JointVelocityRec]
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.composite(
-            cls, None,
-            ("JointVelocityList", rt.Repeat(rt.Count("B", 0, 255), manipulator_v1_0_types.JointVelocityRec.layout())),
-        )
-
-    @classmethod
-    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
-        if data[0] != 0x03 or data[1] != 0x06: raise rt.Reject
-        size = len(data)
-        self = rt.new(cls)
-        joint_velocity_list_count_ = data[2]
-        if joint_velocity_list_count_ * 5 > size - 3: raise rt.Reject
-        at = 3
-        joint_velocity_list_ = []
-        for _ in range(joint_velocity_list_count_):
-            item_ = rt.new(manipulator_v1_0_types.JointVelocityRec)
-            item_.joint_velocity, at = manipulator_v1_0_types.JointVelocityRec.JointVelocity._read(data, at, nesting)
-            joint_velocity_list_.append(item_)
-        self.joint_velocity_list = joint_velocity_list_
-        if at != size: raise rt.Reject
-        return self
-
-    def _pack(self) -> bytes:
-        out = bytearray(b"\x03\x06")
-        joint_velocity_list_ = self.joint_velocity_list
-        if type(joint_velocity_list_) is not list: raise rt.Reject
-        out.append(len(joint_velocity_list_))
-        for item_ in joint_velocity_list_:
-            if type(item_) is not manipulator_v1_0_types.JointVelocityRec: raise rt.Reject
-            joint_velocity_ = item_.joint_velocity
-            if type(joint_velocity_) is not manipulator_v1_0_types.JointVelocityRec.JointVelocity: raise rt.Reject
-            joint_velocity_._write(out)
-        return bytes(out)
+@jd.derived(_SERVICE)
+class SetMotionProfile(manipulator_v1_0_manipulator_end_effector_pose_driver.SetMotionProfile): ...
 
 
-class SetMotionProfile(manipulator_v1_0_manipulator_end_effector_pose_driver.SetMotionProfile):
-    """SetMotionProfile (0x0607): Sets limits of speed and acceleration of each joint."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointVelocitiesDriver"
-    VERSION = "1.0"
-
-
-@dataclass(slots=True, repr=False)
-class QueryCommandedJointVelocities(rt.Message):
-    """QueryCommandedJointVelocities (0x2611): Asks for the commanded velocity of each joint."""
-
-    CODE = 0x2611
-    NAME = "QueryCommandedJointVelocities"
-    SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointVelocitiesDriver"
-    VERSION = "1.0"
-    IS_COMMAND = False
-    IS_QUERY = True
-    REPORT: ClassVar[type[ReportCommandedJointVelocities]]
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.Composite(cls, ())
-
-    @classmethod
-    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
-        if data != b'\x11&': raise rt.Reject
-        return rt.new(cls)
-
-    def _pack(self) -> bytes:
-        return _S_H.pack(0x2611)
-
-
-class QueryMotionProfile(manipulator_v1_0_manipulator_end_effector_pose_driver.QueryMotionProfile):
-    """QueryMotionProfile (0x2607): Asks for the limits of speed and acceleration of each joint."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointVelocitiesDriver"
-    VERSION = "1.0"
-    REPORT: ClassVar[type[ReportMotionProfile]]
-
-
-class ReportManipulatorSpecifications(manipulator_v1_0_manipulator_actuator_force_torque_driver.ReportManipulatorSpecifications):
-    """ReportManipulatorSpecifications (0x4600): Tells geometry and limits of the manipulator."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointVelocitiesDriver"
-    VERSION = "1.0"
-
-
-@dataclass(slots=True, repr=False)
-class ReportCommandedJointVelocities(rt.Message):
+@jd.message(_SERVICE, 0x4611)
+class ReportCommandedJointVelocities(jd.Message):
     """ReportCommandedJointVelocities (0x4611): Tells the commanded velocity of each joint.
 
     joint_velocity_list: 0..255 items. The joints, from the base
     """
-
-    CODE = 0x4611
-    NAME = "ReportCommandedJointVelocities"
-    SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointVelocitiesDriver"
-    VERSION = "1.0"
-    IS_COMMAND = False
-    IS_QUERY = False
-
     JointVelocityRec = manipulator_v1_0_types.JointVelocityRec
-
-    joint_velocity_list: list[manipulator_v1_0_types.JointVelocityRec]
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.composite(
-            cls, None,
-            ("JointVelocityList", rt.Repeat(rt.Count("B", 0, 255), manipulator_v1_0_types.JointVelocityRec.layout())),
-        )
-
-    @classmethod
-    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
-        if data[0] != 0x11 or data[1] != 0x46: raise rt.Reject
-        size = len(data)
-        self = rt.new(cls)
-        joint_velocity_list_count_ = data[2]
-        if joint_velocity_list_count_ * 5 > size - 3: raise rt.Reject
-        at = 3
-        joint_velocity_list_ = []
-        for _ in range(joint_velocity_list_count_):
-            item_ = rt.new(manipulator_v1_0_types.JointVelocityRec)
-            item_.joint_velocity, at = manipulator_v1_0_types.JointVelocityRec.JointVelocity._read(data, at, nesting)
-            joint_velocity_list_.append(item_)
-        self.joint_velocity_list = joint_velocity_list_
-        if at != size: raise rt.Reject
-        return self
-
-    def _pack(self) -> bytes:
-        out = bytearray(b"\x11\x46")
-        joint_velocity_list_ = self.joint_velocity_list
-        if type(joint_velocity_list_) is not list: raise rt.Reject
-        out.append(len(joint_velocity_list_))
-        for item_ in joint_velocity_list_:
-            if type(item_) is not manipulator_v1_0_types.JointVelocityRec: raise rt.Reject
-            joint_velocity_ = item_.joint_velocity
-            if type(joint_velocity_) is not manipulator_v1_0_types.JointVelocityRec.JointVelocity: raise rt.Reject
-            joint_velocity_._write(out)
-        return bytes(out)
+    joint_velocity_list: list[manipulator_v1_0_types.JointVelocityRec] = jd.field("JointVelocityList", lambda: jd.Repeat(jd.Count("B", 0, 255), manipulator_v1_0_types.JointVelocityRec.layout()))
 
 
-class ReportMotionProfile(manipulator_v1_0_manipulator_end_effector_pose_driver.ReportMotionProfile):
-    """ReportMotionProfile (0x4607): Tells the limits of speed and acceleration of each joint."""
+@jd.message(_SERVICE, 0x2611, query=True)
+class QueryCommandedJointVelocities(jd.Message):
+    """QueryCommandedJointVelocities (0x2611): Asks for the commanded velocity of each joint."""
+    REPORT = ReportCommandedJointVelocities
 
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointVelocitiesDriver"
-    VERSION = "1.0"
+@jd.derived(_SERVICE)
+class ReportMotionProfile(manipulator_v1_0_manipulator_end_effector_pose_driver.ReportMotionProfile): ...
 
-
-_S_H = rt.Packer("<H")
-QueryManipulatorSpecifications.REPORT = ReportManipulatorSpecifications
-QueryCommandedJointVelocities.REPORT = ReportCommandedJointVelocities
-QueryMotionProfile.REPORT = ReportMotionProfile
+@jd.derived(_SERVICE)
+class QueryMotionProfile(manipulator_v1_0_manipulator_end_effector_pose_driver.QueryMotionProfile):
+    REPORT = ReportMotionProfile

@@ -2,155 +2,42 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import ClassVar, Self
-
-from jauspy.codec import runtime as rt
+from jauspy.codec import declare as jd
 from jauspy.messages.manipulator.v1_0 import pan_tilt_joint_position_driver as manipulator_v1_0_pan_tilt_joint_position_driver
 
+_SERVICE = jd.Service("urn:jaus:jss:manipulator:PrimitivePanTilt", "1.0")
 
+@jd.derived(_SERVICE)
+class ReportPanTiltSpecifications(manipulator_v1_0_pan_tilt_joint_position_driver.ReportPanTiltSpecifications): ...
+
+@jd.derived(_SERVICE)
 class QueryPanTiltSpecifications(manipulator_v1_0_pan_tilt_joint_position_driver.QueryPanTiltSpecifications):
-    """QueryPanTiltSpecifications (0x2620): Asks for mounting and limits of the pan-tilt unit."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:PrimitivePanTilt"
-    VERSION = "1.0"
-    REPORT: ClassVar[type[ReportPanTiltSpecifications]]
+    REPORT = ReportPanTiltSpecifications
 
 
-@dataclass(slots=True, repr=False)
-class QueryPanTiltJointEfforts(rt.Message):
-    """QueryPanTiltJointEfforts (0x2621): Asks for the efforts of pan and tilt."""
-
-    CODE = 0x2621
-    NAME = "QueryPanTiltJointEfforts"
-    SERVICE = "urn:jaus:jss:manipulator:PrimitivePanTilt"
-    VERSION = "1.0"
-    IS_COMMAND = False
-    IS_QUERY = True
-    REPORT: ClassVar[type[ReportPanTiltJointEfforts]]
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.Composite(cls, ())
-
-    @classmethod
-    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
-        if data != b'!&': raise rt.Reject
-        return rt.new(cls)
-
-    def _pack(self) -> bytes:
-        return _S_H.pack(0x2621)
-
-
-@dataclass(slots=True, repr=False)
-class SetPanTiltJointEfforts(rt.Message):
-    """SetPanTiltJointEfforts (0x0621): Sets the efforts of pan and tilt.
-
-    joint1_effort: -100..100. Effort of the pan joint, in percent of the maximum
-    joint2_effort: -100..100. Effort of the tilt joint, in percent of the maximum
-    """
-
-    CODE = 0x0621
-    NAME = "SetPanTiltJointEfforts"
-    SERVICE = "urn:jaus:jss:manipulator:PrimitivePanTilt"
-    VERSION = "1.0"
-    IS_COMMAND = True
-    IS_QUERY = False
-
-    joint1_effort: float
-    joint2_effort: float
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.composite(
-            cls, None,
-            ("Joint1Effort", rt.real("H", -100.0, 100.0)),
-            ("Joint2Effort", rt.real("H", -100.0, 100.0)),
-        )
-
-    @classmethod
-    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
-        self = rt.new(cls)
-        code, joint1_effort_, joint2_effort_ = _S_3H.unpack(data)
-        if code != 0x0621: raise rt.Reject
-        self.joint1_effort = -100.0 + joint1_effort_ * 0.0030518043793392844
-        self.joint2_effort = -100.0 + joint2_effort_ * 0.0030518043793392844
-        return self
-
-    def _pack(self) -> bytes:
-        joint1_effort_ = self.joint1_effort
-        if not -100.0 <= joint1_effort_ <= 100.0: raise rt.Reject
-        near = joint1_effort_ * 327.675 + 32768.0
-        joint1_effort_raw_ = int(near)
-        if not 1.52587890625e-05 < near - joint1_effort_raw_ < 0.9999847412109375: joint1_effort_raw_ = rt.exact_raw(joint1_effort_, _R_2)
-        joint2_effort_ = self.joint2_effort
-        if not -100.0 <= joint2_effort_ <= 100.0: raise rt.Reject
-        near = joint2_effort_ * 327.675 + 32768.0
-        joint2_effort_raw_ = int(near)
-        if not 1.52587890625e-05 < near - joint2_effort_raw_ < 0.9999847412109375: joint2_effort_raw_ = rt.exact_raw(joint2_effort_, _R_2)
-        return _S_3H.pack(0x0621, joint1_effort_raw_, joint2_effort_raw_)
-
-
-class ReportPanTiltSpecifications(manipulator_v1_0_pan_tilt_joint_position_driver.ReportPanTiltSpecifications):
-    """ReportPanTiltSpecifications (0x4620): Tells mounting and limits of the pan-tilt unit."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:PrimitivePanTilt"
-    VERSION = "1.0"
-
-
-@dataclass(slots=True, repr=False)
-class ReportPanTiltJointEfforts(rt.Message):
+@jd.message(_SERVICE, 0x4621)
+class ReportPanTiltJointEfforts(jd.Message):
     """ReportPanTiltJointEfforts (0x4621): Tells the efforts of pan and tilt.
 
     joint1_effort: -100..100. Effort of the pan joint, in percent of the maximum
     joint2_effort: -100..100. Effort of the tilt joint, in percent of the maximum
     """
-
-    CODE = 0x4621
-    NAME = "ReportPanTiltJointEfforts"
-    SERVICE = "urn:jaus:jss:manipulator:PrimitivePanTilt"
-    VERSION = "1.0"
-    IS_COMMAND = False
-    IS_QUERY = False
-
-    joint1_effort: float
-    joint2_effort: float
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.composite(
-            cls, None,
-            ("Joint1Effort", rt.real("H", -100.0, 100.0)),
-            ("Joint2Effort", rt.real("H", -100.0, 100.0)),
-        )
-
-    @classmethod
-    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
-        self = rt.new(cls)
-        code, joint1_effort_, joint2_effort_ = _S_3H.unpack(data)
-        if code != 0x4621: raise rt.Reject
-        self.joint1_effort = -100.0 + joint1_effort_ * 0.0030518043793392844
-        self.joint2_effort = -100.0 + joint2_effort_ * 0.0030518043793392844
-        return self
-
-    def _pack(self) -> bytes:
-        joint1_effort_ = self.joint1_effort
-        if not -100.0 <= joint1_effort_ <= 100.0: raise rt.Reject
-        near = joint1_effort_ * 327.675 + 32768.0
-        joint1_effort_raw_ = int(near)
-        if not 1.52587890625e-05 < near - joint1_effort_raw_ < 0.9999847412109375: joint1_effort_raw_ = rt.exact_raw(joint1_effort_, _R_2)
-        joint2_effort_ = self.joint2_effort
-        if not -100.0 <= joint2_effort_ <= 100.0: raise rt.Reject
-        near = joint2_effort_ * 327.675 + 32768.0
-        joint2_effort_raw_ = int(near)
-        if not 1.52587890625e-05 < near - joint2_effort_raw_ < 0.9999847412109375: joint2_effort_raw_ = rt.exact_raw(joint2_effort_, _R_2)
-        return _S_3H.pack(0x4621, joint1_effort_raw_, joint2_effort_raw_)
+    joint1_effort: float = jd.field("Joint1Effort", jd.real("H", -100.0, 100.0))
+    joint2_effort: float = jd.field("Joint2Effort", jd.real("H", -100.0, 100.0))
 
 
-_S_H = rt.Packer("<H")
-_S_3H = rt.Packer("<3H")
-_R_2 = rt.Scaling(-100.0, 100.0, 65535)
-QueryPanTiltSpecifications.REPORT = ReportPanTiltSpecifications
-QueryPanTiltJointEfforts.REPORT = ReportPanTiltJointEfforts
+@jd.message(_SERVICE, 0x2621, query=True)
+class QueryPanTiltJointEfforts(jd.Message):
+    """QueryPanTiltJointEfforts (0x2621): Asks for the efforts of pan and tilt."""
+    REPORT = ReportPanTiltJointEfforts
+
+
+@jd.message(_SERVICE, 0x0621, command=True)
+class SetPanTiltJointEfforts(jd.Message):
+    """SetPanTiltJointEfforts (0x0621): Sets the efforts of pan and tilt.
+
+    joint1_effort: -100..100. Effort of the pan joint, in percent of the maximum
+    joint2_effort: -100..100. Effort of the tilt joint, in percent of the maximum
+    """
+    joint1_effort: float = jd.field("Joint1Effort", jd.real("H", -100.0, 100.0))
+    joint2_effort: float = jd.field("Joint2Effort", jd.real("H", -100.0, 100.0))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from jauspy.codec.lazy import exports, load
+from jauspy.codec.registry import lazy
 
 if TYPE_CHECKING:
     from jauspy.messages.manipulator.v2_0.manipulator_actuator_force_torque_driver import (
@@ -14,12 +14,10 @@ if TYPE_CHECKING:
     )
     from jauspy.messages.manipulator.v2_0.manipulator_end_effector_pose_driver import (
         QueryCommandedEndEffectorPose as QueryCommandedEndEffectorPose,
-        ReportCommandedEndEffectorPose as ReportCommandedEndEffectorPose,
-        SetEndEffectorPose as SetEndEffectorPose,
+        ReportCommandedEndEffectorPose as ReportCommandedEndEffectorPose, SetEndEffectorPose as SetEndEffectorPose,
     )
     from jauspy.messages.manipulator.v2_0.manipulator_end_effector_pose_sensor import (
-        QueryEndEffectorPose as QueryEndEffectorPose,
-        ReportEndEffectorPose as ReportEndEffectorPose,
+        QueryEndEffectorPose as QueryEndEffectorPose, ReportEndEffectorPose as ReportEndEffectorPose,
     )
     from jauspy.messages.manipulator.v2_0.manipulator_end_effector_velocity_state_driver import (
         QueryCommandedEndEffectorVelocityState as QueryCommandedEndEffectorVelocityState,
@@ -31,35 +29,28 @@ if TYPE_CHECKING:
         ReportEndEffectorVelocityState as ReportEndEffectorVelocityState,
     )
     from jauspy.messages.manipulator.v2_0.manipulator_joint_force_torque_sensor import (
-        QueryJointForceTorques as QueryJointForceTorques,
-        ReportJointForceTorques as ReportJointForceTorques,
+        QueryJointForceTorques as QueryJointForceTorques, ReportJointForceTorques as ReportJointForceTorques,
     )
     from jauspy.messages.manipulator.v2_0.manipulator_joint_motion_profile import (
-        QueryJointMotionProfile as QueryJointMotionProfile,
-        ReportJointMotionProfile as ReportJointMotionProfile,
+        QueryJointMotionProfile as QueryJointMotionProfile, ReportJointMotionProfile as ReportJointMotionProfile,
         SetJointMotionProfile as SetJointMotionProfile,
     )
     from jauspy.messages.manipulator.v2_0.manipulator_joint_position_driver import (
         QueryCommandedJointPositions as QueryCommandedJointPositions,
-        ReportCommandedJointPositions as ReportCommandedJointPositions,
-        SetJointPositions as SetJointPositions,
+        ReportCommandedJointPositions as ReportCommandedJointPositions, SetJointPositions as SetJointPositions,
     )
     from jauspy.messages.manipulator.v2_0.manipulator_joint_position_sensor import (
-        QueryJointPositions as QueryJointPositions,
-        ReportJointPositions as ReportJointPositions,
+        QueryJointPositions as QueryJointPositions, ReportJointPositions as ReportJointPositions,
     )
     from jauspy.messages.manipulator.v2_0.manipulator_joint_velocity_driver import (
         QueryCommandedJointVelocity as QueryCommandedJointVelocity,
-        ReportCommandedJointVelocity as ReportCommandedJointVelocity,
-        SetJointVelocity as SetJointVelocity,
+        ReportCommandedJointVelocity as ReportCommandedJointVelocity, SetJointVelocity as SetJointVelocity,
     )
     from jauspy.messages.manipulator.v2_0.manipulator_joint_velocity_sensor import (
-        QueryJointVelocity as QueryJointVelocity,
-        ReportJointVelocity as ReportJointVelocity,
+        QueryJointVelocity as QueryJointVelocity, ReportJointVelocity as ReportJointVelocity,
     )
     from jauspy.messages.manipulator.v2_0.manipulator_list_driver import (
-        ExecuteList as ExecuteList,
-        QueryActiveElement as QueryActiveElement,
+        ExecuteList as ExecuteList, QueryActiveElement as QueryActiveElement,
         ReportActiveElement as ReportActiveElement,
     )
     from jauspy.messages.manipulator.v2_0.manipulator_specification_service import (
@@ -67,9 +58,7 @@ if TYPE_CHECKING:
         ReportManipulatorSpecifications as ReportManipulatorSpecifications,
     )
     from jauspy.messages.manipulator.v2_0.manipulator_tool_offset_service import (
-        QueryToolOffset as QueryToolOffset,
-        ReportToolOffset as ReportToolOffset,
-        SetToolOffset as SetToolOffset,
+        QueryToolOffset as QueryToolOffset, ReportToolOffset as ReportToolOffset, SetToolOffset as SetToolOffset,
     )
     from jauspy.messages.manipulator.v2_0.pan_tilt_joint_position_driver import (
         QueryCommandedPanTiltJointPositions as QueryCommandedPanTiltJointPositions,
@@ -106,17 +95,15 @@ if TYPE_CHECKING:
         SetEndEffectorEffort as SetEndEffectorEffort,
     )
     from jauspy.messages.manipulator.v2_0.primitive_manipulator import (
-        QueryJointEffort as QueryJointEffort,
-        ReportJointEffort as ReportJointEffort,
+        QueryJointEffort as QueryJointEffort, ReportJointEffort as ReportJointEffort,
         SetJointEffort as SetJointEffort,
     )
     from jauspy.messages.manipulator.v2_0.primitive_pan_tilt import (
-        QueryPanTiltJointEffort as QueryPanTiltJointEffort,
-        ReportPanTiltJointEffort as ReportPanTiltJointEffort,
+        QueryPanTiltJointEffort as QueryPanTiltJointEffort, ReportPanTiltJointEffort as ReportPanTiltJointEffort,
         SetPanTiltJointEffort as SetPanTiltJointEffort,
     )
 
-_MODULES = exports({
+__all__, __getattr__, __dir__ = lazy(__name__, {
     "jauspy.messages.manipulator.v2_0.manipulator_actuator_force_torque_driver": "QueryCommandedActuatorForceTorques ReportCommandedActuatorForceTorques SetActuatorForceTorques",
     "jauspy.messages.manipulator.v2_0.manipulator_end_effector_pose_driver": "QueryCommandedEndEffectorPose ReportCommandedEndEffectorPose SetEndEffectorPose",
     "jauspy.messages.manipulator.v2_0.manipulator_end_effector_pose_sensor": "QueryEndEffectorPose ReportEndEffectorPose",
@@ -141,14 +128,3 @@ _MODULES = exports({
     "jauspy.messages.manipulator.v2_0.primitive_manipulator": "QueryJointEffort ReportJointEffort SetJointEffort",
     "jauspy.messages.manipulator.v2_0.primitive_pan_tilt": "QueryPanTiltJointEffort ReportPanTiltJointEffort SetPanTiltJointEffort",
 })
-
-__all__ = sorted(_MODULES)
-
-
-def __getattr__(name: str) -> object:
-    globals()[name] = value = load(name, _MODULES, __name__)
-    return value
-
-
-def __dir__() -> list[str]:
-    return sorted({*globals(), *_MODULES})

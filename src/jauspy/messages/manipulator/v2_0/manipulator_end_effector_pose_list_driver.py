@@ -2,26 +2,14 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
-
+from jauspy.codec import declare as jd
 from jauspy.messages.manipulator.v1_0 import manipulator_end_effector_pose_driver as manipulator_v1_0_manipulator_end_effector_pose_driver
 
+_SERVICE = jd.Service("urn:jaus:jss:manipulator:ManipulatorEndEffectorPoseListDriver", "2.0")
 
+@jd.derived(_SERVICE)
+class ReportCommandedEndEffectorPose(manipulator_v1_0_manipulator_end_effector_pose_driver.ReportCommandedEndEffectorPose): ...
+
+@jd.derived(_SERVICE)
 class QueryCommandedEndEffectorPose(manipulator_v1_0_manipulator_end_effector_pose_driver.QueryCommandedEndEffectorPose):
-    """QueryCommandedEndEffectorPose (0x2610): Asks for the commanded pose of the tool point."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:ManipulatorEndEffectorPoseListDriver"
-    VERSION = "2.0"
-    REPORT: ClassVar[type[ReportCommandedEndEffectorPose]]
-
-
-class ReportCommandedEndEffectorPose(manipulator_v1_0_manipulator_end_effector_pose_driver.ReportCommandedEndEffectorPose):
-    """ReportCommandedEndEffectorPose (0x4610): Tells the commanded pose of the tool point."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:ManipulatorEndEffectorPoseListDriver"
-    VERSION = "2.0"
-
-
-QueryCommandedEndEffectorPose.REPORT = ReportCommandedEndEffectorPose
+    REPORT = ReportCommandedEndEffectorPose

@@ -2,26 +2,14 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
-
+from jauspy.codec import declare as jd
 from jauspy.messages.manipulator.v1_0 import manipulator_end_effector_velocity_state_sensor as manipulator_v1_0_manipulator_end_effector_velocity_state_sensor
 
+_SERVICE = jd.Service("urn:jaus:jss:manipulator:ManipulatorEndEffectorVelocityStateSensor", "2.0")
 
+@jd.derived(_SERVICE)
+class ReportEndEffectorVelocityState(manipulator_v1_0_manipulator_end_effector_velocity_state_sensor.ReportEndEffectorVelocityState): ...
+
+@jd.derived(_SERVICE)
 class QueryEndEffectorVelocityState(manipulator_v1_0_manipulator_end_effector_velocity_state_sensor.QueryEndEffectorVelocityState):
-    """QueryEndEffectorVelocityState (0x2616): Asks for the velocity of the tool point."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:ManipulatorEndEffectorVelocityStateSensor"
-    VERSION = "2.0"
-    REPORT: ClassVar[type[ReportEndEffectorVelocityState]]
-
-
-class ReportEndEffectorVelocityState(manipulator_v1_0_manipulator_end_effector_velocity_state_sensor.ReportEndEffectorVelocityState):
-    """ReportEndEffectorVelocityState (0x4616): Tells the velocity of the tool point."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:ManipulatorEndEffectorVelocityStateSensor"
-    VERSION = "2.0"
-
-
-QueryEndEffectorVelocityState.REPORT = ReportEndEffectorVelocityState
+    REPORT = ReportEndEffectorVelocityState

@@ -2,26 +2,14 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
-
+from jauspy.codec import declare as jd
 from jauspy.messages.manipulator.v1_0 import manipulator_joint_force_torque_sensor as manipulator_v1_0_manipulator_joint_force_torque_sensor
 
+_SERVICE = jd.Service("urn:jaus:jss:manipulator:ManipulatorJointForceTorqueSensor", "2.0")
 
+@jd.derived(_SERVICE)
+class ReportJointForceTorques(manipulator_v1_0_manipulator_joint_force_torque_sensor.ReportJointForceTorques): ...
+
+@jd.derived(_SERVICE)
 class QueryJointForceTorques(manipulator_v1_0_manipulator_joint_force_torque_sensor.QueryJointForceTorques):
-    """QueryJointForceTorques (0x2605): Asks for the force or torque of each joint."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointForceTorqueSensor"
-    VERSION = "2.0"
-    REPORT: ClassVar[type[ReportJointForceTorques]]
-
-
-class ReportJointForceTorques(manipulator_v1_0_manipulator_joint_force_torque_sensor.ReportJointForceTorques):
-    """ReportJointForceTorques (0x4605): Tells the force or torque of each joint."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointForceTorqueSensor"
-    VERSION = "2.0"
-
-
-QueryJointForceTorques.REPORT = ReportJointForceTorques
+    REPORT = ReportJointForceTorques

@@ -2,34 +2,17 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
-
+from jauspy.codec import declare as jd
 from jauspy.messages.manipulator.v1_0 import manipulator_joint_position_driver as manipulator_v1_0_manipulator_joint_position_driver
 
+_SERVICE = jd.Service("urn:jaus:jss:manipulator:ManipulatorJointPositionDriver", "2.0")
 
+@jd.derived(_SERVICE)
+class ReportCommandedJointPositions(manipulator_v1_0_manipulator_joint_position_driver.ReportCommandedJointPositions): ...
+
+@jd.derived(_SERVICE)
 class QueryCommandedJointPositions(manipulator_v1_0_manipulator_joint_position_driver.QueryCommandedJointPositions):
-    """QueryCommandedJointPositions (0x2608): Asks for the commanded position of each joint."""
+    REPORT = ReportCommandedJointPositions
 
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointPositionDriver"
-    VERSION = "2.0"
-    REPORT: ClassVar[type[ReportCommandedJointPositions]]
-
-
-class SetJointPositions(manipulator_v1_0_manipulator_joint_position_driver.SetJointPositions):
-    """SetJointPositions (0x0602): Sets the position of each joint."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointPositionDriver"
-    VERSION = "2.0"
-
-
-class ReportCommandedJointPositions(manipulator_v1_0_manipulator_joint_position_driver.ReportCommandedJointPositions):
-    """ReportCommandedJointPositions (0x4608): Tells the commanded position of each joint."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointPositionDriver"
-    VERSION = "2.0"
-
-
-QueryCommandedJointPositions.REPORT = ReportCommandedJointPositions
+@jd.derived(_SERVICE)
+class SetJointPositions(manipulator_v1_0_manipulator_joint_position_driver.SetJointPositions): ...

@@ -2,26 +2,14 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
-
+from jauspy.codec import declare as jd
 from jauspy.messages.manipulator.v1_0 import manipulator_joint_position_driver as manipulator_v1_0_manipulator_joint_position_driver
 
+_SERVICE = jd.Service("urn:jaus:jss:manipulator:ManipulatorJointPositionListDriver", "2.0")
 
+@jd.derived(_SERVICE)
+class ReportCommandedJointPositions(manipulator_v1_0_manipulator_joint_position_driver.ReportCommandedJointPositions): ...
+
+@jd.derived(_SERVICE)
 class QueryCommandedJointPositions(manipulator_v1_0_manipulator_joint_position_driver.QueryCommandedJointPositions):
-    """QueryCommandedJointPositions (0x2608): Asks for the commanded position of each joint."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointPositionListDriver"
-    VERSION = "2.0"
-    REPORT: ClassVar[type[ReportCommandedJointPositions]]
-
-
-class ReportCommandedJointPositions(manipulator_v1_0_manipulator_joint_position_driver.ReportCommandedJointPositions):
-    """ReportCommandedJointPositions (0x4608): Tells the commanded position of each joint."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointPositionListDriver"
-    VERSION = "2.0"
-
-
-QueryCommandedJointPositions.REPORT = ReportCommandedJointPositions
+    REPORT = ReportCommandedJointPositions

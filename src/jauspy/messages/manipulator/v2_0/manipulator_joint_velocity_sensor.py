@@ -2,92 +2,23 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import ClassVar, Self
-
-from jauspy.codec import runtime as rt
+from jauspy.codec import declare as jd
 from jauspy.messages.manipulator.v1_0 import types as manipulator_v1_0_types
 
-
-@dataclass(slots=True, repr=False)
-class QueryJointVelocity(rt.Message):
-    """QueryJointVelocity (0x2603): Asks for the velocity of each joint."""
-
-    CODE = 0x2603
-    NAME = "QueryJointVelocity"
-    SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointVelocitySensor"
-    VERSION = "2.0"
-    IS_COMMAND = False
-    IS_QUERY = True
-    REPORT: ClassVar[type[ReportJointVelocity]]
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.Composite(cls, ())
-
-    @classmethod
-    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
-        if data != b'\x03&': raise rt.Reject
-        return rt.new(cls)
-
-    def _pack(self) -> bytes:
-        return _S_H.pack(0x2603)
+_SERVICE = jd.Service("urn:jaus:jss:manipulator:ManipulatorJointVelocitySensor", "2.0")
 
 
-@dataclass(slots=True, repr=False)
-class ReportJointVelocity(rt.Message):
+@jd.message(_SERVICE, 0x4603)
+class ReportJointVelocity(jd.Message):
     """ReportJointVelocity (0x4603): Tells the velocity of each joint.
 
     joint_velocity_list: 0..255 items. The joints, from the base
     """
-
-    CODE = 0x4603
-    NAME = "ReportJointVelocity"
-    SERVICE = "urn:jaus:jss:manipulator:ManipulatorJointVelocitySensor"
-    VERSION = "2.0"
-    IS_COMMAND = False
-    IS_QUERY = False
-
     JointVelocityRec = manipulator_v1_0_types.JointVelocityRec
-
-    joint_velocity_list: list[manipulator_v1_0_types.JointVelocityRec]
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.composite(
-            cls, None,
-            ("JointVelocityList", rt.Repeat(rt.Count("B", 0, 255), manipulator_v1_0_types.JointVelocityRec.layout())),
-        )
-
-    @classmethod
-    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
-        if data[0] != 0x03 or data[1] != 0x46: raise rt.Reject
-        size = len(data)
-        self = rt.new(cls)
-        joint_velocity_list_count_ = data[2]
-        if joint_velocity_list_count_ * 5 > size - 3: raise rt.Reject
-        at = 3
-        joint_velocity_list_ = []
-        for _ in range(joint_velocity_list_count_):
-            item_ = rt.new(manipulator_v1_0_types.JointVelocityRec)
-            item_.joint_velocity, at = manipulator_v1_0_types.JointVelocityRec.JointVelocity._read(data, at, nesting)
-            joint_velocity_list_.append(item_)
-        self.joint_velocity_list = joint_velocity_list_
-        if at != size: raise rt.Reject
-        return self
-
-    def _pack(self) -> bytes:
-        out = bytearray(b"\x03\x46")
-        joint_velocity_list_ = self.joint_velocity_list
-        if type(joint_velocity_list_) is not list: raise rt.Reject
-        out.append(len(joint_velocity_list_))
-        for item_ in joint_velocity_list_:
-            if type(item_) is not manipulator_v1_0_types.JointVelocityRec: raise rt.Reject
-            joint_velocity_ = item_.joint_velocity
-            if type(joint_velocity_) is not manipulator_v1_0_types.JointVelocityRec.JointVelocity: raise rt.Reject
-            joint_velocity_._write(out)
-        return bytes(out)
+    joint_velocity_list: list[manipulator_v1_0_types.JointVelocityRec] = jd.field("JointVelocityList", lambda: jd.Repeat(jd.Count("B", 0, 255), manipulator_v1_0_types.JointVelocityRec.layout()))
 
 
-_S_H = rt.Packer("<H")
-QueryJointVelocity.REPORT = ReportJointVelocity
+@jd.message(_SERVICE, 0x2603, query=True)
+class QueryJointVelocity(jd.Message):
+    """QueryJointVelocity (0x2603): Asks for the velocity of each joint."""
+    REPORT = ReportJointVelocity

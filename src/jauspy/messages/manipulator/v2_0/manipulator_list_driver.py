@@ -2,34 +2,17 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
-
+from jauspy.codec import declare as jd
 from jauspy.messages.manipulator.v1_0 import manipulator_end_effector_pose_list_driver as manipulator_v1_0_manipulator_end_effector_pose_list_driver
 
+_SERVICE = jd.Service("urn:jaus:jss:manipulator:ManipulatorListDriver", "2.0")
 
-class ExecuteList(manipulator_v1_0_manipulator_end_effector_pose_list_driver.ExecuteList):
-    """ExecuteList (0x061E): Starts the list at an element, at a speed."""
+@jd.derived(_SERVICE)
+class ExecuteList(manipulator_v1_0_manipulator_end_effector_pose_list_driver.ExecuteList): ...
 
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:ManipulatorListDriver"
-    VERSION = "2.0"
+@jd.derived(_SERVICE)
+class ReportActiveElement(manipulator_v1_0_manipulator_end_effector_pose_list_driver.ReportActiveElement): ...
 
-
+@jd.derived(_SERVICE)
 class QueryActiveElement(manipulator_v1_0_manipulator_end_effector_pose_list_driver.QueryActiveElement):
-    """QueryActiveElement (0x261E): Asks which element of the list is being carried out."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:ManipulatorListDriver"
-    VERSION = "2.0"
-    REPORT: ClassVar[type[ReportActiveElement]]
-
-
-class ReportActiveElement(manipulator_v1_0_manipulator_end_effector_pose_list_driver.ReportActiveElement):
-    """ReportActiveElement (0x461E): Tells which element of the list is being carried out."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:ManipulatorListDriver"
-    VERSION = "2.0"
-
-
-QueryActiveElement.REPORT = ReportActiveElement
+    REPORT = ReportActiveElement

@@ -2,34 +2,17 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
-
+from jauspy.codec import declare as jd
 from jauspy.messages.manipulator.v1_0 import manipulator_end_effector_pose_driver as manipulator_v1_0_manipulator_end_effector_pose_driver
 
+_SERVICE = jd.Service("urn:jaus:jss:manipulator:ManipulatorToolOffsetService", "2.0")
 
+@jd.derived(_SERVICE)
+class ReportToolOffset(manipulator_v1_0_manipulator_end_effector_pose_driver.ReportToolOffset): ...
+
+@jd.derived(_SERVICE)
 class QueryToolOffset(manipulator_v1_0_manipulator_end_effector_pose_driver.QueryToolOffset):
-    """QueryToolOffset (0x2604): Asks where the tool point is."""
+    REPORT = ReportToolOffset
 
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:ManipulatorToolOffsetService"
-    VERSION = "2.0"
-    REPORT: ClassVar[type[ReportToolOffset]]
-
-
-class SetToolOffset(manipulator_v1_0_manipulator_end_effector_pose_driver.SetToolOffset):
-    """SetToolOffset (0x0604): Sets where the tool point is."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:ManipulatorToolOffsetService"
-    VERSION = "2.0"
-
-
-class ReportToolOffset(manipulator_v1_0_manipulator_end_effector_pose_driver.ReportToolOffset):
-    """ReportToolOffset (0x4604): Tells where the tool point is."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:ManipulatorToolOffsetService"
-    VERSION = "2.0"
-
-
-QueryToolOffset.REPORT = ReportToolOffset
+@jd.derived(_SERVICE)
+class SetToolOffset(manipulator_v1_0_manipulator_end_effector_pose_driver.SetToolOffset): ...

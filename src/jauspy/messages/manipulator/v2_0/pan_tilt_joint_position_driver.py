@@ -2,34 +2,17 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
-
+from jauspy.codec import declare as jd
 from jauspy.messages.manipulator.v1_0 import pan_tilt_joint_position_driver as manipulator_v1_0_pan_tilt_joint_position_driver
 
+_SERVICE = jd.Service("urn:jaus:jss:manipulator:PanTiltJointPositionDriver", "2.0")
 
+@jd.derived(_SERVICE)
+class ReportCommandedPanTiltJointPositions(manipulator_v1_0_pan_tilt_joint_position_driver.ReportCommandedPanTiltJointPositions): ...
+
+@jd.derived(_SERVICE)
 class QueryCommandedPanTiltJointPositions(manipulator_v1_0_pan_tilt_joint_position_driver.QueryCommandedPanTiltJointPositions):
-    """QueryCommandedPanTiltJointPositions (0x2628): Asks for the commanded angles."""
+    REPORT = ReportCommandedPanTiltJointPositions
 
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:PanTiltJointPositionDriver"
-    VERSION = "2.0"
-    REPORT: ClassVar[type[ReportCommandedPanTiltJointPositions]]
-
-
-class SetPanTiltJointPositions(manipulator_v1_0_pan_tilt_joint_position_driver.SetPanTiltJointPositions):
-    """SetPanTiltJointPositions (0x0622): Sets the angles."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:PanTiltJointPositionDriver"
-    VERSION = "2.0"
-
-
-class ReportCommandedPanTiltJointPositions(manipulator_v1_0_pan_tilt_joint_position_driver.ReportCommandedPanTiltJointPositions):
-    """ReportCommandedPanTiltJointPositions (0x4628): Tells the commanded angles."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:PanTiltJointPositionDriver"
-    VERSION = "2.0"
-
-
-QueryCommandedPanTiltJointPositions.REPORT = ReportCommandedPanTiltJointPositions
+@jd.derived(_SERVICE)
+class SetPanTiltJointPositions(manipulator_v1_0_pan_tilt_joint_position_driver.SetPanTiltJointPositions): ...

@@ -2,34 +2,17 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
-
+from jauspy.codec import declare as jd
 from jauspy.messages.manipulator.v1_0 import pan_tilt_joint_position_driver as manipulator_v1_0_pan_tilt_joint_position_driver
 
+_SERVICE = jd.Service("urn:jaus:jss:manipulator:PanTiltMotionProfileService", "2.0")
 
+@jd.derived(_SERVICE)
+class ReportPanTiltMotionProfile(manipulator_v1_0_pan_tilt_joint_position_driver.ReportPanTiltMotionProfile): ...
+
+@jd.derived(_SERVICE)
 class QueryPanTiltMotionProfile(manipulator_v1_0_pan_tilt_joint_position_driver.QueryPanTiltMotionProfile):
-    """QueryPanTiltMotionProfile (0x2627): Asks for the limits of speed and acceleration."""
+    REPORT = ReportPanTiltMotionProfile
 
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:PanTiltMotionProfileService"
-    VERSION = "2.0"
-    REPORT: ClassVar[type[ReportPanTiltMotionProfile]]
-
-
-class SetPanTiltMotionProfile(manipulator_v1_0_pan_tilt_joint_position_driver.SetPanTiltMotionProfile):
-    """SetPanTiltMotionProfile (0x0627): Sets limits of speed and acceleration."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:PanTiltMotionProfileService"
-    VERSION = "2.0"
-
-
-class ReportPanTiltMotionProfile(manipulator_v1_0_pan_tilt_joint_position_driver.ReportPanTiltMotionProfile):
-    """ReportPanTiltMotionProfile (0x4627): Tells the limits of speed and acceleration."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:manipulator:PanTiltMotionProfileService"
-    VERSION = "2.0"
-
-
-QueryPanTiltMotionProfile.REPORT = ReportPanTiltMotionProfile
+@jd.derived(_SERVICE)
+class SetPanTiltMotionProfile(manipulator_v1_0_pan_tilt_joint_position_driver.SetPanTiltMotionProfile): ...

@@ -2,147 +2,33 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import ClassVar, Self
-
-from jauspy.codec import runtime as rt
+from jauspy.codec import declare as jd
 from jauspy.messages.manipulator.v1_0 import types as manipulator_v1_0_types
 
-
-@dataclass(slots=True, repr=False)
-class QueryJointEffort(rt.Message):
-    """QueryJointEffort (0x2601): Asks for the effort of each joint."""
-
-    CODE = 0x2601
-    NAME = "QueryJointEffort"
-    SERVICE = "urn:jaus:jss:manipulator:PrimitiveManipulator"
-    VERSION = "2.0"
-    IS_COMMAND = False
-    IS_QUERY = True
-    REPORT: ClassVar[type[ReportJointEffort]]
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.Composite(cls, ())
-
-    @classmethod
-    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
-        if data != b'\x01&': raise rt.Reject
-        return rt.new(cls)
-
-    def _pack(self) -> bytes:
-        return _S_H.pack(0x2601)
+_SERVICE = jd.Service("urn:jaus:jss:manipulator:PrimitiveManipulator", "2.0")
 
 
-@dataclass(slots=True, repr=False)
-class SetJointEffort(rt.Message):
-    """SetJointEffort (0x0601): Sets the effort of each joint.
-
-    joint_effort_list: 0..255 items. The joints, from the base
-    """
-
-    CODE = 0x0601
-    NAME = "SetJointEffort"
-    SERVICE = "urn:jaus:jss:manipulator:PrimitiveManipulator"
-    VERSION = "2.0"
-    IS_COMMAND = True
-    IS_QUERY = False
-
-    JointEffortRec = manipulator_v1_0_types.JointEffortRec
-
-    joint_effort_list: list[manipulator_v1_0_types.JointEffortRec]
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.composite(
-            cls, None,
-            ("JointEffortList", rt.Repeat(rt.Count("B", 0, 255), manipulator_v1_0_types.JointEffortRec.layout())),
-        )
-
-    @classmethod
-    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
-        if data[0] != 0x01 or data[1] != 0x06: raise rt.Reject
-        size = len(data)
-        self = rt.new(cls)
-        joint_effort_list_count_ = data[2]
-        joint_effort_list_end_ = 3 + joint_effort_list_count_ * 2
-        self.joint_effort_list = [manipulator_v1_0_types.JointEffortRec(-100.0 + joint_effort_ * 0.0030518043793392844) for joint_effort_ in _L_H[joint_effort_list_count_].unpack_from(data, 3)]
-        if joint_effort_list_end_ != size: raise rt.Reject
-        return self
-
-    def _pack(self) -> bytes:
-        out = bytearray(b"\x01\x06")
-        joint_effort_list_ = self.joint_effort_list
-        if type(joint_effort_list_) is not list: raise rt.Reject
-        out.append(len(joint_effort_list_))
-        raw_: list[int | float] = []
-        for item_ in joint_effort_list_:
-            if type(item_) is not manipulator_v1_0_types.JointEffortRec: raise rt.Reject
-            joint_effort_ = item_.joint_effort
-            if not -100.0 <= joint_effort_ <= 100.0: raise rt.Reject
-            near = joint_effort_ * 327.675 + 32768.0
-            joint_effort_raw_ = int(near)
-            if not 1.52587890625e-05 < near - joint_effort_raw_ < 0.9999847412109375: joint_effort_raw_ = rt.exact_raw(joint_effort_, _R_2)
-            raw_.append(joint_effort_raw_)
-        out += _L_H[len(raw_)].pack(*raw_)
-        return bytes(out)
-
-
-@dataclass(slots=True, repr=False)
-class ReportJointEffort(rt.Message):
+@jd.message(_SERVICE, 0x4601)
+class ReportJointEffort(jd.Message):
     """ReportJointEffort (0x4601): Tells the effort of each joint.
 
     joint_effort_list: 0..255 items. The joints, from the base
     """
-
-    CODE = 0x4601
-    NAME = "ReportJointEffort"
-    SERVICE = "urn:jaus:jss:manipulator:PrimitiveManipulator"
-    VERSION = "2.0"
-    IS_COMMAND = False
-    IS_QUERY = False
-
     JointEffortRec = manipulator_v1_0_types.JointEffortRec
-
-    joint_effort_list: list[manipulator_v1_0_types.JointEffortRec]
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.composite(
-            cls, None,
-            ("JointEffortList", rt.Repeat(rt.Count("B", 0, 255), manipulator_v1_0_types.JointEffortRec.layout())),
-        )
-
-    @classmethod
-    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
-        if data[0] != 0x01 or data[1] != 0x46: raise rt.Reject
-        size = len(data)
-        self = rt.new(cls)
-        joint_effort_list_count_ = data[2]
-        joint_effort_list_end_ = 3 + joint_effort_list_count_ * 2
-        self.joint_effort_list = [manipulator_v1_0_types.JointEffortRec(-100.0 + joint_effort_ * 0.0030518043793392844) for joint_effort_ in _L_H[joint_effort_list_count_].unpack_from(data, 3)]
-        if joint_effort_list_end_ != size: raise rt.Reject
-        return self
-
-    def _pack(self) -> bytes:
-        out = bytearray(b"\x01\x46")
-        joint_effort_list_ = self.joint_effort_list
-        if type(joint_effort_list_) is not list: raise rt.Reject
-        out.append(len(joint_effort_list_))
-        raw_: list[int | float] = []
-        for item_ in joint_effort_list_:
-            if type(item_) is not manipulator_v1_0_types.JointEffortRec: raise rt.Reject
-            joint_effort_ = item_.joint_effort
-            if not -100.0 <= joint_effort_ <= 100.0: raise rt.Reject
-            near = joint_effort_ * 327.675 + 32768.0
-            joint_effort_raw_ = int(near)
-            if not 1.52587890625e-05 < near - joint_effort_raw_ < 0.9999847412109375: joint_effort_raw_ = rt.exact_raw(joint_effort_, _R_2)
-            raw_.append(joint_effort_raw_)
-        out += _L_H[len(raw_)].pack(*raw_)
-        return bytes(out)
+    joint_effort_list: list[manipulator_v1_0_types.JointEffortRec] = jd.field("JointEffortList", lambda: jd.Repeat(jd.Count("B", 0, 255), manipulator_v1_0_types.JointEffortRec.layout()))
 
 
-_S_H = rt.Packer("<H")
-_L_H = rt.Rows("H")
-_R_2 = rt.Scaling(-100.0, 100.0, 65535)
-QueryJointEffort.REPORT = ReportJointEffort
+@jd.message(_SERVICE, 0x2601, query=True)
+class QueryJointEffort(jd.Message):
+    """QueryJointEffort (0x2601): Asks for the effort of each joint."""
+    REPORT = ReportJointEffort
+
+
+@jd.message(_SERVICE, 0x0601, command=True)
+class SetJointEffort(jd.Message):
+    """SetJointEffort (0x0601): Sets the effort of each joint.
+
+    joint_effort_list: 0..255 items. The joints, from the base
+    """
+    JointEffortRec = manipulator_v1_0_types.JointEffortRec
+    joint_effort_list: list[manipulator_v1_0_types.JointEffortRec] = jd.field("JointEffortList", lambda: jd.Repeat(jd.Count("B", 0, 255), manipulator_v1_0_types.JointEffortRec.layout()))

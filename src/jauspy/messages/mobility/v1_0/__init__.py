@@ -4,111 +4,75 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from jauspy.codec.lazy import exports, load
+from jauspy.codec.registry import lazy
 
 if TYPE_CHECKING:
     from jauspy.messages.mobility.v1_0.acceleration_state_sensor import (
-        QueryAccelerationState as QueryAccelerationState,
-        ReportAccelerationState as ReportAccelerationState,
+        QueryAccelerationState as QueryAccelerationState, ReportAccelerationState as ReportAccelerationState,
     )
     from jauspy.messages.mobility.v1_0.global_path_segment_driver import (
-        ExecuteList as ExecuteList,
-        QueryActiveElement as QueryActiveElement,
-        QueryGlobalPathSegment as QueryGlobalPathSegment,
-        QueryTravelSpeed as QueryTravelSpeed,
-        ReportActiveElement as ReportActiveElement,
-        ReportGlobalPathSegment as ReportGlobalPathSegment,
-        ReportTravelSpeed as ReportTravelSpeed,
-        SetGlobalPathSegment as SetGlobalPathSegment,
+        ExecuteList as ExecuteList, QueryActiveElement as QueryActiveElement,
+        QueryGlobalPathSegment as QueryGlobalPathSegment, QueryTravelSpeed as QueryTravelSpeed,
+        ReportActiveElement as ReportActiveElement, ReportGlobalPathSegment as ReportGlobalPathSegment,
+        ReportTravelSpeed as ReportTravelSpeed, SetGlobalPathSegment as SetGlobalPathSegment,
     )
     from jauspy.messages.mobility.v1_0.global_pose_sensor import (
-        QueryGeomagneticProperty as QueryGeomagneticProperty,
-        QueryGlobalPose as QueryGlobalPose,
-        ReportGeomagneticProperty as ReportGeomagneticProperty,
-        ReportGlobalPose as ReportGlobalPose,
-        SetGeomagneticProperty as SetGeomagneticProperty,
-        SetGlobalPose as SetGlobalPose,
+        QueryGeomagneticProperty as QueryGeomagneticProperty, QueryGlobalPose as QueryGlobalPose,
+        ReportGeomagneticProperty as ReportGeomagneticProperty, ReportGlobalPose as ReportGlobalPose,
+        SetGeomagneticProperty as SetGeomagneticProperty, SetGlobalPose as SetGlobalPose,
     )
     from jauspy.messages.mobility.v1_0.global_vector_driver import (
-        QueryGlobalVector as QueryGlobalVector,
-        ReportGlobalVector as ReportGlobalVector,
+        QueryGlobalVector as QueryGlobalVector, ReportGlobalVector as ReportGlobalVector,
         SetGlobalVector as SetGlobalVector,
     )
     from jauspy.messages.mobility.v1_0.global_waypoint_driver import (
-        QueryGlobalWaypoint as QueryGlobalWaypoint,
-        ReportGlobalWaypoint as ReportGlobalWaypoint,
-        SetGlobalWaypoint as SetGlobalWaypoint,
-        SetTravelSpeed as SetTravelSpeed,
+        QueryGlobalWaypoint as QueryGlobalWaypoint, ReportGlobalWaypoint as ReportGlobalWaypoint,
+        SetGlobalWaypoint as SetGlobalWaypoint, SetTravelSpeed as SetTravelSpeed,
     )
     from jauspy.messages.mobility.v1_0.list_manager import (
-        ConfirmElementRequest as ConfirmElementRequest,
-        DeleteElement as DeleteElement,
-        QueryElement as QueryElement,
-        QueryElementCount as QueryElementCount,
-        QueryElementList as QueryElementList,
-        RejectElementRequest as RejectElementRequest,
-        ReportElement as ReportElement,
-        ReportElementCount as ReportElementCount,
-        ReportElementList as ReportElementList,
-        SetElement as SetElement,
+        ConfirmElementRequest as ConfirmElementRequest, DeleteElement as DeleteElement,
+        QueryElement as QueryElement, QueryElementCount as QueryElementCount, QueryElementList as QueryElementList,
+        RejectElementRequest as RejectElementRequest, ReportElement as ReportElement,
+        ReportElementCount as ReportElementCount, ReportElementList as ReportElementList, SetElement as SetElement,
     )
     from jauspy.messages.mobility.v1_0.local_path_segment_driver import (
-        QueryLocalPathSegment as QueryLocalPathSegment,
-        ReportLocalPathSegment as ReportLocalPathSegment,
+        QueryLocalPathSegment as QueryLocalPathSegment, ReportLocalPathSegment as ReportLocalPathSegment,
         SetLocalPathSegment as SetLocalPathSegment,
     )
     from jauspy.messages.mobility.v1_0.local_pose_sensor import (
-        QueryLocalPose as QueryLocalPose,
-        ReportLocalPose as ReportLocalPose,
-        SetLocalPose as SetLocalPose,
+        QueryLocalPose as QueryLocalPose, ReportLocalPose as ReportLocalPose, SetLocalPose as SetLocalPose,
     )
     from jauspy.messages.mobility.v1_0.local_vector_driver import (
-        QueryLocalVector as QueryLocalVector,
-        ReportLocalVector as ReportLocalVector,
+        QueryLocalVector as QueryLocalVector, ReportLocalVector as ReportLocalVector,
         SetLocalVector as SetLocalVector,
     )
     from jauspy.messages.mobility.v1_0.local_waypoint_driver import (
-        QueryLocalWaypoint as QueryLocalWaypoint,
-        ReportLocalWaypoint as ReportLocalWaypoint,
+        QueryLocalWaypoint as QueryLocalWaypoint, ReportLocalWaypoint as ReportLocalWaypoint,
         SetLocalWaypoint as SetLocalWaypoint,
     )
     from jauspy.messages.mobility.v1_0.primitive_driver import (
-        QueryWrenchEffort as QueryWrenchEffort,
-        ReportWrenchEffort as ReportWrenchEffort,
+        QueryWrenchEffort as QueryWrenchEffort, ReportWrenchEffort as ReportWrenchEffort,
         SetWrenchEffort as SetWrenchEffort,
     )
     from jauspy.messages.mobility.v1_0.types import (
-        ExcursionRec as ExcursionRec,
-        GlobalPoseRec as GlobalPoseRec,
-        GlobalZPosition as GlobalZPosition,
-        LocalPoseRec as LocalPoseRec,
-        PolygonRec as PolygonRec,
-        RaceTrackRec as RaceTrackRec,
+        ExcursionRec as ExcursionRec, GlobalPoseRec as GlobalPoseRec, GlobalZPosition as GlobalZPosition,
+        LocalPoseRec as LocalPoseRec, PolygonRec as PolygonRec, RaceTrackRec as RaceTrackRec,
         ReportAccelerationStateExtRec as ReportAccelerationStateExtRec,
-        ReportGlobalPoseExtRec as ReportGlobalPoseExtRec,
-        ReportLocalPoseExtRec as ReportLocalPoseExtRec,
-        ReportVelocityStateExtRec as ReportVelocityStateExtRec,
-        Speed as Speed,
-        VelocityLocalXYZRec as VelocityLocalXYZRec,
-        VelocityNEDRec as VelocityNEDRec,
-        VelocityVehicleXYZRec as VelocityVehicleXYZRec,
-        ZPosition as ZPosition,
-        ZoneIDRec as ZoneIDRec,
+        ReportGlobalPoseExtRec as ReportGlobalPoseExtRec, ReportLocalPoseExtRec as ReportLocalPoseExtRec,
+        ReportVelocityStateExtRec as ReportVelocityStateExtRec, Speed as Speed,
+        VelocityLocalXYZRec as VelocityLocalXYZRec, VelocityNEDRec as VelocityNEDRec,
+        VelocityVehicleXYZRec as VelocityVehicleXYZRec, ZPosition as ZPosition, ZoneIDRec as ZoneIDRec,
     )
     from jauspy.messages.mobility.v1_0.velocity_state_driver import (
-        QueryAccelerationLimit as QueryAccelerationLimit,
-        QueryVelocityCommand as QueryVelocityCommand,
-        ReportAccelerationLimit as ReportAccelerationLimit,
-        ReportVelocityCommand as ReportVelocityCommand,
-        SetAccelerationLimit as SetAccelerationLimit,
-        SetVelocityCommand as SetVelocityCommand,
+        QueryAccelerationLimit as QueryAccelerationLimit, QueryVelocityCommand as QueryVelocityCommand,
+        ReportAccelerationLimit as ReportAccelerationLimit, ReportVelocityCommand as ReportVelocityCommand,
+        SetAccelerationLimit as SetAccelerationLimit, SetVelocityCommand as SetVelocityCommand,
     )
     from jauspy.messages.mobility.v1_0.velocity_state_sensor import (
-        QueryVelocityState as QueryVelocityState,
-        ReportVelocityState as ReportVelocityState,
+        QueryVelocityState as QueryVelocityState, ReportVelocityState as ReportVelocityState,
     )
 
-_MODULES = exports({
+__all__, __getattr__, __dir__ = lazy(__name__, {
     "jauspy.messages.mobility.v1_0.acceleration_state_sensor": "QueryAccelerationState ReportAccelerationState",
     "jauspy.messages.mobility.v1_0.global_path_segment_driver": "ExecuteList QueryActiveElement QueryGlobalPathSegment QueryTravelSpeed ReportActiveElement ReportGlobalPathSegment ReportTravelSpeed SetGlobalPathSegment",
     "jauspy.messages.mobility.v1_0.global_pose_sensor": "QueryGeomagneticProperty QueryGlobalPose ReportGeomagneticProperty ReportGlobalPose SetGeomagneticProperty SetGlobalPose",
@@ -124,14 +88,3 @@ _MODULES = exports({
     "jauspy.messages.mobility.v1_0.velocity_state_driver": "QueryAccelerationLimit QueryVelocityCommand ReportAccelerationLimit ReportVelocityCommand SetAccelerationLimit SetVelocityCommand",
     "jauspy.messages.mobility.v1_0.velocity_state_sensor": "QueryVelocityState ReportVelocityState",
 })
-
-__all__ = sorted(_MODULES)
-
-
-def __getattr__(name: str) -> object:
-    globals()[name] = value = load(name, _MODULES, __name__)
-    return value
-
-
-def __dir__() -> list[str]:
-    return sorted({*globals(), *_MODULES})

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import ClassVar, Self
+from jauspy.codec import declare as jd
 
-from jauspy.codec import runtime as rt
+_SERVICE = jd.Service("urn:jaus:jss:mobility:GlobalVectorDriver", "1.0")
 
 
-@dataclass(slots=True, repr=False)
-class SetGlobalVector(rt.Message):
+@jd.message(_SERVICE, 0x0407, presence="B", command=True)
+class SetGlobalVector(jd.Message):
     """SetGlobalVector (0x0407): Sets heading, speed and attitude on the globe.
 
     speed: 0..327.67 meter per second, optional. Wanted speed, in metres per second
@@ -18,130 +17,16 @@ class SetGlobalVector(rt.Message):
     roll: -3.14159265359..3.14159265359 radian, optional. Wanted rotation about X, in radians
     pitch: -3.14159265359..3.14159265359 radian, optional. Wanted rotation about Y, in radians
     """
-
-    CODE = 0x0407
-    NAME = "SetGlobalVector"
-    SERVICE = "urn:jaus:jss:mobility:GlobalVectorDriver"
-    VERSION = "1.0"
-    IS_COMMAND = True
-    IS_QUERY = False
-
-    speed: float | None = None
-    altitude: float | None = None
-    heading: float | None = None
-    roll: float | None = None
-    pitch: float | None = None
+    speed: float | None = jd.field("Speed", jd.real("H", 0.0, 327.67, "meter per second"), default=None)
+    altitude: float | None = jd.field("Altitude", jd.real("I", -10000.0, 35000.0, "meter"), default=None)
+    heading: float | None = jd.field("Heading", jd.real("H", -3.141592653589793, 3.141592653589793, "radian"), default=None)
+    roll: float | None = jd.field("Roll", jd.real("H", -3.141592653589793, 3.141592653589793, "radian"), default=None)
+    pitch: float | None = jd.field("Pitch", jd.real("H", -3.141592653589793, 3.141592653589793, "radian"), default=None)
     reserved_presence: int = 0
 
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.composite(
-            cls, "B",
-            ("Speed", rt.real("H", 0.0, 327.67, "meter per second"), True),
-            ("Altitude", rt.real("I", -10000.0, 35000.0, "meter"), True),
-            ("Heading", rt.real("H", -3.141592653589793, 3.141592653589793, "radian"), True),
-            ("Roll", rt.real("H", -3.141592653589793, 3.141592653589793, "radian"), True),
-            ("Pitch", rt.real("H", -3.141592653589793, 3.141592653589793, "radian"), True),
-        )
 
-    @classmethod
-    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
-        code, mask = _S_HB.unpack_from(data)
-        if code != 0x0407: raise rt.Reject
-        raw = iter(_M_SetGlobalVector[mask & 0x1F].unpack(data)).__next__
-        self = rt.new(cls)
-        self.speed = raw() * 0.0049999237048905165 if mask & 1 else None
-        self.altitude = -10000.0 + raw() * 1.0477378966863588e-05 if mask & 2 else None
-        self.heading = -3.141592653589793 + raw() * 9.587526218325454e-05 if mask & 4 else None
-        self.roll = -3.141592653589793 + raw() * 9.587526218325454e-05 if mask & 8 else None
-        self.pitch = -3.141592653589793 + raw() * 9.587526218325454e-05 if mask & 16 else None
-        self.reserved_presence = mask & 0xE0
-        return self
-
-    def _pack(self) -> bytes:
-        mask = self.reserved_presence
-        if mask & 0x1F: raise rt.Reject
-        raw: list[int | float | bytes] = []
-        speed_ = self.speed
-        if speed_ is not None:
-            mask |= 1
-            if not 0.0 <= speed_ <= 327.67: raise rt.Reject
-            near = speed_ * 200.0030518509476 + 0.5
-            speed_raw_ = int(near)
-            if not 1.52587890625e-05 < near - speed_raw_ < 0.9999847412109375: speed_raw_ = rt.exact_raw(speed_, _R_2)
-            raw.append(speed_raw_)
-        altitude_ = self.altitude
-        if altitude_ is not None:
-            mask |= 2
-            if not -10000.0 <= altitude_ <= 35000.0: raise rt.Reject
-            near = altitude_ * 95443.71766666666 + 954437177.1666666
-            altitude_raw_ = int(near)
-            if not 1.52587890625e-05 < near - altitude_raw_ < 0.9999847412109375: altitude_raw_ = rt.exact_raw(altitude_, _R_3)
-            raw.append(altitude_raw_)
-        heading_ = self.heading
-        if heading_ is not None:
-            mask |= 4
-            if not -3.141592653589793 <= heading_ <= 3.141592653589793: raise rt.Reject
-            near = heading_ * 10430.219195527361 + 32768.0
-            heading_raw_ = int(near)
-            if not 1.52587890625e-05 < near - heading_raw_ < 0.9999847412109375: heading_raw_ = rt.exact_raw(heading_, _R_4)
-            raw.append(heading_raw_)
-        roll_ = self.roll
-        if roll_ is not None:
-            mask |= 8
-            if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = roll_ * 10430.219195527361 + 32768.0
-            roll_raw_ = int(near)
-            if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_4)
-            raw.append(roll_raw_)
-        pitch_ = self.pitch
-        if pitch_ is not None:
-            mask |= 16
-            if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = pitch_ * 10430.219195527361 + 32768.0
-            pitch_raw_ = int(near)
-            if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_4)
-            raw.append(pitch_raw_)
-        return _M_SetGlobalVector_pack[mask & 0x1F].pack(0x0407, mask, *raw)
-
-
-@dataclass(slots=True, repr=False)
-class QueryGlobalVector(rt.Message):
-    """QueryGlobalVector (0x2407): Asks for the commanded heading, speed and attitude on the globe.
-
-    presence_vector: Optional fields that the report is to have: bit i asks for the i-th of them, from 0
-    """
-
-    CODE = 0x2407
-    NAME = "QueryGlobalVector"
-    SERVICE = "urn:jaus:jss:mobility:GlobalVectorDriver"
-    VERSION = "1.0"
-    IS_COMMAND = False
-    IS_QUERY = True
-    REPORT: ClassVar[type[ReportGlobalVector]]
-
-    presence_vector: int
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.composite(
-            cls, None,
-            ("PresenceVector", rt.Number("B")),
-        )
-
-    @classmethod
-    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
-        self = rt.new(cls)
-        code, self.presence_vector = _S_HB.unpack(data)
-        if code != 0x2407: raise rt.Reject
-        return self
-
-    def _pack(self) -> bytes:
-        return _S_HB.pack(0x2407, self.presence_vector)
-
-
-@dataclass(slots=True, repr=False)
-class ReportGlobalVector(rt.Message):
+@jd.message(_SERVICE, 0x4407, presence="B")
+class ReportGlobalVector(jd.Message):
     """ReportGlobalVector (0x4407): Tells the commanded heading, speed and attitude on the globe.
 
     speed: 0..327.67 meter per second, optional. Wanted speed, in metres per second
@@ -150,97 +35,19 @@ class ReportGlobalVector(rt.Message):
     roll: -3.14159265359..3.14159265359 radian, optional. Wanted rotation about X, in radians
     pitch: -3.14159265359..3.14159265359 radian, optional. Wanted rotation about Y, in radians
     """
-
-    CODE = 0x4407
-    NAME = "ReportGlobalVector"
-    SERVICE = "urn:jaus:jss:mobility:GlobalVectorDriver"
-    VERSION = "1.0"
-    IS_COMMAND = False
-    IS_QUERY = False
-
-    speed: float | None = None
-    altitude: float | None = None
-    heading: float | None = None
-    roll: float | None = None
-    pitch: float | None = None
+    speed: float | None = jd.field("Speed", jd.real("H", 0.0, 327.67, "meter per second"), default=None)
+    altitude: float | None = jd.field("Altitude", jd.real("I", -10000.0, 35000.0, "meter"), default=None)
+    heading: float | None = jd.field("Heading", jd.real("H", -3.141592653589793, 3.141592653589793, "radian"), default=None)
+    roll: float | None = jd.field("Roll", jd.real("H", -3.141592653589793, 3.141592653589793, "radian"), default=None)
+    pitch: float | None = jd.field("Pitch", jd.real("H", -3.141592653589793, 3.141592653589793, "radian"), default=None)
     reserved_presence: int = 0
 
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.composite(
-            cls, "B",
-            ("Speed", rt.real("H", 0.0, 327.67, "meter per second"), True),
-            ("Altitude", rt.real("I", -10000.0, 35000.0, "meter"), True),
-            ("Heading", rt.real("H", -3.141592653589793, 3.141592653589793, "radian"), True),
-            ("Roll", rt.real("H", -3.141592653589793, 3.141592653589793, "radian"), True),
-            ("Pitch", rt.real("H", -3.141592653589793, 3.141592653589793, "radian"), True),
-        )
 
-    @classmethod
-    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
-        code, mask = _S_HB.unpack_from(data)
-        if code != 0x4407: raise rt.Reject
-        raw = iter(_M_SetGlobalVector[mask & 0x1F].unpack(data)).__next__
-        self = rt.new(cls)
-        self.speed = raw() * 0.0049999237048905165 if mask & 1 else None
-        self.altitude = -10000.0 + raw() * 1.0477378966863588e-05 if mask & 2 else None
-        self.heading = -3.141592653589793 + raw() * 9.587526218325454e-05 if mask & 4 else None
-        self.roll = -3.141592653589793 + raw() * 9.587526218325454e-05 if mask & 8 else None
-        self.pitch = -3.141592653589793 + raw() * 9.587526218325454e-05 if mask & 16 else None
-        self.reserved_presence = mask & 0xE0
-        return self
+@jd.message(_SERVICE, 0x2407, query=True)
+class QueryGlobalVector(jd.Message):
+    """QueryGlobalVector (0x2407): Asks for the commanded heading, speed and attitude on the globe.
 
-    def _pack(self) -> bytes:
-        mask = self.reserved_presence
-        if mask & 0x1F: raise rt.Reject
-        raw: list[int | float | bytes] = []
-        speed_ = self.speed
-        if speed_ is not None:
-            mask |= 1
-            if not 0.0 <= speed_ <= 327.67: raise rt.Reject
-            near = speed_ * 200.0030518509476 + 0.5
-            speed_raw_ = int(near)
-            if not 1.52587890625e-05 < near - speed_raw_ < 0.9999847412109375: speed_raw_ = rt.exact_raw(speed_, _R_2)
-            raw.append(speed_raw_)
-        altitude_ = self.altitude
-        if altitude_ is not None:
-            mask |= 2
-            if not -10000.0 <= altitude_ <= 35000.0: raise rt.Reject
-            near = altitude_ * 95443.71766666666 + 954437177.1666666
-            altitude_raw_ = int(near)
-            if not 1.52587890625e-05 < near - altitude_raw_ < 0.9999847412109375: altitude_raw_ = rt.exact_raw(altitude_, _R_3)
-            raw.append(altitude_raw_)
-        heading_ = self.heading
-        if heading_ is not None:
-            mask |= 4
-            if not -3.141592653589793 <= heading_ <= 3.141592653589793: raise rt.Reject
-            near = heading_ * 10430.219195527361 + 32768.0
-            heading_raw_ = int(near)
-            if not 1.52587890625e-05 < near - heading_raw_ < 0.9999847412109375: heading_raw_ = rt.exact_raw(heading_, _R_4)
-            raw.append(heading_raw_)
-        roll_ = self.roll
-        if roll_ is not None:
-            mask |= 8
-            if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = roll_ * 10430.219195527361 + 32768.0
-            roll_raw_ = int(near)
-            if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_4)
-            raw.append(roll_raw_)
-        pitch_ = self.pitch
-        if pitch_ is not None:
-            mask |= 16
-            if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = pitch_ * 10430.219195527361 + 32768.0
-            pitch_raw_ = int(near)
-            if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_4)
-            raw.append(pitch_raw_)
-        return _M_SetGlobalVector_pack[mask & 0x1F].pack(0x4407, mask, *raw)
-
-
-_S_HB = rt.Packer("<HB")
-_M_SetGlobalVector = rt.Masks("3x", ((1, "H"), (2, "I"), (4, "H"), (8, "H"), (16, "H")))
-_R_2 = rt.Scaling(0.0, 327.67, 65535)
-_R_3 = rt.Scaling(-10000.0, 35000.0, 4294967295)
-_R_4 = rt.Scaling(-3.141592653589793, 3.141592653589793, 65535)
-_M_SetGlobalVector_pack = rt.Masks("HB", ((1, "H"), (2, "I"), (4, "H"), (8, "H"), (16, "H")))
-QueryGlobalVector.REPORT = ReportGlobalVector
+    presence_vector: Optional fields that the report is to have: bit i asks for the i-th of them, from 0
+    """
+    REPORT = ReportGlobalVector
+    presence_vector: int = jd.field("PresenceVector", jd.Number("B"))

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import IntEnum
-from typing import ClassVar, Self
+from jauspy.codec import declare as jd
 
-from jauspy.codec import runtime as rt
+_SERVICE = jd.Service("urn:jaus:jss:mobility:VelocityStateDriver", "1.0")
 
 
-@dataclass(slots=True, repr=False)
-class SetVelocityCommand(rt.Message):
+@jd.message(_SERVICE, 0x0415, presence="B", command=True)
+class SetVelocityCommand(jd.Message):
     """SetVelocityCommand (0x0415): Sets the wanted velocity, its default, or one of its limits.
 
     command_type: CommandType. Whether this is the wanted velocity, its default, or a limit
@@ -22,129 +21,24 @@ class SetVelocityCommand(rt.Message):
     yaw_rate: -32.768..32.767 radian per second, optional. Angular velocity about Z (positive to the right), in radians per second
     """
 
-    CODE = 0x0415
-    NAME = "SetVelocityCommand"
-    SERVICE = "urn:jaus:jss:mobility:VelocityStateDriver"
-    VERSION = "1.0"
-    IS_COMMAND = True
-    IS_QUERY = False
-
     class CommandType(IntEnum):
-        """Values of CommandType."""
-
         SET_CURRENT_COMMAND = 0
         SET_MAX_ALLOWED = 1
         SET_MIN_ALLOWED = 2
         SET_DEFAULT_COMMAND = 3
 
-    command_type: SetVelocityCommand.CommandType | int
-    velocity_x: float | None = None
-    velocity_y: float | None = None
-    velocity_z: float | None = None
-    roll_rate: float | None = None
-    pitch_rate: float | None = None
-    yaw_rate: float | None = None
+    command_type: SetVelocityCommand.CommandType | int = jd.field("CommandType", lambda: jd.Number("B", jd.Values(SetVelocityCommand.CommandType)))
+    velocity_x: float | None = jd.field("Velocity_X", jd.real("I", -327.68, 327.67, "meter per second"), default=None)
+    velocity_y: float | None = jd.field("Velocity_Y", jd.real("I", -327.68, 327.67, "meter per second"), default=None)
+    velocity_z: float | None = jd.field("Velocity_Z", jd.real("I", -327.68, 327.67, "meter per second"), default=None)
+    roll_rate: float | None = jd.field("RollRate", jd.real("H", -32.768, 32.767, "radian per second"), default=None)
+    pitch_rate: float | None = jd.field("PitchRate", jd.real("H", -32.768, 32.767, "radian per second"), default=None)
+    yaw_rate: float | None = jd.field("YawRate", jd.real("H", -32.768, 32.767, "radian per second"), default=None)
     reserved_presence: int = 0
 
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.composite(
-            cls, "B",
-            ("CommandType", rt.Number("B", rt.Values(SetVelocityCommand.CommandType))),
-            ("Velocity_X", rt.real("I", -327.68, 327.67, "meter per second"), True),
-            ("Velocity_Y", rt.real("I", -327.68, 327.67, "meter per second"), True),
-            ("Velocity_Z", rt.real("I", -327.68, 327.67, "meter per second"), True),
-            ("RollRate", rt.real("H", -32.768, 32.767, "radian per second"), True),
-            ("PitchRate", rt.real("H", -32.768, 32.767, "radian per second"), True),
-            ("YawRate", rt.real("H", -32.768, 32.767, "radian per second"), True),
-        )
 
-    @classmethod
-    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
-        code, mask = _S_HB.unpack_from(data)
-        if code != 0x0415: raise rt.Reject
-        raw = iter(_M_SetVelocityCommand[mask & 0x3F].unpack(data)).__next__
-        self = rt.new(cls)
-        command_type_ = raw()
-        self.command_type = _E_SetVelocityCommand_CommandType[command_type_]
-        self.velocity_x = -327.68 + raw() * 1.5258556235409007e-07 if mask & 1 else None
-        self.velocity_y = -327.68 + raw() * 1.5258556235409007e-07 if mask & 2 else None
-        self.velocity_z = -327.68 + raw() * 1.5258556235409007e-07 if mask & 4 else None
-        if mask & 8:
-            roll_rate_ = raw()
-            self.roll_rate = 32.767 if roll_rate_ == 65535 else -32.768 + roll_rate_ * 0.001
-        else: self.roll_rate = None
-        if mask & 16:
-            pitch_rate_ = raw()
-            self.pitch_rate = 32.767 if pitch_rate_ == 65535 else -32.768 + pitch_rate_ * 0.001
-        else: self.pitch_rate = None
-        if mask & 32:
-            yaw_rate_ = raw()
-            self.yaw_rate = 32.767 if yaw_rate_ == 65535 else -32.768 + yaw_rate_ * 0.001
-        else: self.yaw_rate = None
-        self.reserved_presence = mask & 0xC0
-        return self
-
-    def _pack(self) -> bytes:
-        mask = self.reserved_presence
-        if mask & 0x3F: raise rt.Reject
-        raw: list[int | float | bytes] = []
-        command_type_ = self.command_type
-        if command_type_ not in _E_SetVelocityCommand_CommandType: raise rt.Reject
-        raw.append(command_type_)
-        velocity_x_ = self.velocity_x
-        if velocity_x_ is not None:
-            mask |= 1
-            if not -327.68 <= velocity_x_ <= 327.67: raise rt.Reject
-            near = velocity_x_ * 6553700.0 + 2147516416.5
-            velocity_x_raw_ = int(near)
-            if not 1.52587890625e-05 < near - velocity_x_raw_ < 0.9999847412109375: velocity_x_raw_ = rt.exact_raw(velocity_x_, _R_3)
-            raw.append(velocity_x_raw_)
-        velocity_y_ = self.velocity_y
-        if velocity_y_ is not None:
-            mask |= 2
-            if not -327.68 <= velocity_y_ <= 327.67: raise rt.Reject
-            near = velocity_y_ * 6553700.0 + 2147516416.5
-            velocity_y_raw_ = int(near)
-            if not 1.52587890625e-05 < near - velocity_y_raw_ < 0.9999847412109375: velocity_y_raw_ = rt.exact_raw(velocity_y_, _R_3)
-            raw.append(velocity_y_raw_)
-        velocity_z_ = self.velocity_z
-        if velocity_z_ is not None:
-            mask |= 4
-            if not -327.68 <= velocity_z_ <= 327.67: raise rt.Reject
-            near = velocity_z_ * 6553700.0 + 2147516416.5
-            velocity_z_raw_ = int(near)
-            if not 1.52587890625e-05 < near - velocity_z_raw_ < 0.9999847412109375: velocity_z_raw_ = rt.exact_raw(velocity_z_, _R_3)
-            raw.append(velocity_z_raw_)
-        roll_rate_ = self.roll_rate
-        if roll_rate_ is not None:
-            mask |= 8
-            if not -32.768 <= roll_rate_ <= 32.767: raise rt.Reject
-            near = roll_rate_ * 1000.0 + 32768.5
-            roll_rate_raw_ = int(near)
-            if not 1.52587890625e-05 < near - roll_rate_raw_ < 0.9999847412109375: roll_rate_raw_ = rt.exact_raw(roll_rate_, _R_4)
-            raw.append(roll_rate_raw_)
-        pitch_rate_ = self.pitch_rate
-        if pitch_rate_ is not None:
-            mask |= 16
-            if not -32.768 <= pitch_rate_ <= 32.767: raise rt.Reject
-            near = pitch_rate_ * 1000.0 + 32768.5
-            pitch_rate_raw_ = int(near)
-            if not 1.52587890625e-05 < near - pitch_rate_raw_ < 0.9999847412109375: pitch_rate_raw_ = rt.exact_raw(pitch_rate_, _R_4)
-            raw.append(pitch_rate_raw_)
-        yaw_rate_ = self.yaw_rate
-        if yaw_rate_ is not None:
-            mask |= 32
-            if not -32.768 <= yaw_rate_ <= 32.767: raise rt.Reject
-            near = yaw_rate_ * 1000.0 + 32768.5
-            yaw_rate_raw_ = int(near)
-            if not 1.52587890625e-05 < near - yaw_rate_raw_ < 0.9999847412109375: yaw_rate_raw_ = rt.exact_raw(yaw_rate_, _R_4)
-            raw.append(yaw_rate_raw_)
-        return _M_SetVelocityCommand_pack[mask & 0x3F].pack(0x0415, mask, *raw)
-
-
-@dataclass(slots=True, repr=False)
-class SetAccelerationLimit(rt.Message):
+@jd.message(_SERVICE, 0x0416, presence="B", command=True)
+class SetAccelerationLimit(jd.Message):
     """SetAccelerationLimit (0x0416): Sets the limits of acceleration or deceleration.
 
     command_type: CommandType. Whether speeding up or slowing down is limited
@@ -156,194 +50,22 @@ class SetAccelerationLimit(rt.Message):
     yaw_acceleration: -13106.8..13106.8 radian per second squared, optional. Limit about Z, in radians per second squared
     """
 
-    CODE = 0x0416
-    NAME = "SetAccelerationLimit"
-    SERVICE = "urn:jaus:jss:mobility:VelocityStateDriver"
-    VERSION = "1.0"
-    IS_COMMAND = True
-    IS_QUERY = False
-
     class CommandType(IntEnum):
-        """Values of CommandType."""
-
         SET_MAX_ALLOWED = 1
         SET_MIN_ALLOWED = 2
 
-    command_type: SetAccelerationLimit.CommandType | int
-    acceleration_x: float | None = None
-    acceleration_y: float | None = None
-    acceleration_z: float | None = None
-    roll_acceleration: float | None = None
-    pitch_acceleration: float | None = None
-    yaw_acceleration: float | None = None
+    command_type: SetAccelerationLimit.CommandType | int = jd.field("CommandType", lambda: jd.Number("B", jd.Values(SetAccelerationLimit.CommandType)))
+    acceleration_x: float | None = jd.field("Acceleration_X", jd.real("I", -1310.68, 1310.68, "meter per second squared"), default=None)
+    acceleration_y: float | None = jd.field("Acceleration_Y", jd.real("I", -1310.68, 1310.68, "meter per second squared"), default=None)
+    acceleration_z: float | None = jd.field("Acceleration_Z", jd.real("I", -1310.68, 1310.68, "meter per second squared"), default=None)
+    roll_acceleration: float | None = jd.field("RollAcceleration", jd.real("I", -13106.8, 13106.8, "radian per second squared"), default=None)
+    pitch_acceleration: float | None = jd.field("PitchAcceleration", jd.real("I", -13106.8, 13106.8, "radian per second squared"), default=None)
+    yaw_acceleration: float | None = jd.field("YawAcceleration", jd.real("I", -13106.8, 13106.8, "radian per second squared"), default=None)
     reserved_presence: int = 0
 
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.composite(
-            cls, "B",
-            ("CommandType", rt.Number("B", rt.Values(SetAccelerationLimit.CommandType))),
-            ("Acceleration_X", rt.real("I", -1310.68, 1310.68, "meter per second squared"), True),
-            ("Acceleration_Y", rt.real("I", -1310.68, 1310.68, "meter per second squared"), True),
-            ("Acceleration_Z", rt.real("I", -1310.68, 1310.68, "meter per second squared"), True),
-            ("RollAcceleration", rt.real("I", -13106.8, 13106.8, "radian per second squared"), True),
-            ("PitchAcceleration", rt.real("I", -13106.8, 13106.8, "radian per second squared"), True),
-            ("YawAcceleration", rt.real("I", -13106.8, 13106.8, "radian per second squared"), True),
-        )
 
-    @classmethod
-    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
-        code, mask = _S_HB.unpack_from(data)
-        if code != 0x0416: raise rt.Reject
-        raw = iter(_M_SetAccelerationLimit[mask & 0x3F].unpack(data)).__next__
-        self = rt.new(cls)
-        command_type_ = raw()
-        self.command_type = _E_SetAccelerationLimit_CommandType[command_type_]
-        self.acceleration_x = -1310.68 + raw() * 6.103329361906119e-07 if mask & 1 else None
-        self.acceleration_y = -1310.68 + raw() * 6.103329361906119e-07 if mask & 2 else None
-        self.acceleration_z = -1310.68 + raw() * 6.103329361906119e-07 if mask & 4 else None
-        self.roll_acceleration = -13106.8 + raw() * 6.103329361906118e-06 if mask & 8 else None
-        self.pitch_acceleration = -13106.8 + raw() * 6.103329361906118e-06 if mask & 16 else None
-        self.yaw_acceleration = -13106.8 + raw() * 6.103329361906118e-06 if mask & 32 else None
-        self.reserved_presence = mask & 0xC0
-        return self
-
-    def _pack(self) -> bytes:
-        mask = self.reserved_presence
-        if mask & 0x3F: raise rt.Reject
-        raw: list[int | float | bytes] = []
-        command_type_ = self.command_type
-        if command_type_ not in _E_SetAccelerationLimit_CommandType: raise rt.Reject
-        raw.append(command_type_)
-        acceleration_x_ = self.acceleration_x
-        if acceleration_x_ is not None:
-            mask |= 1
-            if not -1310.68 <= acceleration_x_ <= 1310.68: raise rt.Reject
-            near = acceleration_x_ * 1638450.001144444 + 2147483648.0
-            acceleration_x_raw_ = int(near)
-            if not 1.52587890625e-05 < near - acceleration_x_raw_ < 0.9999847412109375: acceleration_x_raw_ = rt.exact_raw(acceleration_x_, _R_8)
-            raw.append(acceleration_x_raw_)
-        acceleration_y_ = self.acceleration_y
-        if acceleration_y_ is not None:
-            mask |= 2
-            if not -1310.68 <= acceleration_y_ <= 1310.68: raise rt.Reject
-            near = acceleration_y_ * 1638450.001144444 + 2147483648.0
-            acceleration_y_raw_ = int(near)
-            if not 1.52587890625e-05 < near - acceleration_y_raw_ < 0.9999847412109375: acceleration_y_raw_ = rt.exact_raw(acceleration_y_, _R_8)
-            raw.append(acceleration_y_raw_)
-        acceleration_z_ = self.acceleration_z
-        if acceleration_z_ is not None:
-            mask |= 4
-            if not -1310.68 <= acceleration_z_ <= 1310.68: raise rt.Reject
-            near = acceleration_z_ * 1638450.001144444 + 2147483648.0
-            acceleration_z_raw_ = int(near)
-            if not 1.52587890625e-05 < near - acceleration_z_raw_ < 0.9999847412109375: acceleration_z_raw_ = rt.exact_raw(acceleration_z_, _R_8)
-            raw.append(acceleration_z_raw_)
-        roll_acceleration_ = self.roll_acceleration
-        if roll_acceleration_ is not None:
-            mask |= 8
-            if not -13106.8 <= roll_acceleration_ <= 13106.8: raise rt.Reject
-            near = roll_acceleration_ * 163845.0001144444 + 2147483647.9999998
-            roll_acceleration_raw_ = int(near)
-            if not 1.52587890625e-05 < near - roll_acceleration_raw_ < 0.9999847412109375: roll_acceleration_raw_ = rt.exact_raw(roll_acceleration_, _R_9)
-            raw.append(roll_acceleration_raw_)
-        pitch_acceleration_ = self.pitch_acceleration
-        if pitch_acceleration_ is not None:
-            mask |= 16
-            if not -13106.8 <= pitch_acceleration_ <= 13106.8: raise rt.Reject
-            near = pitch_acceleration_ * 163845.0001144444 + 2147483647.9999998
-            pitch_acceleration_raw_ = int(near)
-            if not 1.52587890625e-05 < near - pitch_acceleration_raw_ < 0.9999847412109375: pitch_acceleration_raw_ = rt.exact_raw(pitch_acceleration_, _R_9)
-            raw.append(pitch_acceleration_raw_)
-        yaw_acceleration_ = self.yaw_acceleration
-        if yaw_acceleration_ is not None:
-            mask |= 32
-            if not -13106.8 <= yaw_acceleration_ <= 13106.8: raise rt.Reject
-            near = yaw_acceleration_ * 163845.0001144444 + 2147483647.9999998
-            yaw_acceleration_raw_ = int(near)
-            if not 1.52587890625e-05 < near - yaw_acceleration_raw_ < 0.9999847412109375: yaw_acceleration_raw_ = rt.exact_raw(yaw_acceleration_, _R_9)
-            raw.append(yaw_acceleration_raw_)
-        return _M_SetAccelerationLimit_pack[mask & 0x3F].pack(0x0416, mask, *raw)
-
-
-@dataclass(slots=True, repr=False)
-class QueryVelocityCommand(rt.Message):
-    """QueryVelocityCommand (0x2415): Asks for the wanted velocity, its default, or one of its limits.
-
-    presence_vector: Optional fields that the report is to have: bit i asks for the i-th of them, from 0
-    command_type: Which velocity is asked for; as in the report
-    """
-
-    CODE = 0x2415
-    NAME = "QueryVelocityCommand"
-    SERVICE = "urn:jaus:jss:mobility:VelocityStateDriver"
-    VERSION = "1.0"
-    IS_COMMAND = False
-    IS_QUERY = True
-    REPORT: ClassVar[type[ReportVelocityCommand]]
-
-    presence_vector: int
-    command_type: int
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.composite(
-            cls, None,
-            ("PresenceVector", rt.Number("B")),
-            ("CommandType", rt.Number("B")),
-        )
-
-    @classmethod
-    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
-        self = rt.new(cls)
-        code, self.presence_vector, self.command_type = _S_H2B.unpack(data)
-        if code != 0x2415: raise rt.Reject
-        return self
-
-    def _pack(self) -> bytes:
-        return _S_H2B.pack(0x2415, self.presence_vector, self.command_type)
-
-
-@dataclass(slots=True, repr=False)
-class QueryAccelerationLimit(rt.Message):
-    """QueryAccelerationLimit (0x2416): Asks for the limits of acceleration or deceleration.
-
-    presence_vector: Optional fields that the report is to have: bit i asks for the i-th of them, from 0
-    command_type: Which limit is asked for; as in the report
-    """
-
-    CODE = 0x2416
-    NAME = "QueryAccelerationLimit"
-    SERVICE = "urn:jaus:jss:mobility:VelocityStateDriver"
-    VERSION = "1.0"
-    IS_COMMAND = False
-    IS_QUERY = True
-    REPORT: ClassVar[type[ReportAccelerationLimit]]
-
-    presence_vector: int
-    command_type: int
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.composite(
-            cls, None,
-            ("PresenceVector", rt.Number("B")),
-            ("CommandType", rt.Number("B")),
-        )
-
-    @classmethod
-    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
-        self = rt.new(cls)
-        code, self.presence_vector, self.command_type = _S_H2B.unpack(data)
-        if code != 0x2416: raise rt.Reject
-        return self
-
-    def _pack(self) -> bytes:
-        return _S_H2B.pack(0x2416, self.presence_vector, self.command_type)
-
-
-@dataclass(slots=True, repr=False)
-class ReportVelocityCommand(rt.Message):
+@jd.message(_SERVICE, 0x4415, presence="B")
+class ReportVelocityCommand(jd.Message):
     """ReportVelocityCommand (0x4415): Tells the wanted velocity, its default, or one of its limits.
 
     command_type: CommandType. Whether this is the wanted velocity, its default, or a limit
@@ -355,129 +77,36 @@ class ReportVelocityCommand(rt.Message):
     yaw_rate: -32.768..32.767 radian per second, optional. Angular velocity about Z (positive to the right), in radians per second
     """
 
-    CODE = 0x4415
-    NAME = "ReportVelocityCommand"
-    SERVICE = "urn:jaus:jss:mobility:VelocityStateDriver"
-    VERSION = "1.0"
-    IS_COMMAND = False
-    IS_QUERY = False
-
     class CommandType(IntEnum):
-        """Values of CommandType."""
-
         SET_CURRENT_COMMAND = 0
         SET_MAX_ALLOWED = 1
         SET_MIN_ALLOWED = 2
         SET_DEFAULT_COMMAND = 3
 
-    command_type: ReportVelocityCommand.CommandType | int
-    velocity_x: float | None = None
-    velocity_y: float | None = None
-    velocity_z: float | None = None
-    roll_rate: float | None = None
-    pitch_rate: float | None = None
-    yaw_rate: float | None = None
+    command_type: ReportVelocityCommand.CommandType | int = jd.field("CommandType", lambda: jd.Number("B", jd.Values(ReportVelocityCommand.CommandType)))
+    velocity_x: float | None = jd.field("Velocity_X", jd.real("I", -327.68, 327.67, "meter per second"), default=None)
+    velocity_y: float | None = jd.field("Velocity_Y", jd.real("I", -327.68, 327.67, "meter per second"), default=None)
+    velocity_z: float | None = jd.field("Velocity_Z", jd.real("I", -327.68, 327.67, "meter per second"), default=None)
+    roll_rate: float | None = jd.field("RollRate", jd.real("H", -32.768, 32.767, "radian per second"), default=None)
+    pitch_rate: float | None = jd.field("PitchRate", jd.real("H", -32.768, 32.767, "radian per second"), default=None)
+    yaw_rate: float | None = jd.field("YawRate", jd.real("H", -32.768, 32.767, "radian per second"), default=None)
     reserved_presence: int = 0
 
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.composite(
-            cls, "B",
-            ("CommandType", rt.Number("B", rt.Values(ReportVelocityCommand.CommandType))),
-            ("Velocity_X", rt.real("I", -327.68, 327.67, "meter per second"), True),
-            ("Velocity_Y", rt.real("I", -327.68, 327.67, "meter per second"), True),
-            ("Velocity_Z", rt.real("I", -327.68, 327.67, "meter per second"), True),
-            ("RollRate", rt.real("H", -32.768, 32.767, "radian per second"), True),
-            ("PitchRate", rt.real("H", -32.768, 32.767, "radian per second"), True),
-            ("YawRate", rt.real("H", -32.768, 32.767, "radian per second"), True),
-        )
 
-    @classmethod
-    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
-        code, mask = _S_HB.unpack_from(data)
-        if code != 0x4415: raise rt.Reject
-        raw = iter(_M_SetVelocityCommand[mask & 0x3F].unpack(data)).__next__
-        self = rt.new(cls)
-        command_type_ = raw()
-        self.command_type = _E_ReportVelocityCommand_CommandType[command_type_]
-        self.velocity_x = -327.68 + raw() * 1.5258556235409007e-07 if mask & 1 else None
-        self.velocity_y = -327.68 + raw() * 1.5258556235409007e-07 if mask & 2 else None
-        self.velocity_z = -327.68 + raw() * 1.5258556235409007e-07 if mask & 4 else None
-        if mask & 8:
-            roll_rate_ = raw()
-            self.roll_rate = 32.767 if roll_rate_ == 65535 else -32.768 + roll_rate_ * 0.001
-        else: self.roll_rate = None
-        if mask & 16:
-            pitch_rate_ = raw()
-            self.pitch_rate = 32.767 if pitch_rate_ == 65535 else -32.768 + pitch_rate_ * 0.001
-        else: self.pitch_rate = None
-        if mask & 32:
-            yaw_rate_ = raw()
-            self.yaw_rate = 32.767 if yaw_rate_ == 65535 else -32.768 + yaw_rate_ * 0.001
-        else: self.yaw_rate = None
-        self.reserved_presence = mask & 0xC0
-        return self
+@jd.message(_SERVICE, 0x2415, query=True)
+class QueryVelocityCommand(jd.Message):
+    """QueryVelocityCommand (0x2415): Asks for the wanted velocity, its default, or one of its limits.
 
-    def _pack(self) -> bytes:
-        mask = self.reserved_presence
-        if mask & 0x3F: raise rt.Reject
-        raw: list[int | float | bytes] = []
-        command_type_ = self.command_type
-        if command_type_ not in _E_ReportVelocityCommand_CommandType: raise rt.Reject
-        raw.append(command_type_)
-        velocity_x_ = self.velocity_x
-        if velocity_x_ is not None:
-            mask |= 1
-            if not -327.68 <= velocity_x_ <= 327.67: raise rt.Reject
-            near = velocity_x_ * 6553700.0 + 2147516416.5
-            velocity_x_raw_ = int(near)
-            if not 1.52587890625e-05 < near - velocity_x_raw_ < 0.9999847412109375: velocity_x_raw_ = rt.exact_raw(velocity_x_, _R_3)
-            raw.append(velocity_x_raw_)
-        velocity_y_ = self.velocity_y
-        if velocity_y_ is not None:
-            mask |= 2
-            if not -327.68 <= velocity_y_ <= 327.67: raise rt.Reject
-            near = velocity_y_ * 6553700.0 + 2147516416.5
-            velocity_y_raw_ = int(near)
-            if not 1.52587890625e-05 < near - velocity_y_raw_ < 0.9999847412109375: velocity_y_raw_ = rt.exact_raw(velocity_y_, _R_3)
-            raw.append(velocity_y_raw_)
-        velocity_z_ = self.velocity_z
-        if velocity_z_ is not None:
-            mask |= 4
-            if not -327.68 <= velocity_z_ <= 327.67: raise rt.Reject
-            near = velocity_z_ * 6553700.0 + 2147516416.5
-            velocity_z_raw_ = int(near)
-            if not 1.52587890625e-05 < near - velocity_z_raw_ < 0.9999847412109375: velocity_z_raw_ = rt.exact_raw(velocity_z_, _R_3)
-            raw.append(velocity_z_raw_)
-        roll_rate_ = self.roll_rate
-        if roll_rate_ is not None:
-            mask |= 8
-            if not -32.768 <= roll_rate_ <= 32.767: raise rt.Reject
-            near = roll_rate_ * 1000.0 + 32768.5
-            roll_rate_raw_ = int(near)
-            if not 1.52587890625e-05 < near - roll_rate_raw_ < 0.9999847412109375: roll_rate_raw_ = rt.exact_raw(roll_rate_, _R_4)
-            raw.append(roll_rate_raw_)
-        pitch_rate_ = self.pitch_rate
-        if pitch_rate_ is not None:
-            mask |= 16
-            if not -32.768 <= pitch_rate_ <= 32.767: raise rt.Reject
-            near = pitch_rate_ * 1000.0 + 32768.5
-            pitch_rate_raw_ = int(near)
-            if not 1.52587890625e-05 < near - pitch_rate_raw_ < 0.9999847412109375: pitch_rate_raw_ = rt.exact_raw(pitch_rate_, _R_4)
-            raw.append(pitch_rate_raw_)
-        yaw_rate_ = self.yaw_rate
-        if yaw_rate_ is not None:
-            mask |= 32
-            if not -32.768 <= yaw_rate_ <= 32.767: raise rt.Reject
-            near = yaw_rate_ * 1000.0 + 32768.5
-            yaw_rate_raw_ = int(near)
-            if not 1.52587890625e-05 < near - yaw_rate_raw_ < 0.9999847412109375: yaw_rate_raw_ = rt.exact_raw(yaw_rate_, _R_4)
-            raw.append(yaw_rate_raw_)
-        return _M_SetVelocityCommand_pack[mask & 0x3F].pack(0x4415, mask, *raw)
+    presence_vector: Optional fields that the report is to have: bit i asks for the i-th of them, from 0
+    command_type: Which velocity is asked for; as in the report
+    """
+    REPORT = ReportVelocityCommand
+    presence_vector: int = jd.field("PresenceVector", jd.Number("B"))
+    command_type: int = jd.field("CommandType", jd.Number("B"))
 
 
-@dataclass(slots=True, repr=False)
-class ReportAccelerationLimit(rt.Message):
+@jd.message(_SERVICE, 0x4416, presence="B")
+class ReportAccelerationLimit(jd.Message):
     """ReportAccelerationLimit (0x4416): Tells the limits of acceleration or deceleration.
 
     command_type: CommandType. Whether speeding up or slowing down is limited
@@ -489,129 +118,27 @@ class ReportAccelerationLimit(rt.Message):
     yaw_acceleration: -13106.8..13106.8 radian per second squared, optional. Limit about Z, in radians per second squared
     """
 
-    CODE = 0x4416
-    NAME = "ReportAccelerationLimit"
-    SERVICE = "urn:jaus:jss:mobility:VelocityStateDriver"
-    VERSION = "1.0"
-    IS_COMMAND = False
-    IS_QUERY = False
-
     class CommandType(IntEnum):
-        """Values of CommandType."""
-
         SET_MAX_ALLOWED = 1
         SET_MIN_ALLOWED = 2
 
-    command_type: ReportAccelerationLimit.CommandType | int
-    acceleration_x: float | None = None
-    acceleration_y: float | None = None
-    acceleration_z: float | None = None
-    roll_acceleration: float | None = None
-    pitch_acceleration: float | None = None
-    yaw_acceleration: float | None = None
+    command_type: ReportAccelerationLimit.CommandType | int = jd.field("CommandType", lambda: jd.Number("B", jd.Values(ReportAccelerationLimit.CommandType)))
+    acceleration_x: float | None = jd.field("Acceleration_X", jd.real("I", -1310.68, 1310.68, "meter per second squared"), default=None)
+    acceleration_y: float | None = jd.field("Acceleration_Y", jd.real("I", -1310.68, 1310.68, "meter per second squared"), default=None)
+    acceleration_z: float | None = jd.field("Acceleration_Z", jd.real("I", -1310.68, 1310.68, "meter per second squared"), default=None)
+    roll_acceleration: float | None = jd.field("RollAcceleration", jd.real("I", -13106.8, 13106.8, "radian per second squared"), default=None)
+    pitch_acceleration: float | None = jd.field("PitchAcceleration", jd.real("I", -13106.8, 13106.8, "radian per second squared"), default=None)
+    yaw_acceleration: float | None = jd.field("YawAcceleration", jd.real("I", -13106.8, 13106.8, "radian per second squared"), default=None)
     reserved_presence: int = 0
 
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.composite(
-            cls, "B",
-            ("CommandType", rt.Number("B", rt.Values(ReportAccelerationLimit.CommandType))),
-            ("Acceleration_X", rt.real("I", -1310.68, 1310.68, "meter per second squared"), True),
-            ("Acceleration_Y", rt.real("I", -1310.68, 1310.68, "meter per second squared"), True),
-            ("Acceleration_Z", rt.real("I", -1310.68, 1310.68, "meter per second squared"), True),
-            ("RollAcceleration", rt.real("I", -13106.8, 13106.8, "radian per second squared"), True),
-            ("PitchAcceleration", rt.real("I", -13106.8, 13106.8, "radian per second squared"), True),
-            ("YawAcceleration", rt.real("I", -13106.8, 13106.8, "radian per second squared"), True),
-        )
 
-    @classmethod
-    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
-        code, mask = _S_HB.unpack_from(data)
-        if code != 0x4416: raise rt.Reject
-        raw = iter(_M_SetAccelerationLimit[mask & 0x3F].unpack(data)).__next__
-        self = rt.new(cls)
-        command_type_ = raw()
-        self.command_type = _E_ReportAccelerationLimit_CommandType[command_type_]
-        self.acceleration_x = -1310.68 + raw() * 6.103329361906119e-07 if mask & 1 else None
-        self.acceleration_y = -1310.68 + raw() * 6.103329361906119e-07 if mask & 2 else None
-        self.acceleration_z = -1310.68 + raw() * 6.103329361906119e-07 if mask & 4 else None
-        self.roll_acceleration = -13106.8 + raw() * 6.103329361906118e-06 if mask & 8 else None
-        self.pitch_acceleration = -13106.8 + raw() * 6.103329361906118e-06 if mask & 16 else None
-        self.yaw_acceleration = -13106.8 + raw() * 6.103329361906118e-06 if mask & 32 else None
-        self.reserved_presence = mask & 0xC0
-        return self
+@jd.message(_SERVICE, 0x2416, query=True)
+class QueryAccelerationLimit(jd.Message):
+    """QueryAccelerationLimit (0x2416): Asks for the limits of acceleration or deceleration.
 
-    def _pack(self) -> bytes:
-        mask = self.reserved_presence
-        if mask & 0x3F: raise rt.Reject
-        raw: list[int | float | bytes] = []
-        command_type_ = self.command_type
-        if command_type_ not in _E_ReportAccelerationLimit_CommandType: raise rt.Reject
-        raw.append(command_type_)
-        acceleration_x_ = self.acceleration_x
-        if acceleration_x_ is not None:
-            mask |= 1
-            if not -1310.68 <= acceleration_x_ <= 1310.68: raise rt.Reject
-            near = acceleration_x_ * 1638450.001144444 + 2147483648.0
-            acceleration_x_raw_ = int(near)
-            if not 1.52587890625e-05 < near - acceleration_x_raw_ < 0.9999847412109375: acceleration_x_raw_ = rt.exact_raw(acceleration_x_, _R_8)
-            raw.append(acceleration_x_raw_)
-        acceleration_y_ = self.acceleration_y
-        if acceleration_y_ is not None:
-            mask |= 2
-            if not -1310.68 <= acceleration_y_ <= 1310.68: raise rt.Reject
-            near = acceleration_y_ * 1638450.001144444 + 2147483648.0
-            acceleration_y_raw_ = int(near)
-            if not 1.52587890625e-05 < near - acceleration_y_raw_ < 0.9999847412109375: acceleration_y_raw_ = rt.exact_raw(acceleration_y_, _R_8)
-            raw.append(acceleration_y_raw_)
-        acceleration_z_ = self.acceleration_z
-        if acceleration_z_ is not None:
-            mask |= 4
-            if not -1310.68 <= acceleration_z_ <= 1310.68: raise rt.Reject
-            near = acceleration_z_ * 1638450.001144444 + 2147483648.0
-            acceleration_z_raw_ = int(near)
-            if not 1.52587890625e-05 < near - acceleration_z_raw_ < 0.9999847412109375: acceleration_z_raw_ = rt.exact_raw(acceleration_z_, _R_8)
-            raw.append(acceleration_z_raw_)
-        roll_acceleration_ = self.roll_acceleration
-        if roll_acceleration_ is not None:
-            mask |= 8
-            if not -13106.8 <= roll_acceleration_ <= 13106.8: raise rt.Reject
-            near = roll_acceleration_ * 163845.0001144444 + 2147483647.9999998
-            roll_acceleration_raw_ = int(near)
-            if not 1.52587890625e-05 < near - roll_acceleration_raw_ < 0.9999847412109375: roll_acceleration_raw_ = rt.exact_raw(roll_acceleration_, _R_9)
-            raw.append(roll_acceleration_raw_)
-        pitch_acceleration_ = self.pitch_acceleration
-        if pitch_acceleration_ is not None:
-            mask |= 16
-            if not -13106.8 <= pitch_acceleration_ <= 13106.8: raise rt.Reject
-            near = pitch_acceleration_ * 163845.0001144444 + 2147483647.9999998
-            pitch_acceleration_raw_ = int(near)
-            if not 1.52587890625e-05 < near - pitch_acceleration_raw_ < 0.9999847412109375: pitch_acceleration_raw_ = rt.exact_raw(pitch_acceleration_, _R_9)
-            raw.append(pitch_acceleration_raw_)
-        yaw_acceleration_ = self.yaw_acceleration
-        if yaw_acceleration_ is not None:
-            mask |= 32
-            if not -13106.8 <= yaw_acceleration_ <= 13106.8: raise rt.Reject
-            near = yaw_acceleration_ * 163845.0001144444 + 2147483647.9999998
-            yaw_acceleration_raw_ = int(near)
-            if not 1.52587890625e-05 < near - yaw_acceleration_raw_ < 0.9999847412109375: yaw_acceleration_raw_ = rt.exact_raw(yaw_acceleration_, _R_9)
-            raw.append(yaw_acceleration_raw_)
-        return _M_SetAccelerationLimit_pack[mask & 0x3F].pack(0x4416, mask, *raw)
-
-
-_S_HB = rt.Packer("<HB")
-_M_SetVelocityCommand = rt.Masks("3x", ((0, "B"), (1, "I"), (2, "I"), (4, "I"), (8, "H"), (16, "H"), (32, "H")))
-_E_SetVelocityCommand_CommandType = rt.members(SetVelocityCommand.CommandType)
-_R_3 = rt.Scaling(-327.68, 327.67, 4294967295)
-_R_4 = rt.Scaling(-32.768, 32.767, 65535)
-_M_SetVelocityCommand_pack = rt.Masks("HB", ((0, "B"), (1, "I"), (2, "I"), (4, "I"), (8, "H"), (16, "H"), (32, "H")))
-_M_SetAccelerationLimit = rt.Masks("3x", ((0, "B"), (1, "I"), (2, "I"), (4, "I"), (8, "I"), (16, "I"), (32, "I")))
-_E_SetAccelerationLimit_CommandType = rt.members(SetAccelerationLimit.CommandType)
-_R_8 = rt.Scaling(-1310.68, 1310.68, 4294967295)
-_R_9 = rt.Scaling(-13106.8, 13106.8, 4294967295)
-_M_SetAccelerationLimit_pack = rt.Masks("HB", ((0, "B"), (1, "I"), (2, "I"), (4, "I"), (8, "I"), (16, "I"), (32, "I")))
-_S_H2B = rt.Packer("<H2B")
-_E_ReportVelocityCommand_CommandType = rt.members(ReportVelocityCommand.CommandType)
-_E_ReportAccelerationLimit_CommandType = rt.members(ReportAccelerationLimit.CommandType)
-QueryVelocityCommand.REPORT = ReportVelocityCommand
-QueryAccelerationLimit.REPORT = ReportAccelerationLimit
+    presence_vector: Optional fields that the report is to have: bit i asks for the i-th of them, from 0
+    command_type: Which limit is asked for; as in the report
+    """
+    REPORT = ReportAccelerationLimit
+    presence_vector: int = jd.field("PresenceVector", jd.Number("B"))
+    command_type: int = jd.field("CommandType", jd.Number("B"))

@@ -4,149 +4,103 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from jauspy.codec.lazy import exports, load
+from jauspy.codec.registry import lazy
 
 if TYPE_CHECKING:
     from jauspy.messages.mobility.v1_1.acceleration_state_sensor import (
-        QueryAccelerationState as QueryAccelerationState,
-        QueryAccelerationStateExt as QueryAccelerationStateExt,
+        QueryAccelerationState as QueryAccelerationState, QueryAccelerationStateExt as QueryAccelerationStateExt,
         ReportAccelerationState as ReportAccelerationState,
         ReportAccelerationStateExt as ReportAccelerationStateExt,
     )
     from jauspy.messages.mobility.v1_1.global_loiter_driver import (
-        QueryGlobalLoiter as QueryGlobalLoiter,
-        QueryTravelSpeedExt as QueryTravelSpeedExt,
-        ReportGlobalLoiter as ReportGlobalLoiter,
-        ReportTravelSpeedExt as ReportTravelSpeedExt,
-        SetGlobalLoiter as SetGlobalLoiter,
-        SetTravelSpeedExt as SetTravelSpeedExt,
+        QueryGlobalLoiter as QueryGlobalLoiter, QueryTravelSpeedExt as QueryTravelSpeedExt,
+        ReportGlobalLoiter as ReportGlobalLoiter, ReportTravelSpeedExt as ReportTravelSpeedExt,
+        SetGlobalLoiter as SetGlobalLoiter, SetTravelSpeedExt as SetTravelSpeedExt,
     )
     from jauspy.messages.mobility.v1_1.global_operating_zone import (
-        DeleteZone as DeleteZone,
-        QueryExcursion as QueryExcursion,
-        QueryGlobalOperatingZone as QueryGlobalOperatingZone,
-        ReportExcursion as ReportExcursion,
-        ReportGlobalOperatingZone as ReportGlobalOperatingZone,
-        SetGlobalOperatingZone as SetGlobalOperatingZone,
+        DeleteZone as DeleteZone, QueryExcursion as QueryExcursion,
+        QueryGlobalOperatingZone as QueryGlobalOperatingZone, ReportExcursion as ReportExcursion,
+        ReportGlobalOperatingZone as ReportGlobalOperatingZone, SetGlobalOperatingZone as SetGlobalOperatingZone,
     )
     from jauspy.messages.mobility.v1_1.global_path_segment_driver import (
-        ExecuteList as ExecuteList,
-        ExecuteListExt as ExecuteListExt,
-        QueryActiveElement as QueryActiveElement,
-        QueryGlobalPathSegment as QueryGlobalPathSegment,
-        QueryGlobalPathSegmentExt as QueryGlobalPathSegmentExt,
-        QueryTravelSpeed as QueryTravelSpeed,
-        ReportActiveElement as ReportActiveElement,
+        ExecuteList as ExecuteList, ExecuteListExt as ExecuteListExt, QueryActiveElement as QueryActiveElement,
+        QueryGlobalPathSegment as QueryGlobalPathSegment, QueryGlobalPathSegmentExt as QueryGlobalPathSegmentExt,
+        QueryTravelSpeed as QueryTravelSpeed, ReportActiveElement as ReportActiveElement,
         ReportGlobalPathSegment as ReportGlobalPathSegment,
-        ReportGlobalPathSegmentExt as ReportGlobalPathSegmentExt,
-        ReportTravelSpeed as ReportTravelSpeed,
+        ReportGlobalPathSegmentExt as ReportGlobalPathSegmentExt, ReportTravelSpeed as ReportTravelSpeed,
     )
     from jauspy.messages.mobility.v1_1.global_pose_sensor import (
-        QueryGeomagneticProperty as QueryGeomagneticProperty,
-        QueryGlobalPose as QueryGlobalPose,
-        QueryGlobalPoseExt as QueryGlobalPoseExt,
-        ReportGeomagneticProperty as ReportGeomagneticProperty,
-        ReportGlobalPose as ReportGlobalPose,
-        ReportGlobalPoseExt as ReportGlobalPoseExt,
-        SetGeomagneticProperty as SetGeomagneticProperty,
-        SetGlobalPose as SetGlobalPose,
+        QueryGeomagneticProperty as QueryGeomagneticProperty, QueryGlobalPose as QueryGlobalPose,
+        QueryGlobalPoseExt as QueryGlobalPoseExt, ReportGeomagneticProperty as ReportGeomagneticProperty,
+        ReportGlobalPose as ReportGlobalPose, ReportGlobalPoseExt as ReportGlobalPoseExt,
+        SetGeomagneticProperty as SetGeomagneticProperty, SetGlobalPose as SetGlobalPose,
         SetGlobalPoseExt as SetGlobalPoseExt,
     )
     from jauspy.messages.mobility.v1_1.global_vector_driver import (
-        QueryGlobalVector as QueryGlobalVector,
-        QueryGlobalVectorExt as QueryGlobalVectorExt,
-        ReportGlobalVector as ReportGlobalVector,
-        ReportGlobalVectorExt as ReportGlobalVectorExt,
-        SetGlobalVector as SetGlobalVector,
-        SetGlobalVectorExt as SetGlobalVectorExt,
+        QueryGlobalVector as QueryGlobalVector, QueryGlobalVectorExt as QueryGlobalVectorExt,
+        ReportGlobalVector as ReportGlobalVector, ReportGlobalVectorExt as ReportGlobalVectorExt,
+        SetGlobalVector as SetGlobalVector, SetGlobalVectorExt as SetGlobalVectorExt,
     )
     from jauspy.messages.mobility.v1_1.global_waypoint_driver import (
-        QueryGlobalWaypoint as QueryGlobalWaypoint,
-        QueryGlobalWaypointExt as QueryGlobalWaypointExt,
-        ReportGlobalWaypoint as ReportGlobalWaypoint,
-        ReportGlobalWaypointExt as ReportGlobalWaypointExt,
-        SetGlobalWaypoint as SetGlobalWaypoint,
-        SetGlobalWaypointExt as SetGlobalWaypointExt,
+        QueryGlobalWaypoint as QueryGlobalWaypoint, QueryGlobalWaypointExt as QueryGlobalWaypointExt,
+        ReportGlobalWaypoint as ReportGlobalWaypoint, ReportGlobalWaypointExt as ReportGlobalWaypointExt,
+        SetGlobalWaypoint as SetGlobalWaypoint, SetGlobalWaypointExt as SetGlobalWaypointExt,
         SetTravelSpeed as SetTravelSpeed,
     )
     from jauspy.messages.mobility.v1_1.gps_fix import (
-        QueryGPSFix as QueryGPSFix,
-        ReportGPSFix as ReportGPSFix,
-        RequestGPSFix as RequestGPSFix,
+        QueryGPSFix as QueryGPSFix, ReportGPSFix as ReportGPSFix, RequestGPSFix as RequestGPSFix,
     )
     from jauspy.messages.mobility.v1_1.inertial_sensor_control import (
-        InertialSensorControl as InertialSensorControl,
-        QueryInertialSensorStatus as QueryInertialSensorStatus,
+        InertialSensorControl as InertialSensorControl, QueryInertialSensorStatus as QueryInertialSensorStatus,
         ReportInertialSensorStatus as ReportInertialSensorStatus,
     )
     from jauspy.messages.mobility.v1_1.local_loiter_driver import (
-        QueryLocalLoiter as QueryLocalLoiter,
-        ReportLocalLoiter as ReportLocalLoiter,
+        QueryLocalLoiter as QueryLocalLoiter, ReportLocalLoiter as ReportLocalLoiter,
         SetLocalLoiter as SetLocalLoiter,
     )
     from jauspy.messages.mobility.v1_1.local_operating_zone import (
-        QueryLocalOperatingZone as QueryLocalOperatingZone,
-        ReportLocalOperatingZone as ReportLocalOperatingZone,
+        QueryLocalOperatingZone as QueryLocalOperatingZone, ReportLocalOperatingZone as ReportLocalOperatingZone,
         SetLocalOperatingZone as SetLocalOperatingZone,
     )
     from jauspy.messages.mobility.v1_1.local_path_segment_driver import (
-        QueryLocalPathSegment as QueryLocalPathSegment,
-        QueryLocalPathSegmentExt as QueryLocalPathSegmentExt,
-        ReportLocalPathSegment as ReportLocalPathSegment,
-        ReportLocalPathSegmentExt as ReportLocalPathSegmentExt,
+        QueryLocalPathSegment as QueryLocalPathSegment, QueryLocalPathSegmentExt as QueryLocalPathSegmentExt,
+        ReportLocalPathSegment as ReportLocalPathSegment, ReportLocalPathSegmentExt as ReportLocalPathSegmentExt,
     )
     from jauspy.messages.mobility.v1_1.local_pose_sensor import (
-        QueryLocalPose as QueryLocalPose,
-        QueryLocalPoseExt as QueryLocalPoseExt,
-        ReportLocalPose as ReportLocalPose,
-        ReportLocalPoseExt as ReportLocalPoseExt,
-        SetLocalPose as SetLocalPose,
+        QueryLocalPose as QueryLocalPose, QueryLocalPoseExt as QueryLocalPoseExt,
+        ReportLocalPose as ReportLocalPose, ReportLocalPoseExt as ReportLocalPoseExt, SetLocalPose as SetLocalPose,
         SetLocalPoseExt as SetLocalPoseExt,
     )
     from jauspy.messages.mobility.v1_1.local_vector_driver import (
-        QueryLocalVector as QueryLocalVector,
-        QueryLocalVectorExt as QueryLocalVectorExt,
-        ReportLocalVector as ReportLocalVector,
-        ReportLocalVectorExt as ReportLocalVectorExt,
-        SetLocalVector as SetLocalVector,
-        SetLocalVectorExt as SetLocalVectorExt,
+        QueryLocalVector as QueryLocalVector, QueryLocalVectorExt as QueryLocalVectorExt,
+        ReportLocalVector as ReportLocalVector, ReportLocalVectorExt as ReportLocalVectorExt,
+        SetLocalVector as SetLocalVector, SetLocalVectorExt as SetLocalVectorExt,
     )
     from jauspy.messages.mobility.v1_1.local_waypoint_driver import (
-        QueryLocalWaypoint as QueryLocalWaypoint,
-        QueryLocalWaypointExt as QueryLocalWaypointExt,
-        ReportLocalWaypoint as ReportLocalWaypoint,
-        ReportLocalWaypointExt as ReportLocalWaypointExt,
-        SetLocalWaypoint as SetLocalWaypoint,
-        SetLocalWaypointExt as SetLocalWaypointExt,
+        QueryLocalWaypoint as QueryLocalWaypoint, QueryLocalWaypointExt as QueryLocalWaypointExt,
+        ReportLocalWaypoint as ReportLocalWaypoint, ReportLocalWaypointExt as ReportLocalWaypointExt,
+        SetLocalWaypoint as SetLocalWaypoint, SetLocalWaypointExt as SetLocalWaypointExt,
     )
     from jauspy.messages.mobility.v1_1.navigation_state import (
-        QueryNavigation as QueryNavigation,
-        ReportNavigation as ReportNavigation,
+        QueryNavigation as QueryNavigation, ReportNavigation as ReportNavigation,
     )
     from jauspy.messages.mobility.v1_1.primitive_driver import (
-        QueryWrenchEffort as QueryWrenchEffort,
-        ReportWrenchEffort as ReportWrenchEffort,
+        QueryWrenchEffort as QueryWrenchEffort, ReportWrenchEffort as ReportWrenchEffort,
         SetWrenchEffort as SetWrenchEffort,
     )
     from jauspy.messages.mobility.v1_1.velocity_state_driver import (
-        QueryAccelerationLimit as QueryAccelerationLimit,
-        QueryVelocityCommand as QueryVelocityCommand,
-        QueryVelocityCommandExt as QueryVelocityCommandExt,
-        ReportAccelerationLimit as ReportAccelerationLimit,
-        ReportVelocityCommand as ReportVelocityCommand,
-        ReportVelocityCommandExt as ReportVelocityCommandExt,
-        SetAccelerationLimit as SetAccelerationLimit,
-        SetVelocityCommand as SetVelocityCommand,
+        QueryAccelerationLimit as QueryAccelerationLimit, QueryVelocityCommand as QueryVelocityCommand,
+        QueryVelocityCommandExt as QueryVelocityCommandExt, ReportAccelerationLimit as ReportAccelerationLimit,
+        ReportVelocityCommand as ReportVelocityCommand, ReportVelocityCommandExt as ReportVelocityCommandExt,
+        SetAccelerationLimit as SetAccelerationLimit, SetVelocityCommand as SetVelocityCommand,
         SetVelocityCommandExt as SetVelocityCommandExt,
     )
     from jauspy.messages.mobility.v1_1.velocity_state_sensor import (
-        QueryVelocityState as QueryVelocityState,
-        QueryVelocityStateExt as QueryVelocityStateExt,
-        ReportVelocityState as ReportVelocityState,
-        ReportVelocityStateExt as ReportVelocityStateExt,
+        QueryVelocityState as QueryVelocityState, QueryVelocityStateExt as QueryVelocityStateExt,
+        ReportVelocityState as ReportVelocityState, ReportVelocityStateExt as ReportVelocityStateExt,
     )
 
-_MODULES = exports({
+__all__, __getattr__, __dir__ = lazy(__name__, {
     "jauspy.messages.mobility.v1_1.acceleration_state_sensor": "QueryAccelerationState QueryAccelerationStateExt ReportAccelerationState ReportAccelerationStateExt",
     "jauspy.messages.mobility.v1_1.global_loiter_driver": "QueryGlobalLoiter QueryTravelSpeedExt ReportGlobalLoiter ReportTravelSpeedExt SetGlobalLoiter SetTravelSpeedExt",
     "jauspy.messages.mobility.v1_1.global_operating_zone": "DeleteZone QueryExcursion QueryGlobalOperatingZone ReportExcursion ReportGlobalOperatingZone SetGlobalOperatingZone",
@@ -167,14 +121,3 @@ _MODULES = exports({
     "jauspy.messages.mobility.v1_1.velocity_state_driver": "QueryAccelerationLimit QueryVelocityCommand QueryVelocityCommandExt ReportAccelerationLimit ReportVelocityCommand ReportVelocityCommandExt SetAccelerationLimit SetVelocityCommand SetVelocityCommandExt",
     "jauspy.messages.mobility.v1_1.velocity_state_sensor": "QueryVelocityState QueryVelocityStateExt ReportVelocityState ReportVelocityStateExt",
 })
-
-__all__ = sorted(_MODULES)
-
-
-def __getattr__(name: str) -> object:
-    globals()[name] = value = load(name, _MODULES, __name__)
-    return value
-
-
-def __dir__() -> list[str]:
-    return sorted({*globals(), *_MODULES})

@@ -2,118 +2,52 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
-
+from jauspy.codec import declare as jd
 from jauspy.messages.mobility.v1_0 import global_path_segment_driver as mobility_v1_0_global_path_segment_driver
 from jauspy.messages.mobility.v1_0 import global_waypoint_driver as mobility_v1_0_global_waypoint_driver
 from jauspy.messages.mobility.v1_1 import global_loiter_driver as mobility_v1_1_global_loiter_driver
 from jauspy.messages.mobility.v1_1 import global_path_segment_driver as mobility_v1_1_global_path_segment_driver
 from jauspy.messages.mobility.v1_1 import global_waypoint_driver as mobility_v1_1_global_waypoint_driver
 
+_SERVICE = jd.Service("urn:jaus:jss:mobility:GlobalWaypointListDriver", "1.1")
 
-class ExecuteList(mobility_v1_1_global_path_segment_driver.ExecuteList):
-    """ExecuteList (0x041E): Starts the list at an element, at a speed."""
+@jd.derived(_SERVICE)
+class ExecuteList(mobility_v1_1_global_path_segment_driver.ExecuteList): ...
 
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:mobility:GlobalWaypointListDriver"
-    VERSION = "1.1"
+@jd.derived(_SERVICE)
+class ExecuteListExt(mobility_v1_1_global_path_segment_driver.ExecuteListExt): ...
 
+@jd.derived(_SERVICE)
+class ReportTravelSpeed(mobility_v1_0_global_path_segment_driver.ReportTravelSpeed): ...
 
-class ExecuteListExt(mobility_v1_1_global_path_segment_driver.ExecuteListExt):
-    """ExecuteListExt (0x04AE): Starts the list at an element, at one of several kinds of speed."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:mobility:GlobalWaypointListDriver"
-    VERSION = "1.1"
-
-
+@jd.derived(_SERVICE)
 class QueryTravelSpeed(mobility_v1_0_global_path_segment_driver.QueryTravelSpeed):
-    """QueryTravelSpeed (0x240A): Asks for the speed on the way."""
+    REPORT = ReportTravelSpeed
 
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:mobility:GlobalWaypointListDriver"
-    VERSION = "1.1"
-    REPORT: ClassVar[type[ReportTravelSpeed]]
+@jd.derived(_SERVICE)
+class ReportTravelSpeedExt(mobility_v1_1_global_loiter_driver.ReportTravelSpeedExt): ...
 
-
+@jd.derived(_SERVICE)
 class QueryTravelSpeedExt(mobility_v1_1_global_loiter_driver.QueryTravelSpeedExt):
-    """QueryTravelSpeedExt (0x24AA): Asks for the speed on the way and its kind."""
+    REPORT = ReportTravelSpeedExt
 
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:mobility:GlobalWaypointListDriver"
-    VERSION = "1.1"
-    REPORT: ClassVar[type[ReportTravelSpeedExt]]
+@jd.derived(_SERVICE)
+class ReportGlobalWaypoint(mobility_v1_0_global_waypoint_driver.ReportGlobalWaypoint): ...
 
-
+@jd.derived(_SERVICE)
 class QueryGlobalWaypoint(mobility_v1_0_global_waypoint_driver.QueryGlobalWaypoint):
-    """QueryGlobalWaypoint (0x240C): Asks for the waypoint on the globe being driven to."""
+    REPORT = ReportGlobalWaypoint
 
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:mobility:GlobalWaypointListDriver"
-    VERSION = "1.1"
-    REPORT: ClassVar[type[ReportGlobalWaypoint]]
+@jd.derived(_SERVICE)
+class ReportGlobalWaypointExt(mobility_v1_1_global_waypoint_driver.ReportGlobalWaypointExt): ...
 
-
+@jd.derived(_SERVICE)
 class QueryGlobalWaypointExt(mobility_v1_1_global_waypoint_driver.QueryGlobalWaypointExt):
-    """QueryGlobalWaypointExt (0x24AC): Asks for the waypoint on the globe in its wider form."""
+    REPORT = ReportGlobalWaypointExt
 
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:mobility:GlobalWaypointListDriver"
-    VERSION = "1.1"
-    REPORT: ClassVar[type[ReportGlobalWaypointExt]]
+@jd.derived(_SERVICE)
+class ReportActiveElement(mobility_v1_0_global_path_segment_driver.ReportActiveElement): ...
 
-
+@jd.derived(_SERVICE)
 class QueryActiveElement(mobility_v1_0_global_path_segment_driver.QueryActiveElement):
-    """QueryActiveElement (0x241E): Asks which element of the list is being carried out."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:mobility:GlobalWaypointListDriver"
-    VERSION = "1.1"
-    REPORT: ClassVar[type[ReportActiveElement]]
-
-
-class ReportTravelSpeed(mobility_v1_0_global_path_segment_driver.ReportTravelSpeed):
-    """ReportTravelSpeed (0x440A): Tells the speed on the way that was set."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:mobility:GlobalWaypointListDriver"
-    VERSION = "1.1"
-
-
-class ReportTravelSpeedExt(mobility_v1_1_global_loiter_driver.ReportTravelSpeedExt):
-    """ReportTravelSpeedExt (0x44AA): Tells the speed on the way that was set, and its kind."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:mobility:GlobalWaypointListDriver"
-    VERSION = "1.1"
-
-
-class ReportGlobalWaypoint(mobility_v1_0_global_waypoint_driver.ReportGlobalWaypoint):
-    """ReportGlobalWaypoint (0x440C): Tells the waypoint on the globe being driven to."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:mobility:GlobalWaypointListDriver"
-    VERSION = "1.1"
-
-
-class ReportGlobalWaypointExt(mobility_v1_1_global_waypoint_driver.ReportGlobalWaypointExt):
-    """ReportGlobalWaypointExt (0x44AC): Tells the waypoint on the globe, with its vertical datum."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:mobility:GlobalWaypointListDriver"
-    VERSION = "1.1"
-
-
-class ReportActiveElement(mobility_v1_0_global_path_segment_driver.ReportActiveElement):
-    """ReportActiveElement (0x441E): Tells which element of the list is being carried out."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:mobility:GlobalWaypointListDriver"
-    VERSION = "1.1"
-
-
-QueryTravelSpeed.REPORT = ReportTravelSpeed
-QueryTravelSpeedExt.REPORT = ReportTravelSpeedExt
-QueryGlobalWaypoint.REPORT = ReportGlobalWaypoint
-QueryGlobalWaypointExt.REPORT = ReportGlobalWaypointExt
-QueryActiveElement.REPORT = ReportActiveElement
+    REPORT = ReportActiveElement

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import ClassVar, Self
-
-from jauspy.codec import runtime as rt
+from jauspy.codec import declare as jd
 from jauspy.messages.mobility.v1_0 import types as mobility_v1_0_types
 
+_SERVICE = jd.Service("urn:jaus:jss:mobility:LocalVectorDriver", "1.1")
 
-@dataclass(slots=True, repr=False)
-class SetLocalVector(rt.Message):
+
+@jd.message(_SERVICE, 0x0408, presence="B", command=True)
+class SetLocalVector(jd.Message):
     """SetLocalVector (0x0408): Sets heading, speed and attitude in the local frame.
 
     speed: 0..327.67 meter per second. Wanted speed, in metres per second
@@ -19,94 +18,16 @@ class SetLocalVector(rt.Message):
     roll: -3.14159265359..3.14159265359 radian, optional. Wanted rotation about X, in radians
     pitch: -3.14159265359..3.14159265359 radian, optional. Wanted rotation about Y, in radians
     """
-
-    CODE = 0x0408
-    NAME = "SetLocalVector"
-    SERVICE = "urn:jaus:jss:mobility:LocalVectorDriver"
-    VERSION = "1.1"
-    IS_COMMAND = True
-    IS_QUERY = False
-
-    speed: float
-    z: float | None = None
-    heading: float | None = None
-    roll: float | None = None
-    pitch: float | None = None
+    speed: float = jd.field("Speed", jd.real("H", 0.0, 327.67, "meter per second"))
+    z: float | None = jd.field("Z", jd.real("I", -10000.0, 35000.0, "meter"), default=None)
+    heading: float | None = jd.field("Heading", jd.real("H", -3.141592653589793, 3.141592653589793, "radian"), default=None)
+    roll: float | None = jd.field("Roll", jd.real("H", -3.141592653589793, 3.141592653589793, "radian"), default=None)
+    pitch: float | None = jd.field("Pitch", jd.real("H", -3.141592653589793, 3.141592653589793, "radian"), default=None)
     reserved_presence: int = 0
 
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.composite(
-            cls, "B",
-            ("Speed", rt.real("H", 0.0, 327.67, "meter per second")),
-            ("Z", rt.real("I", -10000.0, 35000.0, "meter"), True),
-            ("Heading", rt.real("H", -3.141592653589793, 3.141592653589793, "radian"), True),
-            ("Roll", rt.real("H", -3.141592653589793, 3.141592653589793, "radian"), True),
-            ("Pitch", rt.real("H", -3.141592653589793, 3.141592653589793, "radian"), True),
-        )
 
-    @classmethod
-    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
-        code, mask = _S_HB.unpack_from(data)
-        if code != 0x0408: raise rt.Reject
-        raw = iter(_M_SetLocalVector[mask & 0xF].unpack(data)).__next__
-        self = rt.new(cls)
-        speed_ = raw()
-        self.speed = speed_ * 0.0049999237048905165
-        self.z = -10000.0 + raw() * 1.0477378966863588e-05 if mask & 1 else None
-        self.heading = -3.141592653589793 + raw() * 9.587526218325454e-05 if mask & 2 else None
-        self.roll = -3.141592653589793 + raw() * 9.587526218325454e-05 if mask & 4 else None
-        self.pitch = -3.141592653589793 + raw() * 9.587526218325454e-05 if mask & 8 else None
-        self.reserved_presence = mask & 0xF0
-        return self
-
-    def _pack(self) -> bytes:
-        mask = self.reserved_presence
-        if mask & 0xF: raise rt.Reject
-        raw: list[int | float | bytes] = []
-        speed_ = self.speed
-        if not 0.0 <= speed_ <= 327.67: raise rt.Reject
-        near = speed_ * 200.0030518509476 + 0.5
-        speed_raw_ = int(near)
-        if not 1.52587890625e-05 < near - speed_raw_ < 0.9999847412109375: speed_raw_ = rt.exact_raw(speed_, _R_2)
-        raw.append(speed_raw_)
-        z_ = self.z
-        if z_ is not None:
-            mask |= 1
-            if not -10000.0 <= z_ <= 35000.0: raise rt.Reject
-            near = z_ * 95443.71766666666 + 954437177.1666666
-            z_raw_ = int(near)
-            if not 1.52587890625e-05 < near - z_raw_ < 0.9999847412109375: z_raw_ = rt.exact_raw(z_, _R_3)
-            raw.append(z_raw_)
-        heading_ = self.heading
-        if heading_ is not None:
-            mask |= 2
-            if not -3.141592653589793 <= heading_ <= 3.141592653589793: raise rt.Reject
-            near = heading_ * 10430.219195527361 + 32768.0
-            heading_raw_ = int(near)
-            if not 1.52587890625e-05 < near - heading_raw_ < 0.9999847412109375: heading_raw_ = rt.exact_raw(heading_, _R_4)
-            raw.append(heading_raw_)
-        roll_ = self.roll
-        if roll_ is not None:
-            mask |= 4
-            if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = roll_ * 10430.219195527361 + 32768.0
-            roll_raw_ = int(near)
-            if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_4)
-            raw.append(roll_raw_)
-        pitch_ = self.pitch
-        if pitch_ is not None:
-            mask |= 8
-            if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = pitch_ * 10430.219195527361 + 32768.0
-            pitch_raw_ = int(near)
-            if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_4)
-            raw.append(pitch_raw_)
-        return _M_SetLocalVector_pack[mask & 0xF].pack(0x0408, mask, *raw)
-
-
-@dataclass(slots=True, repr=False)
-class SetLocalVectorExt(rt.Message):
+@jd.message(_SERVICE, 0x04A8, presence="B", command=True)
+class SetLocalVectorExt(jd.Message):
     """SetLocalVectorExt (0x04A8): Sets heading, attitude and one of several kinds of speed in the local frame.
 
     speed: Wanted speed, and its kind
@@ -116,183 +37,19 @@ class SetLocalVectorExt(rt.Message):
     heading: -3.14159265359..3.14159265359 radian, optional. Wanted direction, in radians; 0 is along X
     course: -3.14159265359..3.14159265359 radian, optional. Wanted direction of travel, in radians; 0 is along X
     """
-
-    CODE = 0x04A8
-    NAME = "SetLocalVectorExt"
-    SERVICE = "urn:jaus:jss:mobility:LocalVectorDriver"
-    VERSION = "1.1"
-    IS_COMMAND = True
-    IS_QUERY = False
-
     Speed = mobility_v1_0_types.Speed
     ZPosition = mobility_v1_0_types.ZPosition
-
-    speed: mobility_v1_0_types.Speed
-    z_position: mobility_v1_0_types.ZPosition | None = None
-    roll: float | None = None
-    pitch: float | None = None
-    heading: float | None = None
-    course: float | None = None
+    speed: mobility_v1_0_types.Speed = jd.field("Speed", lambda: mobility_v1_0_types.Speed.layout())
+    z_position: mobility_v1_0_types.ZPosition | None = jd.field("ZPosition", lambda: mobility_v1_0_types.ZPosition.layout(), default=None)
+    roll: float | None = jd.field("Roll", jd.real("H", -3.141592653589793, 3.141592653589793, "radian"), default=None)
+    pitch: float | None = jd.field("Pitch", jd.real("H", -3.141592653589793, 3.141592653589793, "radian"), default=None)
+    heading: float | None = jd.field("Heading", jd.real("H", -3.141592653589793, 3.141592653589793, "radian"), default=None)
+    course: float | None = jd.field("Course", jd.real("H", -3.141592653589793, 3.141592653589793, "radian"), default=None)
     reserved_presence: int = 0
 
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.composite(
-            cls, "B",
-            ("Speed", mobility_v1_0_types.Speed.layout()),
-            ("ZPosition", mobility_v1_0_types.ZPosition.layout(), True),
-            ("Roll", rt.real("H", -3.141592653589793, 3.141592653589793, "radian"), True),
-            ("Pitch", rt.real("H", -3.141592653589793, 3.141592653589793, "radian"), True),
-            ("Heading", rt.real("H", -3.141592653589793, 3.141592653589793, "radian"), True),
-            ("Course", rt.real("H", -3.141592653589793, 3.141592653589793, "radian"), True),
-        )
 
-    @classmethod
-    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
-        if data[0] != 0xA8 or data[1] != 0x04: raise rt.Reject
-        size = len(data)
-        self = rt.new(cls)
-        mask = data[2]
-        at = 3
-        self.speed, at = mobility_v1_0_types.Speed._read(data, at, nesting)
-        if mask & 1:
-            self.z_position, at = mobility_v1_0_types.ZPosition._read(data, at, nesting)
-        else: self.z_position = None
-        packer = _M_SetLocalVectorExt_2[mask & 0x1E]
-        raw = iter(packer.unpack_from(data, at)).__next__
-        at += packer.size
-        self.roll = -3.141592653589793 + raw() * 9.587526218325454e-05 if mask & 2 else None
-        self.pitch = -3.141592653589793 + raw() * 9.587526218325454e-05 if mask & 4 else None
-        self.heading = -3.141592653589793 + raw() * 9.587526218325454e-05 if mask & 8 else None
-        self.course = -3.141592653589793 + raw() * 9.587526218325454e-05 if mask & 16 else None
-        self.reserved_presence = mask & 0xE0
-        if at != size: raise rt.Reject
-        return self
-
-    def _pack(self) -> bytes:
-        out = bytearray(b"\xa8\x04")
-        start = len(out)
-        out += b"\0"
-        mask = self.reserved_presence
-        if mask & 0x1F: raise rt.Reject
-        speed_ = self.speed
-        if type(speed_) is not mobility_v1_0_types.Speed: raise rt.Reject
-        speed_._write(out)
-        z_position_ = self.z_position
-        if z_position_ is not None:
-            mask |= 1
-            if type(z_position_) is not mobility_v1_0_types.ZPosition: raise rt.Reject
-            z_position_._write(out)
-        raw: list[int | float | bytes] = []
-        roll_ = self.roll
-        if roll_ is not None:
-            mask |= 2
-            if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = roll_ * 10430.219195527361 + 32768.0
-            roll_raw_ = int(near)
-            if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_4)
-            raw.append(roll_raw_)
-        pitch_ = self.pitch
-        if pitch_ is not None:
-            mask |= 4
-            if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = pitch_ * 10430.219195527361 + 32768.0
-            pitch_raw_ = int(near)
-            if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_4)
-            raw.append(pitch_raw_)
-        heading_ = self.heading
-        if heading_ is not None:
-            mask |= 8
-            if not -3.141592653589793 <= heading_ <= 3.141592653589793: raise rt.Reject
-            near = heading_ * 10430.219195527361 + 32768.0
-            heading_raw_ = int(near)
-            if not 1.52587890625e-05 < near - heading_raw_ < 0.9999847412109375: heading_raw_ = rt.exact_raw(heading_, _R_4)
-            raw.append(heading_raw_)
-        course_ = self.course
-        if course_ is not None:
-            mask |= 16
-            if not -3.141592653589793 <= course_ <= 3.141592653589793: raise rt.Reject
-            near = course_ * 10430.219195527361 + 32768.0
-            course_raw_ = int(near)
-            if not 1.52587890625e-05 < near - course_raw_ < 0.9999847412109375: course_raw_ = rt.exact_raw(course_, _R_4)
-            raw.append(course_raw_)
-        out += _M_SetLocalVectorExt_2[mask & 0x1E].pack(*raw)
-        _S_B.pack_into(out, start, mask)
-        return bytes(out)
-
-
-@dataclass(slots=True, repr=False)
-class QueryLocalVector(rt.Message):
-    """QueryLocalVector (0x2408): Asks for the commanded heading, speed and attitude in the local frame.
-
-    presence_vector: Optional fields that the report is to have: bit i asks for the i-th of them, from 0
-    """
-
-    CODE = 0x2408
-    NAME = "QueryLocalVector"
-    SERVICE = "urn:jaus:jss:mobility:LocalVectorDriver"
-    VERSION = "1.1"
-    IS_COMMAND = False
-    IS_QUERY = True
-    REPORT: ClassVar[type[ReportLocalVector]]
-
-    presence_vector: int
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.composite(
-            cls, None,
-            ("PresenceVector", rt.Number("B")),
-        )
-
-    @classmethod
-    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
-        self = rt.new(cls)
-        code, self.presence_vector = _S_HB.unpack(data)
-        if code != 0x2408: raise rt.Reject
-        return self
-
-    def _pack(self) -> bytes:
-        return _S_HB.pack(0x2408, self.presence_vector)
-
-
-@dataclass(slots=True, repr=False)
-class QueryLocalVectorExt(rt.Message):
-    """QueryLocalVectorExt (0x24A8): Asks for the commanded vector in the local frame in its wider form.
-
-    presence_vector: Optional fields that the report is to have: bit i asks for the i-th of them, from 0
-    """
-
-    CODE = 0x24A8
-    NAME = "QueryLocalVectorExt"
-    SERVICE = "urn:jaus:jss:mobility:LocalVectorDriver"
-    VERSION = "1.1"
-    IS_COMMAND = False
-    IS_QUERY = True
-    REPORT: ClassVar[type[ReportLocalVectorExt]]
-
-    presence_vector: int
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.composite(
-            cls, None,
-            ("PresenceVector", rt.Number("H")),
-        )
-
-    @classmethod
-    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
-        self = rt.new(cls)
-        code, self.presence_vector = _S_2H.unpack(data)
-        if code != 0x24A8: raise rt.Reject
-        return self
-
-    def _pack(self) -> bytes:
-        return _S_2H.pack(0x24A8, self.presence_vector)
-
-
-@dataclass(slots=True, repr=False)
-class ReportLocalVector(rt.Message):
+@jd.message(_SERVICE, 0x4408, presence="B")
+class ReportLocalVector(jd.Message):
     """ReportLocalVector (0x4408): Tells the commanded heading, speed and attitude in the local frame.
 
     speed: 0..327.67 meter per second. Wanted speed, in metres per second
@@ -301,94 +58,26 @@ class ReportLocalVector(rt.Message):
     roll: -3.14159265359..3.14159265359 radian, optional. Wanted rotation about X, in radians
     pitch: -3.14159265359..3.14159265359 radian, optional. Wanted rotation about Y, in radians
     """
-
-    CODE = 0x4408
-    NAME = "ReportLocalVector"
-    SERVICE = "urn:jaus:jss:mobility:LocalVectorDriver"
-    VERSION = "1.1"
-    IS_COMMAND = False
-    IS_QUERY = False
-
-    speed: float
-    z: float | None = None
-    heading: float | None = None
-    roll: float | None = None
-    pitch: float | None = None
+    speed: float = jd.field("Speed", jd.real("H", 0.0, 327.67, "meter per second"))
+    z: float | None = jd.field("Z", jd.real("I", -10000.0, 35000.0, "meter"), default=None)
+    heading: float | None = jd.field("Heading", jd.real("H", -3.141592653589793, 3.141592653589793, "radian"), default=None)
+    roll: float | None = jd.field("Roll", jd.real("H", -3.141592653589793, 3.141592653589793, "radian"), default=None)
+    pitch: float | None = jd.field("Pitch", jd.real("H", -3.141592653589793, 3.141592653589793, "radian"), default=None)
     reserved_presence: int = 0
 
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.composite(
-            cls, "B",
-            ("Speed", rt.real("H", 0.0, 327.67, "meter per second")),
-            ("Z", rt.real("I", -10000.0, 35000.0, "meter"), True),
-            ("Heading", rt.real("H", -3.141592653589793, 3.141592653589793, "radian"), True),
-            ("Roll", rt.real("H", -3.141592653589793, 3.141592653589793, "radian"), True),
-            ("Pitch", rt.real("H", -3.141592653589793, 3.141592653589793, "radian"), True),
-        )
 
-    @classmethod
-    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
-        code, mask = _S_HB.unpack_from(data)
-        if code != 0x4408: raise rt.Reject
-        raw = iter(_M_SetLocalVector[mask & 0xF].unpack(data)).__next__
-        self = rt.new(cls)
-        speed_ = raw()
-        self.speed = speed_ * 0.0049999237048905165
-        self.z = -10000.0 + raw() * 1.0477378966863588e-05 if mask & 1 else None
-        self.heading = -3.141592653589793 + raw() * 9.587526218325454e-05 if mask & 2 else None
-        self.roll = -3.141592653589793 + raw() * 9.587526218325454e-05 if mask & 4 else None
-        self.pitch = -3.141592653589793 + raw() * 9.587526218325454e-05 if mask & 8 else None
-        self.reserved_presence = mask & 0xF0
-        return self
+@jd.message(_SERVICE, 0x2408, query=True)
+class QueryLocalVector(jd.Message):
+    """QueryLocalVector (0x2408): Asks for the commanded heading, speed and attitude in the local frame.
 
-    def _pack(self) -> bytes:
-        mask = self.reserved_presence
-        if mask & 0xF: raise rt.Reject
-        raw: list[int | float | bytes] = []
-        speed_ = self.speed
-        if not 0.0 <= speed_ <= 327.67: raise rt.Reject
-        near = speed_ * 200.0030518509476 + 0.5
-        speed_raw_ = int(near)
-        if not 1.52587890625e-05 < near - speed_raw_ < 0.9999847412109375: speed_raw_ = rt.exact_raw(speed_, _R_2)
-        raw.append(speed_raw_)
-        z_ = self.z
-        if z_ is not None:
-            mask |= 1
-            if not -10000.0 <= z_ <= 35000.0: raise rt.Reject
-            near = z_ * 95443.71766666666 + 954437177.1666666
-            z_raw_ = int(near)
-            if not 1.52587890625e-05 < near - z_raw_ < 0.9999847412109375: z_raw_ = rt.exact_raw(z_, _R_3)
-            raw.append(z_raw_)
-        heading_ = self.heading
-        if heading_ is not None:
-            mask |= 2
-            if not -3.141592653589793 <= heading_ <= 3.141592653589793: raise rt.Reject
-            near = heading_ * 10430.219195527361 + 32768.0
-            heading_raw_ = int(near)
-            if not 1.52587890625e-05 < near - heading_raw_ < 0.9999847412109375: heading_raw_ = rt.exact_raw(heading_, _R_4)
-            raw.append(heading_raw_)
-        roll_ = self.roll
-        if roll_ is not None:
-            mask |= 4
-            if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = roll_ * 10430.219195527361 + 32768.0
-            roll_raw_ = int(near)
-            if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_4)
-            raw.append(roll_raw_)
-        pitch_ = self.pitch
-        if pitch_ is not None:
-            mask |= 8
-            if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = pitch_ * 10430.219195527361 + 32768.0
-            pitch_raw_ = int(near)
-            if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_4)
-            raw.append(pitch_raw_)
-        return _M_SetLocalVector_pack[mask & 0xF].pack(0x4408, mask, *raw)
+    presence_vector: Optional fields that the report is to have: bit i asks for the i-th of them, from 0
+    """
+    REPORT = ReportLocalVector
+    presence_vector: int = jd.field("PresenceVector", jd.Number("B"))
 
 
-@dataclass(slots=True, repr=False)
-class ReportLocalVectorExt(rt.Message):
+@jd.message(_SERVICE, 0x44A8, presence="B")
+class ReportLocalVectorExt(jd.Message):
     """ReportLocalVectorExt (0x44A8): Tells the commanded vector in the local frame, with the kind of speed.
 
     speed: Wanted speed, and its kind
@@ -398,119 +87,22 @@ class ReportLocalVectorExt(rt.Message):
     heading: -3.14159265359..3.14159265359 radian, optional. Wanted direction, in radians; 0 is along X
     course: -3.14159265359..3.14159265359 radian, optional. Wanted direction of travel, in radians; 0 is along X
     """
-
-    CODE = 0x44A8
-    NAME = "ReportLocalVectorExt"
-    SERVICE = "urn:jaus:jss:mobility:LocalVectorDriver"
-    VERSION = "1.1"
-    IS_COMMAND = False
-    IS_QUERY = False
-
     Speed = mobility_v1_0_types.Speed
     ZPosition = mobility_v1_0_types.ZPosition
-
-    speed: mobility_v1_0_types.Speed
-    z_position: mobility_v1_0_types.ZPosition | None = None
-    roll: float | None = None
-    pitch: float | None = None
-    heading: float | None = None
-    course: float | None = None
+    speed: mobility_v1_0_types.Speed = jd.field("Speed", lambda: mobility_v1_0_types.Speed.layout())
+    z_position: mobility_v1_0_types.ZPosition | None = jd.field("ZPosition", lambda: mobility_v1_0_types.ZPosition.layout(), default=None)
+    roll: float | None = jd.field("Roll", jd.real("H", -3.141592653589793, 3.141592653589793, "radian"), default=None)
+    pitch: float | None = jd.field("Pitch", jd.real("H", -3.141592653589793, 3.141592653589793, "radian"), default=None)
+    heading: float | None = jd.field("Heading", jd.real("H", -3.141592653589793, 3.141592653589793, "radian"), default=None)
+    course: float | None = jd.field("Course", jd.real("H", -3.141592653589793, 3.141592653589793, "radian"), default=None)
     reserved_presence: int = 0
 
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.composite(
-            cls, "B",
-            ("Speed", mobility_v1_0_types.Speed.layout()),
-            ("ZPosition", mobility_v1_0_types.ZPosition.layout(), True),
-            ("Roll", rt.real("H", -3.141592653589793, 3.141592653589793, "radian"), True),
-            ("Pitch", rt.real("H", -3.141592653589793, 3.141592653589793, "radian"), True),
-            ("Heading", rt.real("H", -3.141592653589793, 3.141592653589793, "radian"), True),
-            ("Course", rt.real("H", -3.141592653589793, 3.141592653589793, "radian"), True),
-        )
 
-    @classmethod
-    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
-        if data[0] != 0xA8 or data[1] != 0x44: raise rt.Reject
-        size = len(data)
-        self = rt.new(cls)
-        mask = data[2]
-        at = 3
-        self.speed, at = mobility_v1_0_types.Speed._read(data, at, nesting)
-        if mask & 1:
-            self.z_position, at = mobility_v1_0_types.ZPosition._read(data, at, nesting)
-        else: self.z_position = None
-        packer = _M_SetLocalVectorExt_2[mask & 0x1E]
-        raw = iter(packer.unpack_from(data, at)).__next__
-        at += packer.size
-        self.roll = -3.141592653589793 + raw() * 9.587526218325454e-05 if mask & 2 else None
-        self.pitch = -3.141592653589793 + raw() * 9.587526218325454e-05 if mask & 4 else None
-        self.heading = -3.141592653589793 + raw() * 9.587526218325454e-05 if mask & 8 else None
-        self.course = -3.141592653589793 + raw() * 9.587526218325454e-05 if mask & 16 else None
-        self.reserved_presence = mask & 0xE0
-        if at != size: raise rt.Reject
-        return self
+@jd.message(_SERVICE, 0x24A8, query=True)
+class QueryLocalVectorExt(jd.Message):
+    """QueryLocalVectorExt (0x24A8): Asks for the commanded vector in the local frame in its wider form.
 
-    def _pack(self) -> bytes:
-        out = bytearray(b"\xa8\x44")
-        start = len(out)
-        out += b"\0"
-        mask = self.reserved_presence
-        if mask & 0x1F: raise rt.Reject
-        speed_ = self.speed
-        if type(speed_) is not mobility_v1_0_types.Speed: raise rt.Reject
-        speed_._write(out)
-        z_position_ = self.z_position
-        if z_position_ is not None:
-            mask |= 1
-            if type(z_position_) is not mobility_v1_0_types.ZPosition: raise rt.Reject
-            z_position_._write(out)
-        raw: list[int | float | bytes] = []
-        roll_ = self.roll
-        if roll_ is not None:
-            mask |= 2
-            if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = roll_ * 10430.219195527361 + 32768.0
-            roll_raw_ = int(near)
-            if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_4)
-            raw.append(roll_raw_)
-        pitch_ = self.pitch
-        if pitch_ is not None:
-            mask |= 4
-            if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = pitch_ * 10430.219195527361 + 32768.0
-            pitch_raw_ = int(near)
-            if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_4)
-            raw.append(pitch_raw_)
-        heading_ = self.heading
-        if heading_ is not None:
-            mask |= 8
-            if not -3.141592653589793 <= heading_ <= 3.141592653589793: raise rt.Reject
-            near = heading_ * 10430.219195527361 + 32768.0
-            heading_raw_ = int(near)
-            if not 1.52587890625e-05 < near - heading_raw_ < 0.9999847412109375: heading_raw_ = rt.exact_raw(heading_, _R_4)
-            raw.append(heading_raw_)
-        course_ = self.course
-        if course_ is not None:
-            mask |= 16
-            if not -3.141592653589793 <= course_ <= 3.141592653589793: raise rt.Reject
-            near = course_ * 10430.219195527361 + 32768.0
-            course_raw_ = int(near)
-            if not 1.52587890625e-05 < near - course_raw_ < 0.9999847412109375: course_raw_ = rt.exact_raw(course_, _R_4)
-            raw.append(course_raw_)
-        out += _M_SetLocalVectorExt_2[mask & 0x1E].pack(*raw)
-        _S_B.pack_into(out, start, mask)
-        return bytes(out)
-
-
-_S_HB = rt.Packer("<HB")
-_M_SetLocalVector = rt.Masks("3x", ((0, "H"), (1, "I"), (2, "H"), (4, "H"), (8, "H")))
-_R_2 = rt.Scaling(0.0, 327.67, 65535)
-_R_3 = rt.Scaling(-10000.0, 35000.0, 4294967295)
-_R_4 = rt.Scaling(-3.141592653589793, 3.141592653589793, 65535)
-_M_SetLocalVector_pack = rt.Masks("HB", ((0, "H"), (1, "I"), (2, "H"), (4, "H"), (8, "H")))
-_M_SetLocalVectorExt_2 = rt.Masks("", ((2, "H"), (4, "H"), (8, "H"), (16, "H")))
-_S_B = rt.Packer("<B")
-_S_2H = rt.Packer("<2H")
-QueryLocalVector.REPORT = ReportLocalVector
-QueryLocalVectorExt.REPORT = ReportLocalVectorExt
+    presence_vector: Optional fields that the report is to have: bit i asks for the i-th of them, from 0
+    """
+    REPORT = ReportLocalVectorExt
+    presence_vector: int = jd.field("PresenceVector", jd.Number("H"))

@@ -2,45 +2,28 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import ClassVar, Self
-
-from jauspy.codec import runtime as rt
+from jauspy.codec import declare as jd
 from jauspy.messages.mobility.v1_0 import global_path_segment_driver as mobility_v1_0_global_path_segment_driver
 from jauspy.messages.mobility.v1_0 import global_waypoint_driver as mobility_v1_0_global_waypoint_driver
 from jauspy.messages.mobility.v1_0 import local_waypoint_driver as mobility_v1_0_local_waypoint_driver
 from jauspy.messages.mobility.v1_0 import types as mobility_v1_0_types
 from jauspy.messages.mobility.v1_1 import global_loiter_driver as mobility_v1_1_global_loiter_driver
 
+_SERVICE = jd.Service("urn:jaus:jss:mobility:LocalWaypointDriver", "1.1")
 
-class SetTravelSpeed(mobility_v1_0_global_waypoint_driver.SetTravelSpeed):
-    """SetTravelSpeed (0x040A): Sets the speed on the way."""
+@jd.derived(_SERVICE)
+class SetTravelSpeed(mobility_v1_0_global_waypoint_driver.SetTravelSpeed): ...
 
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:mobility:LocalWaypointDriver"
-    VERSION = "1.1"
+@jd.derived(_SERVICE)
+class SetTravelSpeedExt(mobility_v1_1_global_loiter_driver.SetTravelSpeedExt): ...
 
-
-class SetTravelSpeedExt(mobility_v1_1_global_loiter_driver.SetTravelSpeedExt):
-    """SetTravelSpeedExt (0x04AA): Sets the speed on the way as one of several kinds of speed."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:mobility:LocalWaypointDriver"
-    VERSION = "1.1"
+@jd.derived(_SERVICE)
+class SetLocalWaypoint(mobility_v1_0_local_waypoint_driver.SetLocalWaypoint): ...
 
 
-class SetLocalWaypoint(mobility_v1_0_local_waypoint_driver.SetLocalWaypoint):
-    """SetLocalWaypoint (0x040D): Sets the waypoint in the local frame to drive to."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:mobility:LocalWaypointDriver"
-    VERSION = "1.1"
-
-
-@dataclass(slots=True, repr=False)
-class SetLocalWaypointExt(rt.Message):
-    """SetLocalWaypointExt (0x04AD): Sets the waypoint in the local frame to drive to, with a choice of the
-    vertical datum.
+@jd.message(_SERVICE, 0x04AD, presence="B", command=True)
+class SetLocalWaypointExt(jd.Message):
+    """SetLocalWaypointExt (0x04AD): Sets the waypoint in the local frame to drive to, with a choice of the vertical datum.
 
     x: -20000000..20000000 meter. Position along X, in metres
     y: -20000000..20000000 meter. Position along Y, in metres
@@ -51,221 +34,41 @@ class SetLocalWaypointExt(rt.Message):
     waypoint_tolerance: 0..10000 meter, optional. The waypoint is reached within this distance, in metres
     path_tolerance: 0..100000 meter, optional. Largest distance from the path that is allowed, in metres
     """
-
-    CODE = 0x04AD
-    NAME = "SetLocalWaypointExt"
-    SERVICE = "urn:jaus:jss:mobility:LocalWaypointDriver"
-    VERSION = "1.1"
-    IS_COMMAND = True
-    IS_QUERY = False
-
     ZPosition = mobility_v1_0_types.ZPosition
-
-    x: float
-    y: float
-    z_position: mobility_v1_0_types.ZPosition | None = None
-    roll: float | None = None
-    pitch: float | None = None
-    heading: float | None = None
-    waypoint_tolerance: float | None = None
-    path_tolerance: float | None = None
+    x: float = jd.field("X", jd.real("I", -20000000.0, 20000000.0, "meter"))
+    y: float = jd.field("Y", jd.real("I", -20000000.0, 20000000.0, "meter"))
+    z_position: mobility_v1_0_types.ZPosition | None = jd.field("ZPosition", lambda: mobility_v1_0_types.ZPosition.layout(), default=None)
+    roll: float | None = jd.field("Roll", jd.real("H", -3.141592653589793, 3.141592653589793, "radian"), default=None)
+    pitch: float | None = jd.field("Pitch", jd.real("H", -3.141592653589793, 3.141592653589793, "radian"), default=None)
+    heading: float | None = jd.field("Heading", jd.real("H", -3.141592653589793, 3.141592653589793, "radian"), default=None)
+    waypoint_tolerance: float | None = jd.field("WaypointTolerance", jd.real("I", 0.0, 10000.0, "meter"), default=None)
+    path_tolerance: float | None = jd.field("PathTolerance", jd.real("I", 0.0, 100000.0, "meter"), default=None)
     reserved_presence: int = 0
 
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.composite(
-            cls, "B",
-            ("X", rt.real("I", -20000000.0, 20000000.0, "meter")),
-            ("Y", rt.real("I", -20000000.0, 20000000.0, "meter")),
-            ("ZPosition", mobility_v1_0_types.ZPosition.layout(), True),
-            ("Roll", rt.real("H", -3.141592653589793, 3.141592653589793, "radian"), True),
-            ("Pitch", rt.real("H", -3.141592653589793, 3.141592653589793, "radian"), True),
-            ("Heading", rt.real("H", -3.141592653589793, 3.141592653589793, "radian"), True),
-            ("WaypointTolerance", rt.real("I", 0.0, 10000.0, "meter"), True),
-            ("PathTolerance", rt.real("I", 0.0, 100000.0, "meter"), True),
-        )
+@jd.derived(_SERVICE)
+class ReportTravelSpeed(mobility_v1_0_global_path_segment_driver.ReportTravelSpeed): ...
 
-    @classmethod
-    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
-        if data[0] != 0xAD or data[1] != 0x04: raise rt.Reject
-        size = len(data)
-        self = rt.new(cls)
-        mask = data[2]
-        x_, y_ = _S_2I.unpack_from(data, 3)
-        self.x = -20000000.0 + x_ * 0.00931322574832319
-        self.y = -20000000.0 + y_ * 0.00931322574832319
-        at = 11
-        if mask & 1:
-            self.z_position, at = mobility_v1_0_types.ZPosition._read(data, at, nesting)
-        else: self.z_position = None
-        packer = _M_SetLocalWaypointExt_2[mask & 0x3E]
-        raw = iter(packer.unpack_from(data, at)).__next__
-        at += packer.size
-        self.roll = -3.141592653589793 + raw() * 9.587526218325454e-05 if mask & 2 else None
-        self.pitch = -3.141592653589793 + raw() * 9.587526218325454e-05 if mask & 4 else None
-        self.heading = -3.141592653589793 + raw() * 9.587526218325454e-05 if mask & 8 else None
-        self.waypoint_tolerance = raw() * 2.3283064370807974e-06 if mask & 16 else None
-        self.path_tolerance = raw() * 2.3283064370807974e-05 if mask & 32 else None
-        self.reserved_presence = mask & 0xC0
-        if at != size: raise rt.Reject
-        return self
-
-    def _pack(self) -> bytes:
-        out = bytearray(b"\xad\x04")
-        start = len(out)
-        out += b"\0"
-        mask = self.reserved_presence
-        if mask & 0x3F: raise rt.Reject
-        x_ = self.x
-        if not -20000000.0 <= x_ <= 20000000.0: raise rt.Reject
-        near = x_ * 107.374182375 + 2147483648.0
-        x_raw_ = int(near)
-        if not 1.52587890625e-05 < near - x_raw_ < 0.9999847412109375: x_raw_ = rt.exact_raw(x_, _R_2)
-        y_ = self.y
-        if not -20000000.0 <= y_ <= 20000000.0: raise rt.Reject
-        near = y_ * 107.374182375 + 2147483648.0
-        y_raw_ = int(near)
-        if not 1.52587890625e-05 < near - y_raw_ < 0.9999847412109375: y_raw_ = rt.exact_raw(y_, _R_2)
-        out += _S_2I.pack(x_raw_, y_raw_)
-        z_position_ = self.z_position
-        if z_position_ is not None:
-            mask |= 1
-            if type(z_position_) is not mobility_v1_0_types.ZPosition: raise rt.Reject
-            z_position_._write(out)
-        raw: list[int | float | bytes] = []
-        roll_ = self.roll
-        if roll_ is not None:
-            mask |= 2
-            if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = roll_ * 10430.219195527361 + 32768.0
-            roll_raw_ = int(near)
-            if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_3)
-            raw.append(roll_raw_)
-        pitch_ = self.pitch
-        if pitch_ is not None:
-            mask |= 4
-            if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = pitch_ * 10430.219195527361 + 32768.0
-            pitch_raw_ = int(near)
-            if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_3)
-            raw.append(pitch_raw_)
-        heading_ = self.heading
-        if heading_ is not None:
-            mask |= 8
-            if not -3.141592653589793 <= heading_ <= 3.141592653589793: raise rt.Reject
-            near = heading_ * 10430.219195527361 + 32768.0
-            heading_raw_ = int(near)
-            if not 1.52587890625e-05 < near - heading_raw_ < 0.9999847412109375: heading_raw_ = rt.exact_raw(heading_, _R_3)
-            raw.append(heading_raw_)
-        waypoint_tolerance_ = self.waypoint_tolerance
-        if waypoint_tolerance_ is not None:
-            mask |= 16
-            if not 0.0 <= waypoint_tolerance_ <= 10000.0: raise rt.Reject
-            near = waypoint_tolerance_ * 429496.7295 + 0.5
-            waypoint_tolerance_raw_ = int(near)
-            if not 1.52587890625e-05 < near - waypoint_tolerance_raw_ < 0.9999847412109375: waypoint_tolerance_raw_ = rt.exact_raw(waypoint_tolerance_, _R_4)
-            raw.append(waypoint_tolerance_raw_)
-        path_tolerance_ = self.path_tolerance
-        if path_tolerance_ is not None:
-            mask |= 32
-            if not 0.0 <= path_tolerance_ <= 100000.0: raise rt.Reject
-            near = path_tolerance_ * 42949.67295 + 0.5
-            path_tolerance_raw_ = int(near)
-            if not 1.52587890625e-05 < near - path_tolerance_raw_ < 0.9999847412109375: path_tolerance_raw_ = rt.exact_raw(path_tolerance_, _R_5)
-            raw.append(path_tolerance_raw_)
-        out += _M_SetLocalWaypointExt_2[mask & 0x3E].pack(*raw)
-        _S_B.pack_into(out, start, mask)
-        return bytes(out)
-
-
+@jd.derived(_SERVICE)
 class QueryTravelSpeed(mobility_v1_0_global_path_segment_driver.QueryTravelSpeed):
-    """QueryTravelSpeed (0x240A): Asks for the speed on the way."""
+    REPORT = ReportTravelSpeed
 
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:mobility:LocalWaypointDriver"
-    VERSION = "1.1"
-    REPORT: ClassVar[type[ReportTravelSpeed]]
+@jd.derived(_SERVICE)
+class ReportTravelSpeedExt(mobility_v1_1_global_loiter_driver.ReportTravelSpeedExt): ...
 
-
+@jd.derived(_SERVICE)
 class QueryTravelSpeedExt(mobility_v1_1_global_loiter_driver.QueryTravelSpeedExt):
-    """QueryTravelSpeedExt (0x24AA): Asks for the speed on the way and its kind."""
+    REPORT = ReportTravelSpeedExt
 
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:mobility:LocalWaypointDriver"
-    VERSION = "1.1"
-    REPORT: ClassVar[type[ReportTravelSpeedExt]]
+@jd.derived(_SERVICE)
+class ReportLocalWaypoint(mobility_v1_0_local_waypoint_driver.ReportLocalWaypoint): ...
 
-
+@jd.derived(_SERVICE)
 class QueryLocalWaypoint(mobility_v1_0_local_waypoint_driver.QueryLocalWaypoint):
-    """QueryLocalWaypoint (0x240D): Asks for the waypoint in the local frame being driven to."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:mobility:LocalWaypointDriver"
-    VERSION = "1.1"
-    REPORT: ClassVar[type[ReportLocalWaypoint]]
+    REPORT = ReportLocalWaypoint
 
 
-@dataclass(slots=True, repr=False)
-class QueryLocalWaypointExt(rt.Message):
-    """QueryLocalWaypointExt (0x24AD): Asks for the waypoint in the local frame in its wider form.
-
-    presence_vector: Optional fields that the report is to have: bit i asks for the i-th of them, from 0
-    """
-
-    CODE = 0x24AD
-    NAME = "QueryLocalWaypointExt"
-    SERVICE = "urn:jaus:jss:mobility:LocalWaypointDriver"
-    VERSION = "1.1"
-    IS_COMMAND = False
-    IS_QUERY = True
-    REPORT: ClassVar[type[ReportLocalWaypointExt]]
-
-    presence_vector: int
-
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.composite(
-            cls, None,
-            ("PresenceVector", rt.Number("H")),
-        )
-
-    @classmethod
-    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
-        self = rt.new(cls)
-        code, self.presence_vector = _S_2H.unpack(data)
-        if code != 0x24AD: raise rt.Reject
-        return self
-
-    def _pack(self) -> bytes:
-        return _S_2H.pack(0x24AD, self.presence_vector)
-
-
-class ReportTravelSpeed(mobility_v1_0_global_path_segment_driver.ReportTravelSpeed):
-    """ReportTravelSpeed (0x440A): Tells the speed on the way that was set."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:mobility:LocalWaypointDriver"
-    VERSION = "1.1"
-
-
-class ReportTravelSpeedExt(mobility_v1_1_global_loiter_driver.ReportTravelSpeedExt):
-    """ReportTravelSpeedExt (0x44AA): Tells the speed on the way that was set, and its kind."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:mobility:LocalWaypointDriver"
-    VERSION = "1.1"
-
-
-class ReportLocalWaypoint(mobility_v1_0_local_waypoint_driver.ReportLocalWaypoint):
-    """ReportLocalWaypoint (0x440D): Tells the waypoint in the local frame being driven to."""
-
-    __slots__ = ()
-    SERVICE = "urn:jaus:jss:mobility:LocalWaypointDriver"
-    VERSION = "1.1"
-
-
-@dataclass(slots=True, repr=False)
-class ReportLocalWaypointExt(rt.Message):
+@jd.message(_SERVICE, 0x44AD, presence="B")
+class ReportLocalWaypointExt(jd.Message):
     """ReportLocalWaypointExt (0x44AD): Tells the waypoint in the local frame, with its vertical datum.
 
     x: -20000000..20000000 meter. Position along X, in metres
@@ -277,142 +80,23 @@ class ReportLocalWaypointExt(rt.Message):
     waypoint_tolerance: 0..10000 meter, optional. The waypoint is reached within this distance, in metres
     path_tolerance: 0..100000 meter, optional. Largest distance from the path that is allowed, in metres
     """
-
-    CODE = 0x44AD
-    NAME = "ReportLocalWaypointExt"
-    SERVICE = "urn:jaus:jss:mobility:LocalWaypointDriver"
-    VERSION = "1.1"
-    IS_COMMAND = False
-    IS_QUERY = False
-
     ZPosition = mobility_v1_0_types.ZPosition
-
-    x: float
-    y: float
-    z_position: mobility_v1_0_types.ZPosition | None = None
-    roll: float | None = None
-    pitch: float | None = None
-    heading: float | None = None
-    waypoint_tolerance: float | None = None
-    path_tolerance: float | None = None
+    x: float = jd.field("X", jd.real("I", -20000000.0, 20000000.0, "meter"))
+    y: float = jd.field("Y", jd.real("I", -20000000.0, 20000000.0, "meter"))
+    z_position: mobility_v1_0_types.ZPosition | None = jd.field("ZPosition", lambda: mobility_v1_0_types.ZPosition.layout(), default=None)
+    roll: float | None = jd.field("Roll", jd.real("H", -3.141592653589793, 3.141592653589793, "radian"), default=None)
+    pitch: float | None = jd.field("Pitch", jd.real("H", -3.141592653589793, 3.141592653589793, "radian"), default=None)
+    heading: float | None = jd.field("Heading", jd.real("H", -3.141592653589793, 3.141592653589793, "radian"), default=None)
+    waypoint_tolerance: float | None = jd.field("WaypointTolerance", jd.real("I", 0.0, 10000.0, "meter"), default=None)
+    path_tolerance: float | None = jd.field("PathTolerance", jd.real("I", 0.0, 100000.0, "meter"), default=None)
     reserved_presence: int = 0
 
-    @classmethod
-    def _layout(cls) -> rt.Item:
-        return rt.composite(
-            cls, "B",
-            ("X", rt.real("I", -20000000.0, 20000000.0, "meter")),
-            ("Y", rt.real("I", -20000000.0, 20000000.0, "meter")),
-            ("ZPosition", mobility_v1_0_types.ZPosition.layout(), True),
-            ("Roll", rt.real("H", -3.141592653589793, 3.141592653589793, "radian"), True),
-            ("Pitch", rt.real("H", -3.141592653589793, 3.141592653589793, "radian"), True),
-            ("Heading", rt.real("H", -3.141592653589793, 3.141592653589793, "radian"), True),
-            ("WaypointTolerance", rt.real("I", 0.0, 10000.0, "meter"), True),
-            ("PathTolerance", rt.real("I", 0.0, 100000.0, "meter"), True),
-        )
 
-    @classmethod
-    def _unpack(cls, data: bytes, nesting: rt.Nesting | None) -> Self:
-        if data[0] != 0xAD or data[1] != 0x44: raise rt.Reject
-        size = len(data)
-        self = rt.new(cls)
-        mask = data[2]
-        x_, y_ = _S_2I.unpack_from(data, 3)
-        self.x = -20000000.0 + x_ * 0.00931322574832319
-        self.y = -20000000.0 + y_ * 0.00931322574832319
-        at = 11
-        if mask & 1:
-            self.z_position, at = mobility_v1_0_types.ZPosition._read(data, at, nesting)
-        else: self.z_position = None
-        packer = _M_SetLocalWaypointExt_2[mask & 0x3E]
-        raw = iter(packer.unpack_from(data, at)).__next__
-        at += packer.size
-        self.roll = -3.141592653589793 + raw() * 9.587526218325454e-05 if mask & 2 else None
-        self.pitch = -3.141592653589793 + raw() * 9.587526218325454e-05 if mask & 4 else None
-        self.heading = -3.141592653589793 + raw() * 9.587526218325454e-05 if mask & 8 else None
-        self.waypoint_tolerance = raw() * 2.3283064370807974e-06 if mask & 16 else None
-        self.path_tolerance = raw() * 2.3283064370807974e-05 if mask & 32 else None
-        self.reserved_presence = mask & 0xC0
-        if at != size: raise rt.Reject
-        return self
+@jd.message(_SERVICE, 0x24AD, query=True)
+class QueryLocalWaypointExt(jd.Message):
+    """QueryLocalWaypointExt (0x24AD): Asks for the waypoint in the local frame in its wider form.
 
-    def _pack(self) -> bytes:
-        out = bytearray(b"\xad\x44")
-        start = len(out)
-        out += b"\0"
-        mask = self.reserved_presence
-        if mask & 0x3F: raise rt.Reject
-        x_ = self.x
-        if not -20000000.0 <= x_ <= 20000000.0: raise rt.Reject
-        near = x_ * 107.374182375 + 2147483648.0
-        x_raw_ = int(near)
-        if not 1.52587890625e-05 < near - x_raw_ < 0.9999847412109375: x_raw_ = rt.exact_raw(x_, _R_2)
-        y_ = self.y
-        if not -20000000.0 <= y_ <= 20000000.0: raise rt.Reject
-        near = y_ * 107.374182375 + 2147483648.0
-        y_raw_ = int(near)
-        if not 1.52587890625e-05 < near - y_raw_ < 0.9999847412109375: y_raw_ = rt.exact_raw(y_, _R_2)
-        out += _S_2I.pack(x_raw_, y_raw_)
-        z_position_ = self.z_position
-        if z_position_ is not None:
-            mask |= 1
-            if type(z_position_) is not mobility_v1_0_types.ZPosition: raise rt.Reject
-            z_position_._write(out)
-        raw: list[int | float | bytes] = []
-        roll_ = self.roll
-        if roll_ is not None:
-            mask |= 2
-            if not -3.141592653589793 <= roll_ <= 3.141592653589793: raise rt.Reject
-            near = roll_ * 10430.219195527361 + 32768.0
-            roll_raw_ = int(near)
-            if not 1.52587890625e-05 < near - roll_raw_ < 0.9999847412109375: roll_raw_ = rt.exact_raw(roll_, _R_3)
-            raw.append(roll_raw_)
-        pitch_ = self.pitch
-        if pitch_ is not None:
-            mask |= 4
-            if not -3.141592653589793 <= pitch_ <= 3.141592653589793: raise rt.Reject
-            near = pitch_ * 10430.219195527361 + 32768.0
-            pitch_raw_ = int(near)
-            if not 1.52587890625e-05 < near - pitch_raw_ < 0.9999847412109375: pitch_raw_ = rt.exact_raw(pitch_, _R_3)
-            raw.append(pitch_raw_)
-        heading_ = self.heading
-        if heading_ is not None:
-            mask |= 8
-            if not -3.141592653589793 <= heading_ <= 3.141592653589793: raise rt.Reject
-            near = heading_ * 10430.219195527361 + 32768.0
-            heading_raw_ = int(near)
-            if not 1.52587890625e-05 < near - heading_raw_ < 0.9999847412109375: heading_raw_ = rt.exact_raw(heading_, _R_3)
-            raw.append(heading_raw_)
-        waypoint_tolerance_ = self.waypoint_tolerance
-        if waypoint_tolerance_ is not None:
-            mask |= 16
-            if not 0.0 <= waypoint_tolerance_ <= 10000.0: raise rt.Reject
-            near = waypoint_tolerance_ * 429496.7295 + 0.5
-            waypoint_tolerance_raw_ = int(near)
-            if not 1.52587890625e-05 < near - waypoint_tolerance_raw_ < 0.9999847412109375: waypoint_tolerance_raw_ = rt.exact_raw(waypoint_tolerance_, _R_4)
-            raw.append(waypoint_tolerance_raw_)
-        path_tolerance_ = self.path_tolerance
-        if path_tolerance_ is not None:
-            mask |= 32
-            if not 0.0 <= path_tolerance_ <= 100000.0: raise rt.Reject
-            near = path_tolerance_ * 42949.67295 + 0.5
-            path_tolerance_raw_ = int(near)
-            if not 1.52587890625e-05 < near - path_tolerance_raw_ < 0.9999847412109375: path_tolerance_raw_ = rt.exact_raw(path_tolerance_, _R_5)
-            raw.append(path_tolerance_raw_)
-        out += _M_SetLocalWaypointExt_2[mask & 0x3E].pack(*raw)
-        _S_B.pack_into(out, start, mask)
-        return bytes(out)
-
-
-_S_2I = rt.Packer("<2I")
-_M_SetLocalWaypointExt_2 = rt.Masks("", ((2, "H"), (4, "H"), (8, "H"), (16, "I"), (32, "I")))
-_R_2 = rt.Scaling(-20000000.0, 20000000.0, 4294967295)
-_R_3 = rt.Scaling(-3.141592653589793, 3.141592653589793, 65535)
-_R_4 = rt.Scaling(0.0, 10000.0, 4294967295)
-_R_5 = rt.Scaling(0.0, 100000.0, 4294967295)
-_S_B = rt.Packer("<B")
-_S_2H = rt.Packer("<2H")
-QueryTravelSpeed.REPORT = ReportTravelSpeed
-QueryTravelSpeedExt.REPORT = ReportTravelSpeedExt
-QueryLocalWaypoint.REPORT = ReportLocalWaypoint
-QueryLocalWaypointExt.REPORT = ReportLocalWaypointExt
+    presence_vector: Optional fields that the report is to have: bit i asks for the i-th of them, from 0
+    """
+    REPORT = ReportLocalWaypointExt
+    presence_vector: int = jd.field("PresenceVector", jd.Number("H"))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from jauspy.codec.lazy import exports, load
+from jauspy.codec.registry import lazy
 
 if TYPE_CHECKING:
     from jauspy.messages.ugv.v1_0.ackermann_driver import (
@@ -16,34 +16,27 @@ if TYPE_CHECKING:
         QueryAnnunciatorConfiguration as QueryAnnunciatorConfiguration,
         QueryAnnunciatorState as QueryAnnunciatorState,
         ReportAnnunciatorConfiguration as ReportAnnunciatorConfiguration,
-        ReportAnnunciatorState as ReportAnnunciatorState,
-        SetAnnunciatorState as SetAnnunciatorState,
+        ReportAnnunciatorState as ReportAnnunciatorState, SetAnnunciatorState as SetAnnunciatorState,
     )
     from jauspy.messages.ugv.v1_0.drive_train_driver import (
         QueryTransferCaseState as QueryTransferCaseState,
         QueryTransmissionCapabilities as QueryTransmissionCapabilities,
-        QueryTransmissionState as QueryTransmissionState,
-        ReportTransferCaseState as ReportTransferCaseState,
+        QueryTransmissionState as QueryTransmissionState, ReportTransferCaseState as ReportTransferCaseState,
         ReportTransmissionCapabilities as ReportTransmissionCapabilities,
-        ReportTransmissionState as ReportTransmissionState,
-        SetTransferCaseState as SetTransferCaseState,
+        ReportTransmissionState as ReportTransmissionState, SetTransferCaseState as SetTransferCaseState,
         SetTransmissionState as SetTransmissionState,
     )
     from jauspy.messages.ugv.v1_0.illumination_service import (
         QueryIlluminationConfiguration as QueryIlluminationConfiguration,
         QueryIlluminationState as QueryIlluminationState,
         ReportIlluminationConfiguration as ReportIlluminationConfiguration,
-        ReportIlluminationState as ReportIlluminationState,
-        SetIlluminationState as SetIlluminationState,
+        ReportIlluminationState as ReportIlluminationState, SetIlluminationState as SetIlluminationState,
     )
     from jauspy.messages.ugv.v1_0.odometry_service import (
-        QueryOdometry as QueryOdometry,
-        ReportOdometry as ReportOdometry,
-        ResetOdometry as ResetOdometry,
+        QueryOdometry as QueryOdometry, ReportOdometry as ReportOdometry, ResetOdometry as ResetOdometry,
     )
     from jauspy.messages.ugv.v1_0.parking_brake_driver import (
-        QueryParkingBrake as QueryParkingBrake,
-        ReportParkingBrake as ReportParkingBrake,
+        QueryParkingBrake as QueryParkingBrake, ReportParkingBrake as ReportParkingBrake,
         SetParkingBrake as SetParkingBrake,
     )
     from jauspy.messages.ugv.v1_0.platform_specifications_service import (
@@ -56,26 +49,21 @@ if TYPE_CHECKING:
         QueryPowerPlantStatus as QueryPowerPlantStatus,
         ReportPowerPlantCapabilities as ReportPowerPlantCapabilities,
         ReportPowerPlantConfiguration as ReportPowerPlantConfiguration,
-        ReportPowerPlantStatus as ReportPowerPlantStatus,
-        SetPowerPlantConfiguration as SetPowerPlantConfiguration,
+        ReportPowerPlantStatus as ReportPowerPlantStatus, SetPowerPlantConfiguration as SetPowerPlantConfiguration,
     )
     from jauspy.messages.ugv.v1_0.skid_steer_driver import (
-        QuerySkidSteerEffort as QuerySkidSteerEffort,
-        ReportSkidSteerEffort as ReportSkidSteerEffort,
+        QuerySkidSteerEffort as QuerySkidSteerEffort, ReportSkidSteerEffort as ReportSkidSteerEffort,
         SetSkidSteerEffort as SetSkidSteerEffort,
     )
     from jauspy.messages.ugv.v1_0.stabilizer_driver import (
-        QueryStabilizerCapabilities as QueryStabilizerCapabilities,
-        QueryStabilizerEffort as QueryStabilizerEffort,
+        QueryStabilizerCapabilities as QueryStabilizerCapabilities, QueryStabilizerEffort as QueryStabilizerEffort,
         QueryStabilizerPosition as QueryStabilizerPosition,
         ReportStabilizerCapabilities as ReportStabilizerCapabilities,
-        ReportStabilizerEffort as ReportStabilizerEffort,
-        ReportStabilizerPosition as ReportStabilizerPosition,
-        SetStabilizerEffort as SetStabilizerEffort,
-        SetStabilizerPosition as SetStabilizerPosition,
+        ReportStabilizerEffort as ReportStabilizerEffort, ReportStabilizerPosition as ReportStabilizerPosition,
+        SetStabilizerEffort as SetStabilizerEffort, SetStabilizerPosition as SetStabilizerPosition,
     )
 
-_MODULES = exports({
+__all__, __getattr__, __dir__ = lazy(__name__, {
     "jauspy.messages.ugv.v1_0.ackermann_driver": "QueryAckermannConfiguration ReportAckermannConfiguration SetAckermannConfiguration",
     "jauspy.messages.ugv.v1_0.annunciator_service": "QueryAnnunciatorConfiguration QueryAnnunciatorState ReportAnnunciatorConfiguration ReportAnnunciatorState SetAnnunciatorState",
     "jauspy.messages.ugv.v1_0.drive_train_driver": "QueryTransferCaseState QueryTransmissionCapabilities QueryTransmissionState ReportTransferCaseState ReportTransmissionCapabilities ReportTransmissionState SetTransferCaseState SetTransmissionState",
@@ -87,14 +75,3 @@ _MODULES = exports({
     "jauspy.messages.ugv.v1_0.skid_steer_driver": "QuerySkidSteerEffort ReportSkidSteerEffort SetSkidSteerEffort",
     "jauspy.messages.ugv.v1_0.stabilizer_driver": "QueryStabilizerCapabilities QueryStabilizerEffort QueryStabilizerPosition ReportStabilizerCapabilities ReportStabilizerEffort ReportStabilizerPosition SetStabilizerEffort SetStabilizerPosition",
 })
-
-__all__ = sorted(_MODULES)
-
-
-def __getattr__(name: str) -> object:
-    globals()[name] = value = load(name, _MODULES, __name__)
-    return value
-
-
-def __dir__() -> list[str]:
-    return sorted({*globals(), *_MODULES})

@@ -1,0 +1,577 @@
+"""State tables of services, written by hand from AS5710 and AS6009: state, message, answer, next state.
+
+They use neither the JSIDL definitions nor the merged state machine, so they find a mistake in these that the engine and
+the generated state tests share. Each row is one step. What the tables leave out, the generated tests try.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import partial
+from typing import Any, Final, TypeAlias
+
+from jauspy.codec.message import Message
+from jauspy.conformance.checks import Check, has, near
+from jauspy.conformance.offers import ALL_SERVICES, ServiceKey
+from jauspy.conformance.profile import Step
+from jauspy.conformance.results import Failed, Outcome, Skipped
+from jauspy.conformance.tester import CLIENTS, CONTROLLER, EMERGENCY_CLIENT, OBSERVER, OTHER_CLIENT, Client, Tester
+from jauspy.ids import JausID
+from jauspy.messages.core import (
+    AllEventsRec,
+    CancelEvent,
+    ClearEmergency,
+    ConfirmControl,
+    ConfirmEventRequest,
+    CreateEvent,
+    DeleteElement,
+    ElementRec,
+    QueryAuthority,
+    QueryControl,
+    QueryElement,
+    QueryElementCount,
+    QueryElementList,
+    QueryEvents,
+    QueryEventTimeout,
+    QueryHeartbeatPulse,
+    QueryIdentification,
+    QueryStatus,
+    QueryTime,
+    QueryTimeout,
+    RejectControl,
+    RejectElementRequest,
+    RejectEventRequest,
+    ReleaseControl,
+    ReportAuthority,
+    ReportControl,
+    ReportElementCount,
+    ReportElementList,
+    ReportEvents,
+    ReportEventTimeout,
+    ReportHeartbeatPulse,
+    ReportIdentification,
+    ReportServices,
+    ReportStatus,
+    ReportTime,
+    ReportTimeout,
+    RequestControl,
+    Reset,
+    Resume,
+    SetAuthority,
+    SetElement,
+    SetEmergency,
+    SetTime,
+    Shutdown,
+    Standby,
+    UpdateEvent,
+)
+from jauspy.messages.mobility import (
+    QueryLocalWaypoint,
+    QueryTravelSpeed,
+    QueryWrenchEffort,
+    ReportLocalWaypoint,
+    ReportTravelSpeed,
+    ReportWrenchEffort,
+    SetLocalWaypoint,
+    SetTravelSpeed,
+    SetWrenchEffort,
+)
+
+Status: TypeAlias = ReportStatus.Status
+OTHER: Final = OTHER_CLIENT
+STOP: Final = SetEmergency.EmergencyCode.STOP
+ACCEPTED, NOT_AVAILABLE, INSUFFICIENT = ConfirmControl.ResponseCode
+MIN_AUTHORITY: Final = 200
+"""Authority of the controller, unless the default authority of the component is higher."""
+MANAGEMENT, ACCESS_CONTROL = "urn:jaus:jss:core:Management", "urn:jaus:jss:core:AccessControl"
+INIT_POLL: Final = 0.05
+"""Timeouts between two questions while a component initializes."""
+
+
+@dataclass(frozen=True, slots=True)
+class State:
+    """A state as seen from outside, and the messages that lead there from `FREE`, each with the role of its sender."""
+
+    name: str
+    status: Status
+    controller: str | None = None
+    route: tuple[tuple[str, type[Message]], ...] = ()
+
+
+FREE: Final = State("NotControlled.Standby", Status.STANDBY)
+STANDBY: Final = State("Controlled.Standby", Status.STANDBY, CONTROLLER, ((CONTROLLER, RequestControl),))
+READY: Final = State("Controlled.Ready", Status.READY, CONTROLLER, (*STANDBY.route, (CONTROLLER, Resume)))
+EMERGENCY: Final = State(
+    "Controlled.Emergency", Status.EMERGENCY, CONTROLLER, (*STANDBY.route, (EMERGENCY_CLIENT, SetEmergency))
+)
+FREE_EMERGENCY: Final = State("NotControlled.Emergency", Status.EMERGENCY, None, ((EMERGENCY_CLIENT, SetEmergency),))
+TAKEN_OVER: Final = State("Controlled.Standby by the other client", Status.STANDBY, OTHER)
+EVERYWHERE: Final = (FREE, STANDBY, READY, EMERGENCY, FREE_EMERGENCY)
+
+Checks: TypeAlias = tuple[Check, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """A message with these field values."""
+
+    kind: type[Message]
+    checks: Checks = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Effect:
+    """What a query of the observer must show afterwards. `checks` may depend on the authority of the controller."""
+
+    query: Message
+    report: type[Message]
+    checks: Checks | Callable[[int], Checks]
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """One line of a table. `message` may depend on the authority of the controller."""
+
+    state: State
+    sender: str
+    message: Message | Callable[[int], Message]
+    answer: Answer | None
+    next: State
+    variant: str = ""
+    notice: Answer | None = None
+    """Sent to the client that was in control."""
+    effect: Effect | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class StateTable:
+    """The rows of one service."""
+
+    service: str
+    version: str
+    source: str
+    rows: tuple[Row, ...]
+
+
+def answer(kind: type[Message], **fields: object) -> Answer:
+    """A message whose fields have these values."""
+    return Answer(kind, has(**fields))
+
+
+def everywhere(sender: str, message: Message, right: Answer, variant: str = "") -> Iterator[Row]:
+    """A message that has the same answer in every state, and changes none."""
+    return (Row(state, sender, message, right, state, variant) for state in EVERYWHERE)
+
+
+def ignored(message: Message, *places: tuple[State, str], variant: str = "") -> Iterator[Row]:
+    """A message without answer or effect in these states, from these senders."""
+    return (Row(state, sender, message, None, state, variant) for state, sender in places)
+
+
+# --- AS5710: Management, AccessControl --------------------------------------------------------------------------------
+
+RELEASED: Final = answer(RejectControl, response_code=RejectControl.ResponseCode.CONTROL_RELEASED)
+NOT_RELEASED: Final = answer(RejectControl, response_code=RejectControl.ResponseCode.NOT_AVAILABLE)
+
+
+def _controlled_by(role: str | None) -> Answer:
+    id = JausID.parse(CLIENTS[role]) if role else JausID(0, 0, 0)
+    return answer(ReportControl, subsystem_id=id.subsystem, node_id=id.node, component_id=id.component)
+
+
+MANAGEMENT_TABLE: Final = StateTable(
+    MANAGEMENT,
+    "1.1",
+    "AS5710 rev. A, Management",
+    (
+        *(Row(each, OTHER, QueryStatus(), answer(ReportStatus, status=each.status), each) for each in EVERYWHERE),
+        Row(STANDBY, CONTROLLER, Resume(), None, READY),
+        *ignored(Resume(), (FREE, OTHER), (STANDBY, OTHER), (READY, CONTROLLER), (EMERGENCY, CONTROLLER)),
+        Row(READY, CONTROLLER, Standby(), None, STANDBY),
+        *ignored(Standby(), (FREE, OTHER), (STANDBY, CONTROLLER), (READY, OTHER), (EMERGENCY, CONTROLLER)),
+        Row(STANDBY, CONTROLLER, Reset(), RELEASED, FREE),
+        Row(READY, CONTROLLER, Reset(), RELEASED, FREE),
+        *ignored(Reset(), (FREE, OTHER), (STANDBY, OTHER), (READY, OTHER), (EMERGENCY, CONTROLLER)),
+        *ignored(
+            Shutdown(),
+            (FREE, OTHER),
+            (STANDBY, OTHER),
+            (READY, OTHER),
+            (EMERGENCY, CONTROLLER),
+            (FREE_EMERGENCY, OTHER),
+        ),
+        Row(FREE, EMERGENCY_CLIENT, SetEmergency(STOP), None, FREE_EMERGENCY),
+        Row(STANDBY, EMERGENCY_CLIENT, SetEmergency(STOP), None, EMERGENCY),
+        Row(READY, EMERGENCY_CLIENT, SetEmergency(STOP), None, EMERGENCY),
+        Row(READY, CONTROLLER, SetEmergency(STOP), None, EMERGENCY),
+        Row(FREE_EMERGENCY, EMERGENCY_CLIENT, ClearEmergency(STOP), None, FREE),
+        Row(EMERGENCY, EMERGENCY_CLIENT, ClearEmergency(STOP), None, STANDBY),
+        *ignored(ClearEmergency(STOP), (FREE_EMERGENCY, OTHER), (EMERGENCY, CONTROLLER), (EMERGENCY, OTHER)),
+    ),
+)
+
+
+def _confirm(code: ConfirmControl.ResponseCode) -> Answer:
+    return answer(ConfirmControl, response_code=code)
+
+
+def _less(authority: int) -> Message:
+    return RequestControl(authority - 1)
+
+
+def _more(authority: int) -> Message:
+    return RequestControl(authority + 1)
+
+
+def _lowered(authority: int) -> Message:
+    return SetAuthority(authority - 1)
+
+
+AUTHORITY_LOWERED: Final = Effect(
+    QueryAuthority(), ReportAuthority, lambda authority: has(authority_code=authority - 1)
+)
+AUTHORITY_KEPT: Final = Effect(QueryAuthority(), ReportAuthority, lambda authority: has(authority_code=authority))
+ACCESS_CONTROL_TABLE: Final = StateTable(
+    ACCESS_CONTROL,
+    "1.1",
+    "AS5710 rev. A, AccessControl",
+    (
+        *(Row(each, OTHER, QueryControl(), _controlled_by(each.controller), each) for each in EVERYWHERE),
+        *everywhere(OTHER, QueryTimeout(), answer(ReportTimeout)),
+        *everywhere(OTHER, QueryAuthority(), answer(ReportAuthority)),
+        Row(FREE, CONTROLLER, RequestControl, _confirm(ACCEPTED), STANDBY, effect=AUTHORITY_KEPT),
+        Row(STANDBY, CONTROLLER, RequestControl, _confirm(ACCEPTED), STANDBY, "again"),
+        Row(READY, CONTROLLER, RequestControl, _confirm(ACCEPTED), READY, "again"),
+        Row(STANDBY, OTHER, _less, _confirm(INSUFFICIENT), STANDBY, "less authority"),
+        Row(READY, OTHER, _less, _confirm(INSUFFICIENT), READY, "less authority"),
+        Row(STANDBY, OTHER, RequestControl, _confirm(INSUFFICIENT), STANDBY, "the same authority"),
+        Row(STANDBY, OTHER, _more, _confirm(ACCEPTED), TAKEN_OVER, "more authority", notice=RELEASED),
+        Row(EMERGENCY, CONTROLLER, RequestControl, _confirm(NOT_AVAILABLE), EMERGENCY),
+        Row(EMERGENCY, OTHER, _more, _confirm(NOT_AVAILABLE), EMERGENCY, "more authority"),
+        Row(FREE_EMERGENCY, OTHER, RequestControl, _confirm(NOT_AVAILABLE), FREE_EMERGENCY),
+        Row(STANDBY, CONTROLLER, ReleaseControl(), RELEASED, FREE),
+        Row(READY, CONTROLLER, ReleaseControl(), RELEASED, FREE),
+        Row(FREE, OTHER, ReleaseControl(), RELEASED, FREE),
+        Row(EMERGENCY, CONTROLLER, ReleaseControl(), NOT_RELEASED, EMERGENCY),
+        *ignored(ReleaseControl(), (STANDBY, OTHER), (READY, OTHER)),
+        Row(STANDBY, CONTROLLER, _lowered, None, STANDBY, "less authority", effect=AUTHORITY_LOWERED),
+        Row(READY, CONTROLLER, _lowered, None, READY, "less authority", effect=AUTHORITY_LOWERED),
+        Row(READY, OTHER, _lowered, None, READY, "less authority", effect=AUTHORITY_KEPT),
+        Row(EMERGENCY, CONTROLLER, _lowered, None, EMERGENCY, "less authority", effect=AUTHORITY_KEPT),
+    ),
+)
+
+# --- AS5710: Events, Liveness, Time, Discovery, ListManager -----------------------------------------------------------
+
+QUERY: Final = QueryEventTimeout()
+A_REPORT: Final = ReportEventTimeout(1)
+UNKNOWN_ID: Final = 251
+REQUEST: Final = 7
+EVERY_CHANGE: Final = CreateEvent.EventType.EVERY_CHANGE
+REJECTED: Final = answer(RejectEventRequest, request_id=REQUEST)
+EVENTS_TABLE: Final = StateTable(
+    "urn:jaus:jss:core:Events",
+    "1.1",
+    "AS5710 rev. A, Events",
+    (
+        *everywhere(OTHER, QueryEvents(AllEventsRec(0)), answer(ReportEvents)),
+        *everywhere(OTHER, QueryEventTimeout(), answer(ReportEventTimeout)),
+        *everywhere(
+            OTHER,
+            CreateEvent(REQUEST, EVERY_CHANGE, 0.0, QUERY),
+            answer(ConfirmEventRequest, request_id=REQUEST),
+            "of a query",
+        ),
+        *everywhere(OTHER, CreateEvent(REQUEST, EVERY_CHANGE, 0.0, A_REPORT), REJECTED, "of a report"),
+        *everywhere(
+            OTHER,
+            UpdateEvent(REQUEST, UpdateEvent.EventType.EVERY_CHANGE, 0.0, UNKNOWN_ID, QUERY),
+            REJECTED,
+            "an unknown one",
+        ),
+        *everywhere(OTHER, CancelEvent(REQUEST, UNKNOWN_ID), REJECTED, "an unknown one"),
+    ),
+)
+LIVENESS_TABLE: Final = StateTable(
+    "urn:jaus:jss:core:Liveness",
+    "1.1",
+    "AS5710 rev. A, Liveness",
+    tuple(everywhere(OTHER, QueryHeartbeatPulse(), answer(ReportHeartbeatPulse))),
+)
+TIME_TABLE: Final = StateTable(
+    "urn:jaus:jss:core:Time",
+    "1.1",
+    "AS5710 rev. A, Time",
+    (
+        *everywhere(OTHER, QueryTime(1), answer(ReportTime)),
+        *ignored(SetTime(), (FREE, OTHER), (STANDBY, OTHER), (READY, OTHER)),
+    ),
+)
+DISCOVERY_TABLE: Final = StateTable(
+    "urn:jaus:jss:core:Discovery",
+    "1.1",
+    "AS5710 rev. A, Discovery",
+    (
+        *everywhere(OTHER, QueryIdentification(4), answer(ReportIdentification, query_type=4)),
+        *everywhere(OTHER, ALL_SERVICES, answer(ReportServices)),
+    ),
+)
+
+
+def _delete(uid: int) -> DeleteElement:
+    return DeleteElement(DeleteElement.RequestIDRec(REQUEST), [DeleteElement.DeleteElementRec(uid)])
+
+
+NOBODY_TAKES: Final = bytes.fromhex("ffee")
+"""A message that no service defines, so no list can carry it out."""
+UNSUPPORTED_ELEMENT: Final = SetElement(
+    SetElement.RequestIDRec(REQUEST), [ElementRec(REQUEST, 0, 0, ElementRec.ElementData(0, NOBODY_TAKES))]
+)
+ELEMENT_REJECTED: Final = answer(RejectElementRequest, request_id=REQUEST)
+LIST_TABLE: Final = StateTable(
+    "urn:jaus:jss:core:ListManager",
+    "1.1",
+    "AS5710 rev. A, ListManager",
+    (
+        *everywhere(OTHER, QueryElementCount(), answer(ReportElementCount)),
+        *everywhere(OTHER, QueryElementList(), answer(ReportElementList)),
+        *ignored(QueryElement(UNKNOWN_ID), *((each, OTHER) for each in EVERYWHERE), variant="an unknown one"),
+        Row(STANDBY, CONTROLLER, UNSUPPORTED_ELEMENT, ELEMENT_REJECTED, STANDBY, "an unknown message"),
+        Row(READY, CONTROLLER, UNSUPPORTED_ELEMENT, ELEMENT_REJECTED, READY, "an unknown message"),
+        *ignored(UNSUPPORTED_ELEMENT, (FREE, OTHER), (STANDBY, OTHER), variant="an unknown message"),
+        Row(STANDBY, CONTROLLER, _delete(UNKNOWN_ID), ELEMENT_REJECTED, STANDBY, "an unknown one"),
+        Row(READY, CONTROLLER, _delete(UNKNOWN_ID), ELEMENT_REJECTED, READY, "an unknown one"),
+        *ignored(_delete(UNKNOWN_ID), (FREE, OTHER), (STANDBY, OTHER), variant="an unknown one"),
+    ),
+)
+
+# --- AS6009: PrimitiveDriver, LocalWaypointDriver ---------------------------------------------------------------------
+
+EFFORT: Final = SetWrenchEffort(propulsive_linear_effort_x=1.0)
+"""Percent; moves no robot."""
+FAR: Final = 1000.0
+"""m; of a waypoint that is not driven to: it is set in Standby, with a travel speed of 0."""
+
+
+def _effort_is(percent: float) -> Effect:
+    return Effect(QueryWrenchEffort(1), ReportWrenchEffort, near(0.1, propulsive_linear_effort_x=percent))
+
+
+DRIVER_TABLE: Final = StateTable(
+    "urn:jaus:jss:mobility:PrimitiveDriver",
+    "1.1",
+    "AS6009 rev. A, PrimitiveDriver",
+    (
+        *everywhere(OTHER, QueryWrenchEffort(1), answer(ReportWrenchEffort)),
+        Row(READY, CONTROLLER, EFFORT, None, READY, effect=_effort_is(1.0)),
+        Row(READY, OTHER, EFFORT, None, READY, effect=_effort_is(0.0)),
+        Row(STANDBY, CONTROLLER, EFFORT, None, STANDBY, effect=_effort_is(0.0)),
+        Row(EMERGENCY, CONTROLLER, EFFORT, None, EMERGENCY, effect=_effort_is(0.0)),
+        Row(FREE, OTHER, EFFORT, None, FREE, effect=_effort_is(0.0)),
+    ),
+)
+WAYPOINT: Final = SetLocalWaypoint(x=FAR, y=FAR)
+WAYPOINT_IS_SET: Final = Effect(QueryLocalWaypoint(3), ReportLocalWaypoint, near(0.01, x=FAR, y=FAR))
+WAYPOINT_TABLE: Final = StateTable(
+    "urn:jaus:jss:mobility:LocalWaypointDriver",
+    "1.1",
+    "AS6009 rev. A, LocalWaypointDriver",
+    (
+        *everywhere(OTHER, QueryTravelSpeed(), answer(ReportTravelSpeed)),
+        *ignored(WAYPOINT, (FREE, OTHER), (STANDBY, OTHER), (READY, OTHER)),
+        *ignored(SetTravelSpeed(0.0), (FREE, OTHER), (STANDBY, CONTROLLER), (READY, OTHER)),
+        Row(STANDBY, CONTROLLER, WAYPOINT, None, STANDBY, effect=WAYPOINT_IS_SET),
+    ),
+)
+TABLES: Final = (
+    MANAGEMENT_TABLE,
+    ACCESS_CONTROL_TABLE,
+    EVENTS_TABLE,
+    LIVENESS_TABLE,
+    TIME_TABLE,
+    DISCOVERY_TABLE,
+    LIST_TABLE,
+    DRIVER_TABLE,
+    WAYPOINT_TABLE,
+)
+
+# --- steps ------------------------------------------------------------------------------------------------------------
+
+
+def table_steps(component: JausID, offered: Iterable[ServiceKey], wanted: Iterable[ServiceKey]) -> list[Step]:
+    """A step for each row of the `wanted` services whose state a component that offers these services can be in."""
+    services = frozenset(urn for urn, _ in offered)
+    tables = [each for each in TABLES if (each.service, each.version) in wanted]
+    return [
+        _step(component, services, table, row)
+        for table in tables
+        for row in table.rows
+        if _is_possible(row.state, services)
+    ]
+
+
+def _is_possible(state: State, services: frozenset[str]) -> bool:
+    needed = {MANAGEMENT} if state.status is not Status.STANDBY else {ACCESS_CONTROL} if state.controller else set()
+    return needed <= services
+
+
+def _step(component: JausID, services: frozenset[str], table: StateTable, row: Row) -> Step:
+    example = row.message if isinstance(row.message, Message) else row.message(MIN_AUTHORITY)
+    parts = ("table", table.service.rpartition(":")[2], row.state.name, example.NAME, row.sender, row.variant)
+    variant = f", {row.variant}" if row.variant else ""
+    return Step(
+        "/".join(part.replace(" ", "-") for part in parts if part),
+        f"{example.NAME} from the {row.sender} in {row.state.name}{variant}",
+        partial(_run, RowTest(component, services, row)),
+        why=table.source,
+        moves=row.state is READY and ":core:" not in table.service and example.IS_COMMAND,
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class RowTest:
+    """One row, tried on one component."""
+
+    component: JausID
+    services: frozenset[str]
+    row: Row
+
+
+def _run(test: RowTest, tester: Tester) -> None:
+    """Bring the component to the state, and try the row."""
+    authority = _bring(test, tester)
+    try:
+        attempt(test, tester, authority)
+    finally:
+        with tester.unreported(), suppress(Outcome):  # the verdict of the row stands
+            _cancel_events(test, tester.client(CLIENTS[test.row.sender]))
+
+
+def _cancel_events(test: RowTest, client: Client) -> None:
+    for each in list(client.confirmed):
+        if each.code == ConfirmEventRequest.CODE:
+            event = ConfirmEventRequest.decode(each.payload, strict=False)[0].event_id
+            client.ask(CancelEvent(REQUEST, event), ConfirmEventRequest, to=test.component)
+
+
+def _bring(test: RowTest, tester: Tester) -> int:
+    """Lead the component to the state of the row. Returns the authority that the controller has there.
+
+    The first step that cannot get there fails; later ones for the same state are skipped.
+    """
+    lost: set[str] = tester.memory.setdefault(f"states out of reach of {test.component}", set())
+    state = test.row.state
+    try:
+        authority = _go(test, tester, state)
+        seen = _settled(test, tester, state)
+    except Outcome as outcome:
+        error = Skipped if state.name in lost else type(outcome)
+        lost.add(state.name)
+        raise error(f"the component cannot be brought to {state.name}: {outcome}") from outcome
+    if seen:
+        kind = Skipped if state.name in lost else Failed
+        lost.add(state.name)
+        raise kind(f"the component cannot be brought to {state.name}: {seen}")
+    for role in CLIENTS:
+        client = tester.client(CLIENTS[role])
+        client.pending.clear()
+        client.confirmed.clear()
+    for notes in (tester.why, tester.looked, tester.expected):
+        notes.clear()
+    return authority
+
+
+def _go(test: RowTest, tester: Tester, state: State) -> int:
+    """Undo what the tester may have done; then send what leads to the state."""
+    if MANAGEMENT in test.services:
+        for id in CLIENTS.values():
+            tester.client(id).send(ClearEmergency(STOP), to=test.component)
+    if ACCESS_CONTROL not in test.services:
+        return MIN_AUTHORITY
+    for id in CLIENTS.values():
+        tester.client(id).send(ReleaseControl(), to=test.component)
+    if problem := _settled(test, tester, FREE):
+        raise Failed(problem)
+    default = _ask(test, tester, QueryAuthority(), ReportAuthority).authority_code
+    authority: int = min(254, max(MIN_AUTHORITY, default + 2))
+    for role, kind in state.route:
+        client = tester.client(CLIENTS[role])
+        if kind is RequestControl:
+            client.ask(RequestControl(authority), ConfirmControl, to=test.component)
+        else:
+            client.send(SetEmergency(STOP) if kind is SetEmergency else kind(), to=test.component)
+    return authority
+
+
+def _ask(test: RowTest, tester: Tester, query: Message, report: type[Message], *checks: Check) -> Any:
+    return tester.client(CLIENTS[OBSERVER]).ask(query, report, *checks, to=test.component)
+
+
+def _settled(test: RowTest, tester: Tester, state: State) -> str:
+    """What the component reports instead of this state, once it has initialized; empty when it is in it."""
+    end = tester.now + tester.timeout
+    while True:
+        status = _ask(test, tester, QueryStatus(), ReportStatus).status if MANAGEMENT in test.services else state.status
+        if status is not Status.INITIALIZE or tester.now >= end:
+            break
+        tester.wait(INIT_POLL * tester.timeout)
+    controller = _controller(test, tester) if ACCESS_CONTROL in test.services else state.controller
+    if (status, controller) == (state.status, state.controller):
+        return ""
+    name = getattr(status, "name", status)
+    return f"it reports status {name}, controlled by {controller or 'nobody'}"
+
+
+def _controller(test: RowTest, tester: Tester) -> str | None:
+    """The role of the client in control, or its id when it has none."""
+    report = _ask(test, tester, QueryControl(), ReportControl)
+    id = JausID(report.subsystem_id, report.node_id, report.component_id)
+    roles = {text: role for role, text in CLIENTS.items()}
+    return roles.get(str(id), str(id)) if int(id) else None
+
+
+def attempt(test: RowTest, tester: Tester, authority: int) -> None:
+    """Send the message of the row, and compare what comes and the state afterwards with the row."""
+    row = test.row
+    client = tester.client(CLIENTS[row.sender])
+    message = row.message if isinstance(row.message, Message) else row.message(authority)
+    if row.answer is None:
+        client.send(message, to=test.component)
+    else:
+        client.ask(message, row.answer.kind, *row.answer.checks, to=test.component)
+    if row.notice is not None:
+        tester.client(CLIENTS[CONTROLLER]).expect(row.notice.kind, *row.notice.checks, source=test.component)
+    with tester.unreported():
+        problem = _settled(test, tester, row.next) if _shows_state(test) else _after_pause(client)
+    _nothing_else(tester, answered=row.answer is not None)
+    name = f"the state is {row.next.name}"
+    tester.expected.append(name)
+    tester.check(name, f"afterwards {problem}; {name} was expected" if problem else "")
+    if row.effect is not None:
+        checks = row.effect.checks
+        _ask(test, tester, row.effect.query, row.effect.report, *(checks(authority) if callable(checks) else checks))
+
+
+def _shows_state(test: RowTest) -> bool:
+    return bool(test.services & {MANAGEMENT, ACCESS_CONTROL})
+
+
+def _after_pause(client: Client) -> str:
+    """A component that reports no state has had time to answer."""
+    client.tester.wait(0.1 * client.tester.timeout)
+    return ""
+
+
+def _nothing_else(tester: Tester, *, answered: bool) -> None:
+    """Nobody but the observer has received anything that the row does not name."""
+    came = [
+        f"{name} to the {role}"
+        for role in CLIENTS
+        if role != OBSERVER
+        for name in tester.client(CLIENTS[role]).unasked()
+    ]
+    name = "nothing else comes" if answered else "there is no answer"
+    tester.expected.append(name)
+    tester.check(name, f"{', '.join(came)} came, where nothing should" if came else "")

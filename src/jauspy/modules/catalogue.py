@@ -1,0 +1,300 @@
+"""The catalogue of services that the modules of a robot may offer, by the names that its TOML file uses.
+
+Installed packages add services in the entry-point group `jauspy.services`: the entry's name is the service's, and its
+object is a `ServiceEntry`. See docs/adding-a-service.md.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from importlib.metadata import EntryPoint, entry_points
+from typing import Any, ClassVar, Final, Generic, Protocol, TypeVar
+
+from jauspy.errors import ConfigError
+from jauspy.platform.chassis import ParkingBrake
+from jauspy.platform.contract import RobotParts
+from jauspy.services import manipulator, mobility, ugv
+from jauspy.services.environment_sensing import (
+    DigitalResourceDiscovery,
+    DigitalVideo,
+    ForceTorqueSensor,
+    H264VideoEncoding,
+    Mounted,
+    MountedGauge,
+    RangeSensor,
+    StillImage,
+    Viewers,
+    VisualSensor,
+)
+from jauspy.services.service import Service
+from jauspy.services.ugv.parking_brake import ParkingBrakeDriver
+
+GROUP: Final = "jauspy.services"
+
+CORE: Final = ("Discovery", "Time", "Liveness")
+"""Core services that a file may leave out; Transport, Events, AccessControl and Management are in every module."""
+
+
+class Stoppable(Protocol):
+    """Something that moves."""
+
+    def stop(self) -> None:
+        """Stop at once; twice is fine."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class MobilityContext:
+    """What the services of a CM-MOB are made from."""
+
+    module: ClassVar[str] = "CM-MOB"
+    robot: RobotParts
+    vehicle: mobility.Vehicle
+
+    @property
+    def moving(self) -> Stoppable:
+        """The chassis."""
+        return self.vehicle.pilot
+
+
+@dataclass(frozen=True, slots=True)
+class ManipulatorContext:
+    """What the services of a CM-MAN are made from."""
+
+    module: ClassVar[str] = "CM-MAN"
+    robot: RobotParts
+    arm: manipulator.Arm
+
+    @property
+    def moving(self) -> Stoppable:
+        """The arm."""
+        return self.arm
+
+
+@dataclass(frozen=True, slots=True)
+class EndEffectorContext:
+    """What the services of a CM-EEF are made from."""
+
+    module: ClassVar[str] = "CM-EEF"
+    robot: RobotParts
+    arm: manipulator.Arm
+    """The joints of the gripper."""
+    driver: manipulator.PrimitiveEndEffector
+
+    @property
+    def moving(self) -> Stoppable:
+        """The gripper."""
+        return self.driver
+
+
+@dataclass(frozen=True, slots=True)
+class SensorContext:
+    """What the services of a CM-SEN are made from."""
+
+    module: ClassVar[str] = "CM-SEN"
+    moving: ClassVar[None] = None
+    robot: RobotParts
+    lidars: tuple[Mounted, ...]
+    gauges: tuple[MountedGauge, ...]
+    """The sensors of force and torque."""
+
+
+@dataclass(frozen=True, slots=True)
+class VisionContext:
+    """What the services of a CM-VIS are made from."""
+
+    module: ClassVar[str] = "CM-VIS"
+    robot: RobotParts
+    viewers: Viewers
+    """Its cameras, by sensor id, and who watches them."""
+    pan_tilt: manipulator.PanTilt | None
+    """The unit that turns the camera."""
+
+    @property
+    def moving(self) -> Stoppable | None:
+        """The pan-tilt unit."""
+        return self.pan_tilt
+
+
+class Context(Protocol):
+    """What the services of a module are made from."""
+
+    @property
+    def robot(self) -> RobotParts:
+        """The robot's parts, for optional ones such as `ParkingBrake.of(robot)`."""
+        ...
+
+    @property
+    def moving(self) -> Stoppable | None:
+        """What the module moves; a watchdog stops it unless a client is in control and has resumed the module."""
+        ...
+
+
+C = TypeVar("C")
+ORIGIN: Final = "an origin: latitude, longitude, altitude and heading"
+PAN_TILT: Final = "the group of joints that pan and tilt the camera"
+LIDARS: Final = "lidars"
+FORCE_TORQUE: Final = "sensors of force and torque"
+
+
+@dataclass(frozen=True, slots=True)
+class ServiceEntry(Generic[C]):
+    """A service of one type of module."""
+
+    context: type[C]
+    """Says the type of module: `MobilityContext` is a CM-MOB."""
+    make: Callable[[C], Service | None]
+    """Makes the service of one module; None if the robot has not what it needs."""
+    needs: str = ""
+    """What a robot must have for it, as the error says it when it has not."""
+    by_default: bool = True
+    """True if modules offer it that list no services. Services of other packages are offered only when listed."""
+
+
+def _vehicle(make: Callable[[mobility.Vehicle], Service]) -> ServiceEntry[MobilityContext]:
+    return ServiceEntry(MobilityContext, lambda context: make(context.vehicle))
+
+
+def _global(make: Callable[[mobility.Vehicle], Service]) -> ServiceEntry[MobilityContext]:
+    return ServiceEntry(
+        MobilityContext, lambda context: make(context.vehicle) if context.vehicle.has_origin else None, needs=ORIGIN
+    )
+
+
+def _arm(make: Callable[[manipulator.Arm], Service]) -> ServiceEntry[ManipulatorContext]:
+    return ServiceEntry(ManipulatorContext, lambda context: make(context.arm))
+
+
+def _camera(make: Callable[[Viewers], Service]) -> ServiceEntry[VisionContext]:
+    return ServiceEntry(VisionContext, lambda context: make(context.viewers))
+
+
+def _pan_tilt(make: Callable[[manipulator.PanTilt], Service]) -> ServiceEntry[VisionContext]:
+    return ServiceEntry(
+        VisionContext, lambda context: make(context.pan_tilt) if context.pan_tilt else None, needs=PAN_TILT
+    )
+
+
+BUILT_IN: Final[Mapping[str, Mapping[str, ServiceEntry[Any]]]] = {
+    "CM-MOB": {
+        "PrimitiveDriver": _vehicle(mobility.PrimitiveDriver),
+        "VelocityStateSensor": _vehicle(mobility.VelocityStateSensor),
+        "VelocityStateDriver": _vehicle(mobility.VelocityStateDriver),
+        "AccelerationStateSensor": _vehicle(mobility.AccelerationStateSensor),
+        "LocalPoseSensor": _vehicle(mobility.LocalPoseSensor),
+        "LocalVectorDriver": _vehicle(mobility.LocalVectorDriver),
+        "LocalWaypointDriver": _vehicle(mobility.LocalWaypointDriver),
+        "LocalWaypointListDriver": _vehicle(mobility.LocalWaypointListDriver),
+        "GlobalPoseSensor": _global(mobility.GlobalPoseSensor),
+        "GlobalVectorDriver": _global(mobility.GlobalVectorDriver),
+        "GlobalWaypointDriver": _global(mobility.GlobalWaypointDriver),
+        "GlobalWaypointListDriver": _global(mobility.GlobalWaypointListDriver),
+        "SkidSteerDriver": _vehicle(ugv.SkidSteerDriver),
+        "PlatformSpecifications": _vehicle(ugv.PlatformSpecifications),
+        "ParkingBrakeDriver": ServiceEntry(
+            MobilityContext,
+            lambda context: ParkingBrakeDriver(brake) if (brake := ParkingBrake.of(context.robot)) else None,
+            needs="a parking brake",
+            by_default=False,  # leaving Ready engages it: a client that does not know it could drive only once
+        ),
+    },
+    "CM-MAN": {
+        "ManipulatorSpecificationService": _arm(manipulator.ManipulatorSpecification),
+        "PrimitiveManipulator": _arm(manipulator.PrimitiveManipulator),
+        "ManipulatorJointPositionSensor": _arm(manipulator.JointPositionSensor),
+        "ManipulatorJointVelocitySensor": _arm(manipulator.JointVelocitySensor),
+        "ManipulatorJointForceTorqueSensor": _arm(manipulator.JointForceTorqueSensor),
+        "ManipulatorJointPositionDriver": _arm(manipulator.JointPositionDriver),
+        "ManipulatorJointVelocityDriver": _arm(manipulator.JointVelocityDriver),
+        "ManipulatorActuatorForceTorqueDriver": _arm(manipulator.ActuatorForceTorqueDriver),
+        "ManipulatorJointMotionProfile": _arm(manipulator.JointMotionProfile),
+        "ManipulatorJointPositionListDriver": _arm(manipulator.JointPositionListDriver),
+        "ManipulatorEndEffectorPoseSensor": _arm(manipulator.EndEffectorPoseSensor),
+        "ManipulatorEndEffectorPoseDriver": _arm(manipulator.EndEffectorPoseDriver),
+        "ManipulatorEndEffectorPoseListDriver": _arm(manipulator.EndEffectorPoseListDriver),
+        "ManipulatorEndEffectorVelocityStateSensor": _arm(manipulator.EndEffectorVelocityStateSensor),
+        "ManipulatorEndEffectorVelocityStateDriver": _arm(manipulator.EndEffectorVelocityStateDriver),
+        "ManipulatorToolOffsetService": _arm(manipulator.ToolOffset),
+    },
+    "CM-EEF": {
+        "PrimitiveEndEffector": ServiceEntry(EndEffectorContext, lambda context: context.driver),
+        "ManipulatorJointPositionSensor": ServiceEntry(
+            EndEffectorContext, lambda context: manipulator.JointPositionSensor(context.arm)
+        ),
+    },
+    "CM-SEN": {
+        "RangeSensor": ServiceEntry(
+            SensorContext, lambda context: RangeSensor(context.lidars) if context.lidars else None, needs=LIDARS
+        ),
+        "ForceTorqueSensor": ServiceEntry(
+            SensorContext,
+            lambda context: ForceTorqueSensor(context.gauges) if context.gauges else None,
+            needs=FORCE_TORQUE,
+        ),
+    },
+    "CM-VIS": {
+        "VisualSensor": _camera(lambda viewers: VisualSensor(viewers.cameras)),
+        "DigitalVideo": _camera(DigitalVideo),
+        "H264VideoEncoding": _camera(lambda viewers: H264VideoEncoding(viewers.cameras)),
+        "StillImage": _camera(lambda viewers: StillImage(viewers.cameras)),
+        "DigitalResourceDiscovery": _camera(DigitalResourceDiscovery),
+        "PrimitivePanTilt": _pan_tilt(manipulator.PrimitivePanTilt),
+        "PanTiltJointPositionSensor": _pan_tilt(manipulator.PanTiltJointPositionSensor),
+        "PanTiltJointPositionDriver": _pan_tilt(manipulator.PanTiltJointPositionDriver),
+        "PanTiltJointVelocitySensor": _pan_tilt(manipulator.PanTiltJointVelocitySensor),
+        "PanTiltJointVelocityDriver": _pan_tilt(manipulator.PanTiltJointVelocityDriver),
+        "PanTiltMotionProfileService": _pan_tilt(manipulator.PanTiltMotionProfile),
+        "PanTiltSpecificationService": _pan_tilt(manipulator.PanTiltSpecification),
+    },
+}
+"""By type of module, in the order in which hosts have them."""
+
+
+def defaults(module: str) -> tuple[str, ...]:
+    """The services of a module of that type that lists none."""
+    return (*CORE, *(name for name, entry in BUILT_IN[module].items() if entry.by_default))
+
+
+def find(module: str, name: str) -> ServiceEntry[Any]:
+    """The service of that name for that type of module, beside the core services.
+
+    Raises `ConfigError` if there is none, or if the package that provides it cannot be loaded.
+    """
+    if (built_in := BUILT_IN[module].get(name)) is not None:
+        return built_in
+    found = [_load(entry) for entry in entry_points(group=GROUP, name=name)]
+    for entry in found:
+        if entry.context.module == module:
+            return entry
+    installed = sorted({entry.name for entry in entry_points(group=GROUP)})
+    known = ", ".join((*CORE, *BUILT_IN[module])) + (f"; from other packages: {', '.join(installed)}" * bool(installed))
+    raise ConfigError(f"{name!r} is not one that a {module} has; those are: {known}")
+
+
+def _load(entry: EntryPoint) -> ServiceEntry[Any]:
+    try:
+        found = entry.load()
+    except (ImportError, AttributeError) as error:
+        raise ConfigError(f"service {entry.name!r} ({entry.value}) cannot be loaded: {error}") from error
+    if not isinstance(found, ServiceEntry) or getattr(found.context, "module", None) not in BUILT_IN:
+        raise ConfigError(f"service {entry.name!r} ({entry.value}) is no ServiceEntry of a type of module")
+    return found
+
+
+def make(module: str, names: Iterable[str] | None, context: Context) -> list[Service]:
+    """The services of a module that have these names (None: the defaults that the robot has the parts for).
+
+    Raises `ConfigError` for a service that is named and needs what the robot has not.
+    """
+    chosen = list(defaults(module) if names is None else names)
+    order = list(BUILT_IN[module])
+    made: list[Service] = []
+    for name in sorted(set(chosen) - set(CORE), key=lambda name: order.index(name) if name in order else len(order)):
+        entry = find(module, name)
+        service = entry.make(context)
+        if service is not None:
+            made.append(service)
+        elif names is not None:
+            raise ConfigError(f"{name} needs {entry.needs or 'what this robot does not have'}")
+    return made

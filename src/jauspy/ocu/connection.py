@@ -1,0 +1,471 @@
+"""The connection of one OCU, which all its clients share: sending, queries, statistics, held controls and events."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+from collections import Counter, deque
+from collections.abc import AsyncIterator, Awaitable, Callable, Iterator
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass
+from statistics import median
+from typing import Any, Final, Protocol
+
+from jauspy.arguments import check_number, check_text
+from jauspy.codec.message import Message
+from jauspy.codec.registry import Registry
+from jauspy.component import Component
+from jauspy.errors import ConfigError, ControlRejected, JausError, ResponseTimeout, TransportError
+from jauspy.ids import JausID
+from jauspy.messages.core import (
+    CancelEvent,
+    ClearEmergency,
+    CreateEvent,
+    ReleaseControl,
+    RequestControl,
+    SetEmergency,
+    UpdateEvent,
+)
+from jauspy.ocu.replies import QuerySerializer, Reply, ReplyDispatcher, ReplyWaiter, check_message, reply_class
+from jauspy.protocol.header import Ack, Broadcast, Packet, Priority
+
+_LOG: Final = logging.getLogger("jauspy.ocu")
+
+QUERY_EACH_INTERVAL: Final = 0.5
+"""Seconds after which `query_each` sends its query again."""
+MAX_ANSWERS: Final = 4096
+"""Components whose answers `query_each` yields."""
+MAX_PENDING_CANCELS: Final = 128
+"""Events that are cancelled at the same time, so that the limit of messages under way leaves room for others."""
+MAX_ROUND_TRIPS: Final = 10_000
+"""Latest round trips that statistics are computed from."""
+
+_LIST_DRIVER: Final = "urn:jaus:jss:manipulator:ManipulatorListDriver"
+"""Since manipulator 2.0 this service has the messages that execute a list; drivers of elements inherit them."""
+COMMANDS_WITHOUT_CONTROL: Final = frozenset(
+    each.CODE
+    for each in (RequestControl, ReleaseControl, SetEmergency, ClearEmergency, CreateEvent, UpdateEvent, CancelEvent)
+)
+"""Message ids of commands that need no control."""
+
+
+@dataclass(frozen=True, slots=True)
+class RetryPolicy:
+    """How long to wait for one answer (seconds), and how often to send the query again; any answer counts.
+
+    With 10 % packet loss, query and answer fail once in 5 times, three attempts in a row once in 150, six attempts
+    once in 20,000.
+    """
+
+    timeout: float = 0.5
+    retries: int = 5
+
+    def __post_init__(self) -> None:
+        check_number(self.timeout, "timeout")
+        check_number(self.retries, "retries", whole=True)
+        if not self.timeout > 0 or self.retries < 0:
+            raise ConfigError(f"timeout {self.timeout} s must be above 0, retries {self.retries} must be 0 or more")
+
+    @property
+    def total(self) -> float:
+        """Seconds for all attempts."""
+        return self.timeout * (self.retries + 1)
+
+    def replaced(self, timeout: float | None, retries: int | None) -> RetryPolicy:
+        """A copy with the arguments that are not None."""
+        return RetryPolicy(self.timeout if timeout is None else timeout, self.retries if retries is None else retries)
+
+
+@dataclass(frozen=True, slots=True)
+class Stats:
+    """A snapshot of counters. Round-trip times are in seconds, of the latest 10,000 queries; 0 without queries."""
+
+    sent: int = 0
+    received: int = 0
+    answers: int = 0
+    timeouts: int = 0
+    malformed: int = 0
+    unexpected: int = 0
+    """Messages that nobody waited for, such as answers that arrive too late."""
+    rtt_min: float = 0.0
+    rtt_median: float = 0.0
+    rtt_max: float = 0.0
+
+
+class StatsRecorder:
+    """Counters of a connection; `snapshot` returns them as `Stats`."""
+
+    def __init__(self) -> None:
+        self.sent = 0
+        self.received = 0
+        self.answers = 0
+        self.timeouts = 0
+        self.malformed = 0
+        self.unexpected = 0
+        self._round_trips: deque[float] = deque(maxlen=MAX_ROUND_TRIPS)
+
+    def answered(self, seconds: float | None) -> None:
+        """Count an answer after `seconds`; None when the round-trip time is not known."""
+        self.answers += 1
+        if seconds is not None:
+            self._round_trips.append(seconds)
+
+    def snapshot(self) -> Stats:
+        """The counters so far."""
+        times = self._round_trips or (0.0,)
+        return Stats(
+            sent=self.sent,
+            received=self.received,
+            answers=self.answers,
+            timeouts=self.timeouts,
+            malformed=self.malformed,
+            unexpected=self.unexpected,
+            rtt_min=min(times),
+            rtt_median=median(times),
+            rtt_max=max(times),
+        )
+
+
+class ControlHandle(Protocol):
+    """Control of one component, as the connection uses it."""
+
+    def check(self) -> None:
+        """Raise `ControlRejected` when control was lost."""
+
+    def on_sent(self, message: Message) -> None:
+        """Called for each message that is sent to the component."""
+
+
+class ActiveControls:
+    """The components that the OCU controls, each from the request for control until it is released."""
+
+    def __init__(self) -> None:
+        self._controls: dict[JausID, ControlHandle] = {}
+
+    def __contains__(self, id: JausID) -> bool:
+        return id in self._controls
+
+    def add(self, id: JausID, control: ControlHandle) -> None:
+        """Register control of a component; raises `ControlRejected` when this OCU already controls it."""
+        if id in self._controls:
+            raise ControlRejected(f"this OCU already controls {id}; one `async with` block serves all of its services")
+        self._controls[id] = control
+
+    def remove(self, id: JausID, control: ControlHandle) -> None:
+        """Remove it; without effect when another control of the component is registered."""
+        if self._controls.get(id) is control:
+            del self._controls[id]
+
+    def check(self, id: JausID, message: Message) -> None:
+        """Raise `ControlRejected` for a command to a component whose control was taken and is lost."""
+        if id in self._controls and message.IS_COMMAND and message.CODE not in COMMANDS_WITHOUT_CONTROL:
+            self._controls[id].check()
+
+    def on_sent(self, destination: JausID, message: Message) -> None:
+        """Tell the controls of all components that a sent message reaches."""
+        for id, control in self._controls.items():
+            if destination.matches(id):
+                control.on_sent(message)
+
+
+class EventUsers:
+    """Who uses which event: a component has one event for equal subscriptions, or equal commands, of one client.
+
+    Events have a number; command events are known by the bytes of the command, before they have a number.
+    """
+
+    def __init__(self) -> None:
+        self._users: dict[tuple[JausID, int | bytes], set[object]] = {}
+
+    def add(self, id: JausID, event: int | bytes, user: object) -> set[object]:
+        """Add a user of this event; returns the others."""
+        users = self._users.setdefault((id, event), set())
+        users.add(user)
+        return users - {user}
+
+    def is_used(self, id: JausID, event: int) -> bool:
+        """True when somebody uses this event."""
+        return (id, event) in self._users
+
+    def users(self, id: JausID, event: int | bytes) -> frozenset[object]:
+        """The users of this event."""
+        return frozenset(self._users.get((id, event), ()))
+
+    def remove(self, id: JausID, event: int | bytes | None, user: object) -> bool:
+        """Remove a user; true when it was the last one, so that the event can be cancelled."""
+        users = self._users.get((id, event)) if event is not None else None
+        if event is None or users is None:
+            return False
+        users.discard(user)
+        if not users:
+            del self._users[id, event]
+        return not users
+
+
+class Connection:
+    """Sends messages and finds the answer to each query; `registry` holds the known messages."""
+
+    def __init__(self, registry: Registry, retry: RetryPolicy) -> None:
+        self.registry = registry
+        self.retry = retry
+        self.stats = StatsRecorder()
+        self.replies = ReplyDispatcher(registry, self.on_malformed)
+        self.request_counts: Counter[JausID] = Counter()
+        self.controls = ActiveControls()
+        self.events = EventUsers()
+        self._component: Component | None = None
+        self._loop: asyncio.AbstractEventLoop | None = None
+        self._on_close: list[Callable[[], Awaitable[object]]] = []
+        self._serializer = QuerySerializer()
+
+    # --- opening and closing --------------------------------------------------------------------------------------
+
+    def attach(self, component: Component) -> None:
+        """Use this component for sending."""
+        self._component, self._loop = component, asyncio.get_running_loop()
+        self.pending_cancels = asyncio.Semaphore(MAX_PENDING_CANCELS)
+
+    @contextmanager
+    def on_close(self, callback: Callable[[], Awaitable[object]]) -> Iterator[None]:
+        """Inside, `callback` is awaited when the OCU is closed, while it can still send."""
+        self._on_close.append(callback)
+        try:
+            yield
+        finally:
+            self._on_close.remove(callback)
+
+    async def run_on_close(self) -> None:
+        """Await all `on_close` callbacks; raises the first of their errors."""
+        results = await asyncio.gather(*(callback() for callback in self._on_close), return_exceptions=True)
+        for each in results:
+            if isinstance(each, BaseException):
+                raise each
+
+    def detach(self) -> None:
+        """End every wait with `TransportError`: the OCU is closed."""
+        self._component = None
+        self.replies.fail(TransportError("the OCU was closed while this waited for an answer"))
+
+    @property
+    def id(self) -> JausID:
+        """The client's id."""
+        return self._opened().id
+
+    def message_class(self, urn: str, version: str | None, name: str) -> type[Any]:
+        """The message class of this JAUS name in a service, in this version of it when that is known.
+
+        Raises `ConfigError` when the service, or the message in it, is not known.
+        """
+        check_text(name, "a message's name")
+        for service, of in ((urn, version), *_list_driver(urn, version), (urn, None)):
+            with suppress(ConfigError):
+                return self.registry.by_name(name, service=service, version=of)
+        if any(entry.service == urn for entry in self.registry.entries):
+            raise ConfigError(f"{urn.removeprefix('urn:jaus:jss:')} has no message {name}")
+        raise ConfigError(f"no definition of {urn} is known here; give it: OCU(registry=jauspy.load(FILE))")
+
+    # --- receiving ------------------------------------------------------------------------------------------------
+
+    def on_packet(self, packet: Packet) -> bool:
+        """Take a received packet; false for commands and queries that nobody waits for: the OCU's services answer.
+
+        Other messages that nobody waits for, such as late answers, are counted and named in the errors of timeouts.
+        """
+        self.stats.received += 1
+        if len(packet.payload) < 2:
+            self.on_malformed(f"{packet.payload.hex()!r} from {packet.source} is too short for a message")
+            return True
+        if self.replies.dispatch(packet.payload, packet.source):
+            return True
+        code = int.from_bytes(packet.payload[:2], "little")
+        known = self.registry.by_code(code)
+        if any(each.IS_COMMAND or each.IS_QUERY for each in known):
+            return False
+        self.stats.unexpected += 1
+        name = known[0].NAME if known else f"{code:04X}h, which is not known here,"
+        self.replies.note_unexpected(name, packet.source)
+        return True
+
+    def on_malformed(self, problem: str) -> None:
+        """Count a message that could not be decoded."""
+        self.stats.malformed += 1
+        _LOG.debug("malformed: %s", problem)
+
+    # --- sending --------------------------------------------------------------------------------------------------
+
+    def send(
+        self,
+        destination: JausID,
+        message: Message,
+        *,
+        priority: Priority = Priority.STANDARD,
+        broadcast: Broadcast = Broadcast.NONE,
+        ack: Ack = Ack.NONE,
+    ) -> None:
+        """Send a message; raises `EncodeError` when a value does not fit."""
+        self._opened().send(destination, message, priority=priority, broadcast=broadcast, ack=ack)
+        self._on_sent(destination, message)
+
+    async def send_checked(self, destination: JausID, message: Message, *, ack: bool) -> None:
+        """Send for a user: `ControlRejected` is raised for a command to a component whose control is lost.
+
+        With `ack` it is resent until acknowledged; `ResponseTimeout` is raised when no resend is.
+        """
+        check_message(message, "send()", "Resume()")
+        self.controls.check(destination, message)
+        if ack:
+            component = self._opened()
+            self._on_sent(destination, message)
+            await component.deliver(destination, message)
+        else:
+            self.send(destination, message)
+            await asyncio.sleep(0)  # so that a loop that only sends lets other tasks run
+
+    async def deliver(self, destination: JausID, message: Message) -> bool:
+        """Send and wait; true when the message was acknowledged, false when it could not be delivered.
+
+        What is sent after this cannot overtake it, as it could overtake a message that is resent in the background.
+        """
+        with suppress(JausError):  # not open, too many messages under way, or no such component
+            component = self._opened()
+            self._on_sent(destination, message)
+            await component.deliver(destination, message)
+            return True
+        return False
+
+    def next_request_id(self, destination: JausID) -> int:
+        """The id of the next event or list request to this component; wraps after 255."""
+        self.request_counts[destination] += 1
+        return self.request_counts[destination] & 0xFF
+
+    # --- asking ---------------------------------------------------------------------------------------------------
+
+    async def query(
+        self,
+        destination: JausID,
+        message: Message,
+        *,
+        retry: RetryPolicy | None = None,
+        expects: type[Message] | None = None,
+        accept: Callable[[Message], bool] = lambda _: True,
+    ) -> Message:
+        """The answer to a query. If no answer arrives, `ResponseTimeout` is raised.
+
+        Equal queries may be outstanding at the same time. Different queries whose reports have the same class are
+        sent one after the other, since most reports do not say which query they answer; where they do, `accept`
+        chooses the report.
+        """
+        retry = retry or self.retry
+        kind = reply_class(self.registry, message, expects)
+        try:
+            async with asyncio.timeout(retry.total) as deadline:
+                async with self._serializer.enter((destination, kind.CODE), message.encode()):
+                    deadline.reschedule(None)  # the deadline was for waiting; the exchange has its own timeouts
+                    return await self._exchange(destination, message, retry, (kind,), accept)
+        except TimeoutError:
+            if not deadline.expired():
+                raise
+            self.stats.timeouts += 1
+            raise ResponseTimeout(
+                f"{message.NAME} was not sent to {destination}: for {retry.total:g} s another query waited for a "
+                f"{kind.NAME} from there, which could not be told from this one's"
+            ) from None
+
+    async def query_each(
+        self, destination: JausID, message: Message, seconds: float, expects: type[Message] | None = None
+    ) -> AsyncIterator[Reply]:
+        """Yield each answer and its sender as it arrives within `seconds`, one of each component."""
+        check_number(seconds, "within")
+        if not seconds > 0:
+            raise ConfigError(f"within {seconds} s must be above 0")
+        kind, own_id = reply_class(self.registry, message, expects, "query_each()"), self.id
+        answers: asyncio.Queue[Reply] = asyncio.Queue()
+        answered: set[JausID] = set()
+
+        def on_answer(answer: Message, source: JausID) -> None:
+            if source not in answered and source != own_id and len(answered) < MAX_ANSWERS:
+                answered.add(source)
+                answers.put_nowait((answer, source))
+
+        clock = asyncio.get_running_loop().time
+        now = clock()
+        end, send_at = now + seconds, now
+        broadcast = Broadcast.GLOBAL if destination.is_wildcard else Broadcast.NONE
+        with self.replies.listening(destination, on_answer, kind):
+            while (now := clock()) < end:
+                if now >= send_at:
+                    self.send(destination, message, broadcast=broadcast)
+                    send_at = now + QUERY_EACH_INTERVAL
+                try:
+                    yield await asyncio.wait_for(answers.get(), min(send_at, end) - now)
+                except TimeoutError:
+                    continue
+        while not answers.empty():  # these arrived in time, but the reader was slow
+            yield answers.get_nowait()
+
+    async def request(
+        self,
+        destination: JausID,
+        message: Message,
+        *answers: type[Message],
+        accept: Callable[[Message], bool] = lambda _: True,
+        retry: RetryPolicy | None = None,
+    ) -> Message:
+        """Send a command that is answered by one of `answers`, and return the answer."""
+        return await self._exchange(destination, message, retry or self.retry, answers, accept)
+
+    async def _exchange(
+        self,
+        destination: JausID,
+        message: Message,
+        retry: RetryPolicy,
+        answers: tuple[type[Message], ...],
+        accept: Callable[[Message], bool],
+    ) -> Message:
+        self.controls.check(destination, message)
+        clock = asyncio.get_running_loop().time
+        with self.replies.waiting(destination, *answers, accept=accept) as waiter:
+            for attempt in range(retry.retries + 1):
+                sent_at = clock()
+                self.send(destination, message)
+                await asyncio.wait({waiter.reply}, timeout=retry.timeout)
+                if waiter.reply.done():
+                    answer, _ = waiter.reply.result()
+                    # After a retry it is not known which attempt was answered, hence no round-trip time.
+                    self.stats.answered(clock() - sent_at if attempt == 0 else None)
+                    return answer
+            self.stats.timeouts += 1
+            raise ResponseTimeout(_no_answer(destination, message, retry, waiter))
+
+    def _on_sent(self, destination: JausID, message: Message) -> None:
+        self.stats.sent += 1
+        self.controls.on_sent(destination, message)
+
+    def _opened(self) -> Component:
+        if self._component is None:
+            raise TransportError("the OCU is not open; use it inside `async with jauspy.OCU(...) as ocu:`")
+        if self._loop is not asyncio.get_running_loop():
+            raise TransportError(
+                "the OCU was opened in another event loop and cannot be used from here; open and use it inside one "
+                "`asyncio.run`, or use jauspy.sync.OCU, which any thread may call"
+            )
+        return self._component
+
+
+def _list_driver(urn: str, version: str | None) -> tuple[tuple[str, str | None], ...]:
+    """The service that defines the messages for executing lists, for list drivers, which inherit from it."""
+    inherits = urn.startswith(_LIST_DRIVER.removesuffix("ListDriver")) and urn.endswith("ListDriver")
+    return ((_LIST_DRIVER, version),) if inherits else ()
+
+
+def _no_answer(destination: JausID, message: Message, retry: RetryPolicy, waiter: ReplyWaiter) -> str:
+    times = f"{retry.retries + 1} times" if retry.retries else "once"
+    what = "no answer came"
+    if waiter.problem:
+        what = f"an answer came but could not be read ({waiter.problem})"
+    elif waiter.other:
+        what = f"no {waiter.kinds[0].NAME} came, but {waiter.other} did (`expects` says what to wait for)"
+    return (
+        f"{destination} was sent {message.NAME} {times} in {retry.total:g} s and {what}; check that the component "
+        "runs and offers this, and that the node manager is reachable (`jauspy ls` shows who answers)"
+    )

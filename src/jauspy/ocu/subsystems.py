@@ -1,0 +1,272 @@
+"""Subsystems, their nodes, components and services: frozen values, and the tree that merges what components report."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from itertools import groupby
+from operator import attrgetter
+from typing import Final, TypeAlias
+
+from jauspy.codec.message import Message
+from jauspy.ids import JausID, is_called
+from jauspy.messages.core import QueryIdentification, ReportIdentification, ReportServices
+
+Level: TypeAlias = QueryIdentification.QueryType
+
+MAX_COMPONENTS: Final = 4096
+"""Components that a tree holds, and silent ones that it remembers; a flood of invented ids cannot exceed it."""
+INTRODUCTION_TIME: Final = 1.0
+"""Seconds that a new component has for reporting its names and services before it is shown without them."""
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class ServiceInfo:
+    """A service that a component offers: its URN, and the version as `"1.1"`."""
+
+    urn: str
+    version: str
+
+    def is_called(self, name: str) -> bool:
+        """True for the whole URN or its end: `mobility:PrimitiveDriver`, `PrimitiveDriver`; case is ignored."""
+        return is_called(self.urn, name)
+
+    @property
+    def short(self) -> str:
+        """The URN without the prefix `urn:jaus:jss:` of the standard services."""
+        return self.urn.removeprefix("urn:jaus:jss:")
+
+    def __str__(self) -> str:
+        return f"{self.short} {self.version}"
+
+
+@dataclass(frozen=True, slots=True)
+class ComponentInfo:
+    """A component; `name` and `type` are as it reports them, empty and 0 when it does not."""
+
+    id: JausID
+    name: str = ""
+    type: int = 0
+    services: tuple[ServiceInfo, ...] = ()
+
+    @property
+    def kind(self) -> str:
+        """The type in words."""
+        return kind_of(self.type)
+
+    def find(self, name: str) -> ServiceInfo | None:
+        """The newest version of the service of this name; None when the component does not offer it."""
+        return max((each for each in self.services if each.is_called(name)), default=None)
+
+
+@dataclass(frozen=True, slots=True)
+class NodeInfo:
+    """A node (a computer) of a subsystem."""
+
+    id: int
+    name: str = ""
+    type: int = 0
+    components: tuple[ComponentInfo, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class SubsystemInfo:
+    """A robot, an operator control unit or another unit that can operate independently."""
+
+    id: int
+    name: str = ""
+    type: int = 0
+    nodes: tuple[NodeInfo, ...] = ()
+
+    @property
+    def kind(self) -> str:
+        """The type in words."""
+        return kind_of(self.type)
+
+    @property
+    def components(self) -> tuple[ComponentInfo, ...]:
+        """The components of all nodes, in the order of their ids."""
+        return tuple(each for node in self.nodes for each in node.components)
+
+    def offering(self, name: str) -> Iterator[ComponentInfo]:
+        """The components that offer a service of this name."""
+        return (each for each in self.components if each.find(name))
+
+
+def kind_of(type: int) -> str:
+    """The meaning of a type number of ReportIdentification; a number between two named types is of the lower kind."""
+    if type <= 0:
+        return "unknown"
+    named = max((each for each in ReportIdentification.Type if each <= type), default=None)
+    if not named:
+        return f"type {type}"
+    return "OCU" if named is ReportIdentification.Type.OCU else named.name.lower().replace("_", " ")
+
+
+@dataclass(slots=True)
+class _Entry:
+    """One component; times are seconds of a monotonic clock."""
+
+    first_seen: float
+    last_seen: float
+    responds: bool = False
+    """True when it has sent a message itself; from then on reports by others are no sign of life."""
+    services: dict[JausID, frozenset[ServiceInfo]] = field(default_factory=dict)
+    """By the component that reported them."""
+
+    @property
+    def offered(self) -> frozenset[ServiceInfo]:
+        return frozenset().union(*self.services.values())
+
+
+class SubsystemTree:
+    """Grows with `add` and shrinks with `expire`; `subsystems` returns what is known as frozen values."""
+
+    def __init__(self) -> None:
+        self._entries: dict[JausID, _Entry] = {}
+        self._names: dict[tuple[int, JausID], tuple[str, int]] = {}
+        self._silent: dict[JausID, None] = {}
+        """Components that responded once and fell silent; other components may still list them."""
+
+    def __iter__(self) -> Iterator[JausID]:
+        """The known components, in the order of their ids."""
+        return iter(self.components())
+
+    def components(self, subsystem: int | None = None, since: float = -math.inf) -> list[JausID]:
+        """The known components in the order of their ids: all, those of one subsystem, or those first seen `since`."""
+        return sorted(
+            id for id, entry in self._entries.items() if subsystem in (None, id.subsystem) and entry.first_seen >= since
+        )
+
+    @property
+    def size(self) -> int:
+        """The number of known facts: components, responses, services and names. It grows with every new fact."""
+        return len(self._names) + sum(1 + each.responds + len(each.offered) for each in self._entries.values())
+
+    def add(self, message: Message, source: JausID, now: float) -> None:
+        """Merge a message from `source`; a message that is no report only shows that the component is alive."""
+        self._silent.pop(source, None)
+        entry = self._entry(source, now)
+        if entry is None:
+            return
+        entry.last_seen, entry.responds = now, True
+        if isinstance(message, ReportIdentification):
+            level = int(message.query_type)
+            self._names[level, name_owner(level, source)] = (message.identification, int(message.type))
+        elif isinstance(message, ReportServices):
+            for id, services in offered_services(message, source).items():
+                self._add_services(id, services, source, now)
+
+    def expire(self, before: float) -> None:
+        """Remove the components that were last seen before this time, and what they reported of others."""
+        silent = {id for id, entry in self._entries.items() if entry.last_seen < before}
+        for id in silent:
+            if self._entries.pop(id).responds:
+                self._silent[id] = None
+        for id in silent:
+            for entry in self._entries.values():
+                entry.services.pop(id, None)
+        while len(self._silent) > MAX_COMPONENTS:
+            del self._silent[next(iter(self._silent))]
+        if silent:
+            named = {name_owner(level, id) for id in self._entries for level in Level}
+            self._names = {key: name for key, name in self._names.items() if key[1] in named}
+
+    # --- what is missing ------------------------------------------------------------------------------------------
+
+    def responds(self, id: JausID) -> bool:
+        """True when this component has sent a message itself."""
+        return self._entries[id].responds
+
+    def unnamed(self, level: Level, subsystem: int | None = None, since: float = -math.inf) -> list[JausID]:
+        """The components whose name at this level is not known."""
+        ids = self.components(subsystem, since)
+        return [id for id in ids if (int(level), name_owner(level, id)) not in self._names]
+
+    def without_services(self, subsystem: int | None = None, since: float = -math.inf) -> list[JausID]:
+        """The components of which no service is known."""
+        return [id for id in self.components(subsystem, since) if not self._entries[id].offered]
+
+    def unheard(self, since: float) -> list[JausID]:
+        """The components that were last seen before this time."""
+        return [id for id in self if self._entries[id].last_seen < since]
+
+    def is_complete(self, subsystem: int) -> bool:
+        """True when names and services of the subsystem, and of each component that responds, are known."""
+        return bool(
+            self.components(subsystem)
+            and not self.unnamed(Level.SUBSYSTEM, subsystem)
+            and not any(map(self.responds, self.unnamed(Level.COMPONENT, subsystem)))
+            and not self.without_services(subsystem)
+        )
+
+    def next_introduction(self, now: float) -> float | None:
+        """When the next `INTRODUCTION_TIME` of a new component ends; None when there is no new component."""
+        ends = (entry.first_seen + INTRODUCTION_TIME for entry in self._entries.values())
+        return min((end for end in ends if end > now), default=None)
+
+    # --- what is known --------------------------------------------------------------------------------------------
+
+    def subsystems(self, now: float = math.inf) -> tuple[SubsystemInfo, ...]:
+        """Everything known as values, but components that at `now` may still be reporting their names and services."""
+        levels = (Level.SUBSYSTEM, Level.NODE, Level.COMPONENT)
+        incomplete = {id for level in levels for id in self.unnamed(level)} | set(self.without_services())
+        shown = [
+            self._component(id)
+            for id in self
+            if id not in incomplete or now - self._entries[id].first_seen >= INTRODUCTION_TIME
+        ]
+        return tuple(
+            self._subsystem(number, list(components))
+            for number, components in groupby(shown, key=attrgetter("id.subsystem"))
+        )
+
+    def _subsystem(self, number: int, components: list[ComponentInfo]) -> SubsystemInfo:
+        nodes = tuple(self._node(node, tuple(own)) for node, own in groupby(components, key=attrgetter("id.node")))
+        return SubsystemInfo(number, *self._name(Level.SUBSYSTEM, components[0].id), nodes)
+
+    def _node(self, number: int, components: tuple[ComponentInfo, ...]) -> NodeInfo:
+        return NodeInfo(number, *self._name(Level.NODE, components[0].id), components)
+
+    def _component(self, id: JausID) -> ComponentInfo:
+        return ComponentInfo(id, *self._name(Level.COMPONENT, id), tuple(sorted(self._entries[id].offered)))
+
+    def _name(self, level: Level, id: JausID) -> tuple[str, int]:
+        return self._names.get((int(level), name_owner(level, id)), ("", 0))
+
+    def _entry(self, id: JausID, now: float) -> _Entry | None:
+        """The entry of a component, new if need be; None when the tree is full."""
+        if id not in self._entries and len(self._entries) >= MAX_COMPONENTS:
+            return None
+        return self._entries.setdefault(id, _Entry(now, now))
+
+    def _add_services(self, id: JausID, services: frozenset[ServiceInfo], source: JausID, now: float) -> None:
+        entry = None if id in self._silent else self._entry(id, now)
+        if entry is not None:
+            entry.services[source] = services
+            if not entry.responds:
+                entry.last_seen = now
+
+
+def offered_services(report: ReportServices, source: JausID) -> dict[JausID, frozenset[ServiceInfo]]:
+    """The services that a report lists, by component."""
+    found: dict[JausID, frozenset[ServiceInfo]] = {}
+    for node in report.node_list:
+        for each in node.component_list:
+            # Some small robots report the ids 0: these stand for the sender's own.
+            numbers = (node.node_rec.node_id or source.node, each.component_rec.component_id or source.component)
+            id = JausID(source.subsystem, *numbers)
+            if not id.is_wildcard:
+                found[id] = found.get(id, frozenset()) | {
+                    ServiceInfo(service.uri, f"{service.major_version_number}.{service.minor_version_number}")
+                    for service in each.service_list
+                }
+    return found
+
+
+def name_owner(level: int, id: JausID) -> JausID:
+    """The id that a name at this level belongs to: all components of a subsystem share the subsystem's name."""
+    if level <= Level.SUBSYSTEM:
+        return JausID(id.subsystem, 0, 0)
+    return JausID(id.subsystem, id.node, 0) if level == Level.NODE else id

@@ -1,0 +1,34 @@
+"""Conversions to what messages carry: efforts in percent, time stamps in UTC."""
+
+from __future__ import annotations
+
+from datetime import datetime
+from typing import Final
+
+from jauspy.messages.core import DateStamp, TimeStamp
+
+PERCENT_STEP: Final = 200.0 / 65535.0
+"""Step of a percentage from -100 to 100 in 16 bits. Zero lies between two steps and so is received half a step off."""
+
+
+def percent(value: float | None) -> float:
+    """An effort from a message, -100..100; 0.0 when it is within one step of zero, or left out."""
+    return 0.0 if value is None or abs(value) < PERCENT_STEP else value
+
+
+def time_stamp(at: datetime) -> TimeStamp:
+    """Day of the month and time of day, to the millisecond."""
+    return TimeStamp(
+        milliseconds=at.microsecond // 1000, seconds=at.second, minutes=at.minute, hour=at.hour, day=at.day
+    )
+
+
+def date_stamp(at: datetime) -> DateStamp:
+    """The date; JAUS counts years from 2000."""
+    return DateStamp(day=at.day, month=at.month, year=at.year - 2000)
+
+
+def epoch_seconds(at: datetime) -> tuple[int, int] | tuple[None, None]:
+    """Whole seconds since 1970, and the nanoseconds after them; a client may set a year that 32 bits do not reach."""
+    seconds = int(at.timestamp())
+    return (seconds, at.microsecond * 1000) if 0 <= seconds <= 0xFFFFFFFF else (None, None)

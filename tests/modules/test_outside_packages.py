@@ -1,0 +1,126 @@
+"""Services and backends of installed packages, which robots' files name."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+from jauspy.cli.main import app
+from jauspy.errors import ConfigError
+from jauspy.messages.ugv import QueryOdometry
+from jauspy.modules import catalogue, robots
+from jauspy.modules.robot import RobotRunner
+from jauspy.testing import VirtualNetwork
+from jauspy.testing.robot import VirtualTime
+
+MODULE = """
+import jauspy
+from jauspy.messages.ugv import ReportOdometry
+from jauspy.modules.catalogue import MobilityContext, ServiceEntry
+from jauspy.platform.kinematic import KinematicBackend
+
+
+class Odometer(jauspy.Service, urn="urn:jaus:jss:ugv:OdometryService"):
+    def __init__(self, drive):
+        self.drive = drive
+
+    def send_report_odometry(self, query):
+        return ReportOdometry(query.odom, 1000 + round(self.drive.pose().x))
+
+    def reset_trip_odometer(self):
+        pass
+
+
+ODOMETER = ServiceEntry(MobilityContext, lambda context: Odometer(context.robot.drive))
+HORN = ServiceEntry(MobilityContext, lambda context: None, needs="a horn")
+
+
+class Backend(KinematicBackend):
+    name = "acme"
+"""
+ENTRY_POINTS = """
+[jauspy.services]
+Odometer = acme_robot:ODOMETER
+Horn = acme_robot:HORN
+Broken = acme_robot:MISSING
+NoEntry = acme_robot:Backend
+
+[jauspy.backends]
+acme = acme_robot:Backend
+"""
+
+
+@pytest.fixture
+def installed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    info = tmp_path / "acme_robot-1.0.dist-info"
+    info.mkdir()
+    (info / "METADATA").write_text("Metadata-Version: 2.1\nName: acme-robot\nVersion: 1.0\n")
+    (info / "entry_points.txt").write_text(ENTRY_POINTS)
+    (tmp_path / "acme_robot.py").write_text(MODULE)
+    monkeypatch.syspath_prepend(str(tmp_path))
+
+
+@pytest.fixture
+def write(tmp_path: Path):
+    def write(services: str, backend: str = "kinematic") -> Path:
+        path = tmp_path / "mine.toml"
+        path.write_text(
+            f'extends = "inc1"\nbackend = "{backend}"\nworld = "empty"\n'
+            f'[[modules]]\ntype = "CM-MOB"\ncomponent = 102\nservices = ["Discovery", {services}]\n'
+        )
+        return path
+
+    return write
+
+
+@pytest.mark.usefixtures("installed")
+@pytest.mark.parametrize("backend", ["kinematic", "acme"])
+async def test_a_robot_offers_a_service_and_has_a_backend_of_installed_packages(write, backend: str) -> None:
+    async with VirtualNetwork() as network:
+        runner = RobotRunner(robots.load(write('"Odometer"', backend)), network.transport, realtime=VirtualTime)
+        async with runner, network.ocu() as ocu:
+            report = await ocu.query("101.1.102", QueryOdometry(QueryOdometry.Odom.PLATFORM))
+    assert report.odometry == 1000
+
+
+@pytest.mark.usefixtures("installed")
+def test_a_module_that_lists_no_services_has_none_of_other_packages() -> None:
+    assert "Odometer" not in catalogue.defaults("CM-MOB")
+    assert catalogue.find("CM-MOB", "Odometer").context is catalogue.MobilityContext
+
+
+@pytest.mark.usefixtures("installed")
+@pytest.mark.parametrize(
+    ("services", "said"),
+    [
+        ('"Siren"', r"'Siren' is not one that a CM-MOB has; .*from other packages: Broken, Horn, NoEntry, Odometer"),
+        ('"Broken"', r"service 'Broken' \(acme_robot:MISSING\) cannot be loaded: .*MISSING"),
+        ('"NoEntry"', r"service 'NoEntry' \(acme_robot:Backend\) is no ServiceEntry"),
+    ],
+)
+def test_what_is_wrong_with_a_service_is_said(write, services: str, said: str) -> None:
+    with pytest.raises(ConfigError, match=said):
+        robots.load(write(services))
+
+
+@pytest.mark.usefixtures("installed")
+def test_a_service_of_another_type_of_module_is_not_taken(write) -> None:
+    with pytest.raises(ConfigError, match="'Odometer' is not one that a CM-SEN has"):
+        catalogue.find("CM-SEN", "Odometer")
+
+
+@pytest.mark.usefixtures("installed")
+async def test_a_service_says_what_the_robot_must_have(write) -> None:
+    async with VirtualNetwork() as network:
+        runner = RobotRunner(robots.load(write('"Horn"')), network.transport, realtime=VirtualTime)
+        with pytest.raises(ConfigError, match=r"101\.1\.102: Horn needs a horn"):
+            await runner.open()
+
+
+@pytest.mark.usefixtures("installed")
+def test_the_command_line_takes_any_installed_backend() -> None:
+    result = CliRunner().invoke(app, ["up", "inc1", "--backend", "nothing", "--no-node-manager"])
+    assert result.exit_code
+    assert "no backend 'nothing'; installed are: acme, kinematic, sim" in str(result.exception) + result.output

@@ -1,0 +1,77 @@
+"""The bounded queue of one destination."""
+
+import pytest
+
+from jauspy.ids import JausID
+from jauspy.protocol import judp, junior
+from jauspy.protocol.header import Packet, Priority
+from jauspy.transport import base as outbox_module
+from jauspy.transport.base import MAX_QUEUED_BYTES, SendQueue
+
+A = JausID.parse("101.1.1")
+
+
+def datagram(priority: Priority, sequence: int) -> bytes:
+    return judp.pack(Packet(A, A, b"\x02\x20", sequence, priority))
+
+
+def drained(outbox: SendQueue) -> list[bytes]:
+    out = []
+    while len(outbox):
+        out.append(outbox.peek())
+        outbox.pop()
+    return out
+
+
+def test_most_urgent_first_and_in_order() -> None:
+    outbox = SendQueue()
+    sent = [datagram(p, n) for n in range(2) for p in Priority]
+    for data in (*sent, junior.accept(A)):
+        assert outbox.push(data) == 0
+    assert drained(outbox) == [sent[3], sent[7], junior.accept(A), sent[2], sent[6], sent[1], sent[5], sent[0], sent[4]]
+
+
+def test_the_oldest_of_the_lowest_priority_goes_first() -> None:
+    outbox = SendQueue(limit=3)
+    low, high = [datagram(Priority.LOW, n) for n in range(3)], datagram(Priority.HIGH, 9)
+    assert [outbox.push(data) for data in (*low, high)] == [0, 0, 0, 1]
+    assert drained(outbox) == [high, low[1], low[2]]
+    for data in [high] * 3:
+        outbox.push(data)
+    assert outbox.push(low[0]) == 1
+    assert drained(outbox) == [high] * 3
+
+
+def test_bytes_are_bounded_too() -> None:
+    outbox = SendQueue()
+    large = [judp.pack(Packet(A, A, bytes(60000), n)) for n in range(100)]
+    dropped = sum(outbox.push(data) for data in large)
+    assert dropped == 100 - MAX_QUEUED_BYTES // len(large[0])
+    assert drained(outbox) == large[dropped:]
+
+
+def test_what_is_no_packet_has_a_place_too() -> None:
+    outbox = SendQueue()
+    for data in (b"", b"\x02", b"\x02\x40"):
+        outbox.push(data)
+    assert len(drained(outbox)) == 3
+
+
+@pytest.mark.parametrize("way", ["one by one", "at once"])
+def test_the_least_urgent_have_a_share(way: str) -> None:
+    """Though there is always something more urgent."""
+    outbox, sent = SendQueue(), []
+    low = [datagram(Priority.LOW, n) for n in range(10)]
+    for data in low:
+        outbox.push(data)
+    for number in range(20 * outbox_module.LOW_PRIORITY_TURN):
+        outbox.push(datagram(Priority.SAFETY_CRITICAL, number))
+        if way == "at once":
+            outbox.drain(sent.append, 1)
+        else:
+            sent.append(outbox.peek())
+            outbox.pop()
+    assert [data for data in sent if data in low] == low
+    urgent = [judp.unpack(data)[0].sequence for data in sent if data not in low]
+    assert urgent == list(range(len(urgent)))
+    assert sent.index(low[9]) == 10 * outbox_module.LOW_PRIORITY_TURN - 1
