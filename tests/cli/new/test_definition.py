@@ -87,7 +87,7 @@ def test_what_cannot_be(arguments: list[str], problem: str):
 @pytest.mark.parametrize(
     ("urn", "problem"),
     [
-        ("urn:example:", "'urn:example:' is not the URN of a service; urn:, an organisation,"),
+        ("urn:example:", "'urn:example:' is not the URN of a service: urn:, an organisation,"),
         ("", "'' is not the URN of a service"),
         ("Battery", "'Battery' is not the URN of a service"),
         ("urn:Battery", "as in urn:example:Battery"),

@@ -18,10 +18,11 @@ from jauspy.cli.render import unit_symbol
 from jauspy.cli.schema.ls import Match, SchemasOption, as_object, definitions, find, set_of
 from jauspy.codec.wire import CODES, FLOATS, limits
 from jauspy.schema import load_builtin, model as m
-from jauspy.schema.differences import short_name, trigger
+from jauspy.schema.differences import trigger
 from jauspy.schema.fields import BITS
 from jauspy.schema.inheritance import lineage, parents_among
 from jauspy.schema.model import Action, Behavior, Message, Schema, Service, State, Transition
+from jauspy.schema.state_tree import short_name
 from jauspy.schema.wire import Sizes, can_be_there, scalar_size, sizes
 
 MIN_NAME_WIDTH = 24
