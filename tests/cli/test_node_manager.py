@@ -125,7 +125,7 @@ def test_a_wrong_file_names_file_key_and_fix(tmp_path):
     file.write_text("prot = 3795\n")
     done = run("--config", str(file))
     assert done.returncode == 1
-    assert f"{file}: is no configuration of a node manager" in done.stderr
+    assert f"{file}: is not a configuration of a node manager" in done.stderr
     assert "prot = 3795: there is no such key; known here are: address," in done.stderr
 
 

@@ -70,8 +70,8 @@ def test_fkie_s_yaml(tmp_path: Path) -> None:
         ("a.toml", "", r"no table \[addresses\]"),
         ("a.toml", '[addresses]\n"1.1" = "10.0.0.1:1"', "is not a JAUS id"),
         ("a.toml", '[addresses]\n"1.1.1" = 5', "1.1.1 = 5: write udp://"),
-        ("a.toml", '[addresses]\n"1.1.1" = "10.0.0.1:99999"', "is no address"),
-        ("a.toml", '[addresses]\n"1.1.1" = "ftp://10.0.0.1"', "is no address"),
+        ("a.toml", '[addresses]\n"1.1.1" = "10.0.0.1:99999"', "is not an address"),
+        ("a.toml", '[addresses]\n"1.1.1" = "ftp://10.0.0.1"', "is not an address"),
         ("a.toml", '[addresses]\n"1.1.1" = "serial:ttyS0"', "names no device"),
         ("a.cfg", "<JrXmlConfig>", "a.cfg"),
         ("a.cfg", '<X><AddressBook J99999999999="h:1"/></X>', "J and the id in decimal"),
@@ -99,5 +99,5 @@ def test_settings_and_files_are_one_book(tmp_path: Path) -> None:
     (tmp_path / "nm.cfg").write_text(XML)
     config = NodeConfig.make(addresses={"126.1.11": "10.0.0.9:1"}, address_books=(tmp_path / "nm.cfg",))
     assert config.known_addresses()[JausID(126, 1, 11)] == (UdpPort("10.0.0.9", 1), UdpPort("10.0.0.5", 3794))
-    with pytest.raises(ConfigError, match="is no address"):
+    with pytest.raises(ConfigError, match="is not an address"):
         NodeConfig.make(addresses={"126.1.11": "nonsense:port"})

@@ -133,7 +133,7 @@ async def test_a_real_flood_never_starves_the_safety_critical(root: Path, introd
                     pass
 
 
-async def test_sealed_networks_talk_to_each_other_and_to_nobody_else(
+async def test_authenticated_networks_talk_to_each_other_and_to_nobody_else(
     root: Path, introduce, free_port: int, tmp_path: Path, udp
 ) -> None:
     key = tmp_path / "key"

@@ -41,8 +41,8 @@ def test_what_is_more_urgent_or_not_understood_arrives(
     udp: Callable[[], socket.socket], up_to: Priority, skip: int
 ) -> None:
     receiver, sender = udp(), udp()
-    seal = bytes(range(skip))
-    sent = [seal + data for data in (*map(packet, Priority), *OTHERS, packet(Priority.SAFETY_CRITICAL, bytes(60000)))]
+    prefix = bytes(range(skip))
+    sent = [prefix + data for data in (*map(packet, Priority), *OTHERS, packet(Priority.SAFETY_CRITICAL, bytes(60000)))]
     assert kernel_filter.attach(receiver, up_to, skip)
     for data in sent:
         sender.sendto(data, receiver.getsockname())

@@ -20,6 +20,8 @@ from jauspy.ids import JausID
 from jauspy.node import NodeConfig, NodeManager, metrics, mirror, status
 from jauspy.node.service_manager import ServiceManager
 from jauspy.protocol import judp, junior
+from jauspy.protocol.addressing import UdpPort
+from jauspy.protocol.counters import Counters
 from jauspy.protocol.header import Packet
 
 HERE, FAR = JausID.parse("101.1.1"), JausID.parse("42.1.1")
@@ -231,6 +233,24 @@ async def test_a_pipe_as_mirror_needs_a_reader_and_one_that_stops_reading_holds_
         await asyncio.to_thread(thread.join, 20)
     assert not any(thread.is_alive() for thread in writers)
     assert str(pipe) not in {os.path.realpath(each) for each in Path("/proc/self/fd").iterdir()}
+
+
+async def test_the_mirror_closes_a_pipe_whose_reader_ends_while_it_writes(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(mirror, "STOP_TIMEOUT", 0.05)
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+    reader = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)
+    counters = Counters(logging.getLogger(__name__))
+    with mirror.Mirror(str(pipe), 1 << 30, counters, lambda _: ("239.255.0.1", judp.PORT)) as writing:
+        (writer,) = (thread for thread in threading.enumerate() if thread.name == "mirror")
+        for _ in range(6):  # more than the pipe holds, and fewer than the queue
+            writing.add(UdpPort("10.0.0.2", judp.PORT), UdpPort("10.0.0.1", judp.PORT), bytes(30_000))
+            writing.flush()
+    os.close(reader)
+    await asyncio.to_thread(writer.join, 20)
+    assert not writer.is_alive()
 
 
 async def test_a_mirror_that_cannot_be_written_is_told_and_nothing_stays_open(root: Path, tmp_path: Path) -> None:

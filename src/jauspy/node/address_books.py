@@ -22,7 +22,7 @@ _Pairs = Iterator[tuple[JausID, NetworkPort]]
 
 FORMS: Final = "udp://IP[:PORT], tcp://HOST[:PORT], serial:DEVICE or IP:PORT (which means UDP)"
 _WRAPPED: Final = ":value"
-"""FKIE's files may wrap a value, to keep its description beside it."""
+"""In FKIE's files, a value may be wrapped together with its description."""
 
 
 def load_address_book(path: Path) -> AddressEntries:
@@ -38,7 +38,7 @@ def load_address_book(path: Path) -> AddressEntries:
     if reader is None:
         raise ConfigError(f"address book {path}: use one of {', '.join(readers)}")
     try:
-        return _collected(reader(path.read_bytes()))
+        return _collect(reader(path.read_bytes()))
     except OSError as error:
         raise ConfigError(f"address book {path}: {error.strerror}") from error
     except (tomllib.TOMLDecodeError, UnicodeDecodeError, etree.XMLSyntaxError, yaml.YAMLError) as error:
@@ -49,11 +49,11 @@ def load_address_book(path: Path) -> AddressEntries:
 
 def parse_entries(table: Mapping[str, Any]) -> AddressEntries:
     """The entries of a table as in our own TOML: `"101.1.255" = "udp://10.0.0.5"`, or a list of such addresses."""
-    return _collected(_pairs(table))
+    return _collect(_pairs(table))
 
 
 def parse_address(text: str) -> NetworkPort:
-    """An address as people write it; raises `ConfigError` that shows the forms."""
+    """The address in a configuration; raises `ConfigError` that lists the forms."""
     if text.startswith("serial:"):
         device = text.removeprefix("serial:")
         if device.startswith("/"):
@@ -65,17 +65,17 @@ def parse_address(text: str) -> NetworkPort:
     except ValueError:
         host, port, parts = None, 0, urlsplit("")
     if not host or not 0 < port < 65536 or parts.path or parts.scheme not in ("udp", "tcp"):
-        raise ConfigError(f"{text!r} is no address; write {FORMS}")
+        raise ConfigError(f"{text!r} is not an address; write {FORMS}")
     if parts.scheme == "tcp":
         return TcpPort(host, port)
     try:
         ipaddress.ip_address(host)
     except ValueError:
-        raise ConfigError(f"{text!r}: write the IP address; names of hosts are not looked up for UDP") from None
+        raise ConfigError(f"{text!r}: write the IP address; host names are not resolved for UDP") from None
     return UdpPort(host, port)
 
 
-def _collected(pairs: Iterable[tuple[JausID, NetworkPort]]) -> AddressEntries:
+def _collect(pairs: Iterable[tuple[JausID, NetworkPort]]) -> AddressEntries:
     found: dict[JausID, list[NetworkPort]] = {}
     for id, port in pairs:
         known = found.setdefault(id, [])
@@ -111,23 +111,23 @@ def _xml(data: bytes) -> _Pairs:
 
 
 def _yaml(data: bytes) -> _Pairs:
-    """`addrbook: {udp: {"10.0.0.5:3794": 101.1.255}}`: the other way round, one id or a list of them."""
+    """`addrbook: {udp: {"10.0.0.5:3794": 101.1.255}}`: one id or a list of ids by address."""
     content = yaml.safe_load(data)
-    book = _plain(content.get("addrbook")) if isinstance(content, dict) else None
+    book = _unwrap(content.get("addrbook")) if isinstance(content, dict) else None
     if not isinstance(book, dict):
         raise ConfigError("it has no key 'addrbook'")
     for transport, table in book.items():
         if transport not in ("udp", "tcp"):
             raise ConfigError(f"addrbook/{transport}: only udp and tcp are known")
-        table_entries = _plain(table) or {}
+        table_entries = _unwrap(table) or {}
         if not isinstance(table_entries, dict):
             raise ConfigError(f'addrbook/{transport} = {table_entries!r}: write lines such as "10.0.0.5:3794": 101.1.1')
         for where, ids in table_entries.items():
-            for id in _as_list(_plain(ids)):
+            for id in _as_list(_unwrap(ids)):
                 yield JausID.parse(str(id)), parse_address(f"{transport}://{where}")
 
 
-def _plain(value: Any) -> Any:
+def _unwrap(value: Any) -> Any:
     return value[_WRAPPED] if isinstance(value, dict) and _WRAPPED in value else value
 
 
