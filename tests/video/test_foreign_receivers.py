@@ -15,7 +15,7 @@ import numpy as np
 
 from jauspy.platform.h264 import H264Settings, Preset, Profile
 from jauspy.platform.video_settings import VideoSettings
-from jauspy.video.encoder import H264Encoder
+from jauspy.video.h264 import H264Encoder
 from jauspy.video.receiver import RtpReceiver
 from jauspy.video.sender import RtpSender
 from jauspy.video.stamp import read

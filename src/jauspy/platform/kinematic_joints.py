@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from jauspy.geometry.urdf import Joint, RobotDescription
 from jauspy.platform.description import GroupSetup
 from jauspy.platform.joints import ControlMode, JointState, Target
-from jauspy.platform.motion import Motion
+from jauspy.platform.setpoint import SetpointGenerator
 
 
 class KinematicJoints:
@@ -20,7 +20,9 @@ class KinematicJoints:
     def __init__(self, description: RobotDescription, setup: GroupSetup) -> None:
         self._joints = tuple(description.joint(name) for name in setup.joints)
         self._chain = description.chain(setup.base, setup.tip)
-        self._motions = [Motion(joint, start) for joint, start in zip(self._joints, setup.start, strict=True)]
+        self._setpoints = [
+            SetpointGenerator(joint, start) for joint, start in zip(self._joints, setup.start, strict=True)
+        ]
         self._efforts = [0.0] * len(self._joints)
 
     @property
@@ -35,29 +37,31 @@ class KinematicJoints:
 
     def command(self, targets: Sequence[Target | None]) -> None:
         """What each joint is to do from now on, base to tip; None leaves a joint at what it does."""
-        for number, (motion, target) in enumerate(zip(self._motions, targets, strict=True)):
+        for number, (setpoint, target) in enumerate(zip(self._setpoints, targets, strict=True)):
             if target is None:
                 continue
-            most = motion.joint.effort
+            most = setpoint.joint.effort
             by_effort = target.mode is ControlMode.EFFORT
             self._efforts[number] = min(most, max(-most, target.value)) if by_effort else 0.0
-            motion.target = _as_speed(motion.joint, target) if by_effort else target
+            setpoint.target = _as_speed(setpoint.joint, target) if by_effort else target
 
     def hold(self) -> None:
         """Stop, and hold the present positions."""
-        for motion in self._motions:
-            motion.hold(motion.position)
+        for setpoint in self._setpoints:
+            setpoint.hold(setpoint.position)
         self._efforts = [0.0] * len(self._joints)
 
     def state(self) -> JointState:
         """Positions and velocities after the last step; efforts as commanded."""
-        positions, velocities = zip(*((motion.position, motion.velocity) for motion in self._motions), strict=True)
+        positions, velocities = zip(
+            *((setpoint.position, setpoint.velocity) for setpoint in self._setpoints), strict=True
+        )
         return JointState(positions, velocities, tuple(self._efforts))
 
     def step(self, dt: float) -> None:
         """Move for `dt` seconds."""
-        for motion in self._motions:
-            motion.advance(dt)
+        for setpoint in self._setpoints:
+            setpoint.advance(dt)
 
 
 def _as_speed(joint: Joint, target: Target) -> Target:
