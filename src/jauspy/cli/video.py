@@ -27,9 +27,8 @@ from jauspy.messages.environment_sensing import (
 from jauspy.ocu import OCU
 from jauspy.services.environment_sensing.digital_resource_discovery import RTP
 from jauspy.services.environment_sensing.video_camera import address_of
-from jauspy.video.extra import need_video
-from jauspy.video.players import ffmpeg_source, gstreamer_source
-from jauspy.video.sdp import session
+from jauspy.video import need_video
+from jauspy.video.rtp import ffmpeg_source, gstreamer_source, session_description
 
 
 def video(
@@ -175,7 +174,7 @@ async def record(
 def players(file: Path, name: str, address: tuple[str, int], *, show: bool) -> None:
     """Write the SDP file and print commands for players; with `show` start ffplay if there is a display."""
     try:
-        file.write_text(session(name, *address), newline="")
+        file.write_text(session_description(name, *address), newline="")
     except OSError as error:
         raise ConfigError(f"cannot write {file}: {error}; choose another file with --sdp") from error
     ffplay = ["ffplay", *ffmpeg_source(file)]
