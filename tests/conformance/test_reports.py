@@ -15,7 +15,7 @@ from dpkt.ip import IP
 from tests.conformance.scripted import ScriptedWire
 
 from jauspy.capture.reader import CaptureReader
-from jauspy.cli.conformance_files import Files
+from jauspy.cli.conformance import Files
 from jauspy.conformance import Profile, Step, Verdict, ask, has, run
 from jauspy.conformance.reports import capture, junit, page, result_json, summary, summary_json
 from jauspy.conformance.results import DEPENDS_ON_TARGET, Report, Result, Transition

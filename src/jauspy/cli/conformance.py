@@ -24,8 +24,8 @@ from jauspy.conformance import reports
 from jauspy.conformance.offers import Offers
 from jauspy.conformance.profile import Profile, Step, find, known
 from jauspy.conformance.reports import result_json, summary, summary_json, transcript
-from jauspy.conformance.results import Report, Result, Verdict, transitions_sum
-from jauspy.conformance.runner import Interrupted, Settings, Watch, planned, run
+from jauspy.conformance.results import Report, Result, Verdict, transitions_summary
+from jauspy.conformance.runner import Interrupted, OnResult, Settings, planned_steps, run
 from jauspy.conformance.wire import Wire, open_wire
 from jauspy.errors import ConfigError, JausError
 from jauspy.ids import JausID
@@ -214,10 +214,10 @@ def steps_of(profile: Profile, target: str | None, connect: str | None, timeout:
             f"the steps of {profile.name} depend on the target's services; add --target, as in --target 101.1.102"
         )
     with closing(asyncio.run(open_wire(connect))) as wire:
-        return planned(profile, wire, _id(target), timeout=timeout)
+        return planned_steps(profile, wire, _id(target), timeout=timeout)
 
 
-def report_of(profile: Profile, target: str, connect: str | None, settings: Settings, watch: Watch) -> Report:
+def report_of(profile: Profile, target: str, connect: str | None, settings: Settings, watch: OnResult) -> Report:
     """Run a profile; raises `Interrupted`, which has the report so far."""
     id = _id(target)
     with closing(asyncio.run(open_wire(connect))) as wire:
@@ -260,7 +260,7 @@ def show(report: Report) -> None:
         _explain(result)
     for note in report.notes:
         console.note(note)
-    if total := transitions_sum(report):
+    if total := transitions_summary(report):
         rest = "; --json and --html list the others" if any(not each.step for each in report.transitions) else ""
         out.print(Text(f"{total}{rest}", style="dim"))
     style = "bold green" if report.status == 0 else "bold red"
@@ -323,7 +323,7 @@ def show_steps(steps: Iterable[Step]) -> None:
 
 
 @contextmanager
-def progress_line() -> Iterator[Watch]:
+def progress_line() -> Iterator[OnResult]:
     """Show the last step and its verdict on a terminal."""
     if not sys.stderr.isatty():
         yield lambda _: None

@@ -14,8 +14,8 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from jauspy.cli import console
 from jauspy.codec.message import counted
 from jauspy.errors import ConfigError, SchemaError
-from jauspy.fuzz.campaign import Outcome, Plan, fuzzer, run
-from jauspy.fuzz.findings import Finding, load_finding
+from jauspy.fuzz.campaign import CampaignPlan, CampaignResult, fuzzer, run
+from jauspy.fuzz.findings import FuzzFinding, load_finding
 from jauspy.fuzz.mutation import file_payloads
 
 SchemasOption = Annotated[
@@ -56,7 +56,9 @@ def codec(
     """
     with _usage_errors():
         payloads = [payload for path in seeds or [] for payload in _payloads(path)]
-        plan = Plan(cases, seed, tuple(dict.fromkeys(payloads)), tuple(message or ()), jobs, tuple(sources or ()))
+        plan = CampaignPlan(
+            cases, seed, tuple(dict.fromkeys(payloads)), tuple(message or ()), jobs, tuple(sources or ())
+        )
         with _progress(plan) as show:
             outcome = run(plan, show)
     for finding in sorted(outcome.findings.values(), key=lambda finding: finding.case):
@@ -91,7 +93,7 @@ def replay(
     """
     with _usage_errors():
         finding = load_finding(file)
-        again = fuzzer(Plan(0, finding.seed, only=(finding.message,), own=tuple(sources or ()))).replay(finding)
+        again = fuzzer(CampaignPlan(0, finding.seed, only=(finding.message,), own=tuple(sources or ()))).replay(finding)
     if again is None:
         print(f"{finding.cause}: not reproduced")
         return
@@ -109,19 +111,19 @@ def _usage_errors() -> Iterator[None]:
         raise typer.Exit(2) from None
 
 
-def _print(finding: Finding) -> None:
+def _print(finding: FuzzFinding) -> None:
     console.stdout().print(f"[bold red]{finding.cause}[/]", highlight=False)
     print(f"  {finding.seen}")
     print(f"  {finding.hex if len(finding.hex) <= 200 else finding.hex[:200] + '...'} ({len(finding.data)} bytes)")
 
 
 class _ShowProgress(Protocol):
-    def __call__(self, outcome: Outcome) -> None:
+    def __call__(self, outcome: CampaignResult) -> None:
         """Show the progress."""
 
 
 @contextmanager
-def _progress(plan: Plan) -> Iterator[_ShowProgress]:
+def _progress(plan: CampaignPlan) -> Iterator[_ShowProgress]:
     """A progress bar on a terminal, some lines in a pipe; both on stderr."""
     if not sys.stderr.isatty():
         yield _ProgressLines(plan.cases)
@@ -140,13 +142,13 @@ class _ProgressLines:
         self._cases = cases
         self._shown = -1
 
-    def __call__(self, outcome: Outcome) -> None:
+    def __call__(self, outcome: CampaignResult) -> None:
         tenth = PROGRESS_LINES * outcome.cases // self._cases
         if tenth > self._shown:
             self._shown = tenth
             console.note(f"{outcome.cases} of {self._cases} cases, {_state(outcome)}")
 
 
-def _state(outcome: Outcome) -> str:
+def _state(outcome: CampaignResult) -> str:
 
     return f"{outcome.accepted} valid, {counted(len(outcome.findings), 'finding')}"
