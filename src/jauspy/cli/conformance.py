@@ -166,6 +166,8 @@ class ReportFiles:
     pcapng: Path | None = None
 
     def __post_init__(self) -> None:
+        if self.html is not None:
+            reports.html_template()
         kinds: dict[Path, str] = {}
         for kind, path in (("--junit", self.junit), ("--html", self.html), ("--pcapng", self.pcapng)):
             if path is None:
