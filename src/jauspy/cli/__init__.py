@@ -1,1 +1,28 @@
-"""The `jauspy` command: one module per verb. Verbs import what they need when they run, so that `--help` is quick."""
+"""The `jauspy` command: one module per verb, imported when the verb runs."""
+
+from __future__ import annotations
+
+import sys
+from typing import Final
+
+OPTIONAL_PACKAGES: Final = frozenset(
+    {"construct", "dpkt", "numpy", "prometheus_client", "pydantic", "rich", "typer", "xacro", "yaml"}
+)
+"""Top-level packages that extras install and that verbs import."""
+
+EXTRA_OF_VERB: Final = {"demo": "all", "up": "robot", "node-manager": "node-manager", "map": "map", "tf": "robot"}
+"""The extra that a verb needs; the others need `cli`."""
+
+
+def main() -> None:
+    """The console script; a package that is not installed ends it with one sentence that names the extra."""
+    try:
+        from jauspy.cli.main import main as run_verb
+
+        run_verb()
+    except ModuleNotFoundError as error:
+        package = (error.name or "").partition(".")[0]
+        if package not in OPTIONAL_PACKAGES:
+            raise
+        extra = next((EXTRA_OF_VERB[each] for each in sys.argv[1:] if each in EXTRA_OF_VERB), "cli")
+        sys.exit(f"jauspy: this command needs the package {package}: pip install 'jauspy[{extra}]'")
