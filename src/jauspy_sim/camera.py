@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from jauspy.platform.camera import CameraSetup, DepthFrame, Frame
 from jauspy.platform.shared_state import StateReader
 from jauspy_sim import gl, log
+from jauspy_sim.backend import choose_gl
 from jauspy_sim.rays import RayPainter
 
 
@@ -117,7 +118,7 @@ class SimulatedEye:
 
 
 def _painter(camera: SimulatedCamera) -> Painter:
-    way = gl.choose()
+    way = choose_gl()
     if way is not None:
         try:
             return gl.GlPainter(camera.model, camera.number, camera.setup.fov, way)

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import ctypes
 import math
-import os
 from importlib import import_module
 from typing import Final
 
@@ -14,29 +12,11 @@ from numpy.typing import NDArray
 
 from jauspy_sim.rays import FAR
 
-LIBRARIES: Final = {"egl": ("libEGL.so.1",), "osmesa": ("libOSMesa.so.8", "libOSMesa.so.6")}
-
 NEAR: Final = 0.02
 """Metres from a camera to the nearest that it sees: the gripper is close to the arm's."""
 
 MAX_GEOMS: Final = 10_000
 """Shapes in a picture, at most."""
-
-
-def choose() -> str | None:
-    """`egl`, `osmesa` or None; what the environment's MUJOCO_GL says, counts: with `disable` it is none."""
-    wanted = os.environ.get("MUJOCO_GL", "").lower()
-    if wanted:
-        return wanted if wanted in LIBRARIES else None
-    return next((way for way, names in LIBRARIES.items() if any(_loads(name) for name in names)), None)
-
-
-def _loads(library: str) -> bool:
-    try:
-        ctypes.CDLL(library)
-    except OSError:
-        return False
-    return True
 
 
 class GlPainter:
