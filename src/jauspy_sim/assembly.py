@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import logging
 import math
 from collections.abc import Sequence
 from importlib.resources import as_file, files
-from typing import Final
+from typing import TYPE_CHECKING, Final, cast
 
 import mujoco
 import numpy as np
 from lxml import etree
+from numpy.typing import NDArray
 
 from jauspy.errors import ConfigError
 from jauspy.geometry.urdf import Joint, JointKind, RobotDescription
@@ -17,7 +19,63 @@ from jauspy.platform.camera import CameraSetup
 from jauspy.platform.description import RobotModel, TrackSetup
 from jauspy.platform.joint_control import LIVELIEST
 from jauspy_sim.force_torque import add_force_torque
-from jauspy_sim.terrain import add_twins
+
+logger = logging.getLogger("jauspy_sim.mujoco")
+
+
+def redirect() -> None:
+    """Send the warnings of this process to the logger `jauspy_sim.mujoco`."""
+    mujoco.set_mju_user_warning(_warn)
+
+
+def _warn(text: str) -> None:
+    logger.warning("%s", text)
+
+
+if TYPE_CHECKING:
+    Numbers = memoryview[float]
+
+
+def view(array: NDArray[np.float64]) -> Numbers:
+    """The same memory; a number is read or written three times faster than through the array."""
+    return cast("Numbers", array.data)
+
+
+DRAWN: Final = 2
+"""Group of height fields, which collide and are drawn."""
+
+FELT: Final = 4
+"""Group of their twins, which only rays meet."""
+
+
+def add_twins(world: mujoco.MjSpec) -> None:
+    """Gives each height field of a world a mesh with the same surface."""
+    fields = [geom for geom in world.geoms if geom.type == mujoco.mjtGeom.mjGEOM_HFIELD]
+    if not fields:
+        return
+    model = world.compile()
+    for number, geom in enumerate(fields):
+        points, triangles = _surface(model, model.hfield(geom.hfieldname).id)
+        name = f"twin_{number}"
+        mesh = world.add_mesh(name=name, uservert=points.ravel().tolist(), userface=triangles.ravel().tolist())
+        mesh.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL
+        twin = geom.parent.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname=name, pos=geom.pos, quat=geom.quat)
+        twin.contype = twin.conaffinity = 0
+        twin.rgba, twin.material = geom.rgba, geom.material
+        geom.group, twin.group = DRAWN, FELT
+
+
+def _surface(model: mujoco.MjModel, field: int) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+    """Corners, and the triangles that MuJoCo, too, makes of each cell."""
+    rows, columns, begin = model.hfield_nrow[field], model.hfield_ncol[field], model.hfield_adr[field]
+    width, depth, height, _ = model.hfield_size[field]
+    heights = height * model.hfield_data[begin : begin + rows * columns]
+    x, y = np.meshgrid(np.linspace(-width, width, columns), np.linspace(-depth, depth, rows))
+    corners = np.arange(rows * columns).reshape(rows, columns)
+    a, b, c, d = (part.ravel() for part in (corners[:-1, :-1], corners[:-1, 1:], corners[1:, :-1], corners[1:, 1:]))
+    triangles = np.concatenate([np.stack((a, b, d), axis=1), np.stack((a, d, c), axis=1)])
+    return np.stack((x.ravel(), y.ravel(), heights), axis=1), triangles
+
 
 TIMESTEP: Final = 0.002
 """Seconds of one physics step."""

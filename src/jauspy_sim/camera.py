@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from jauspy.platform.camera import CameraSetup, DepthFrame, Frame
 from jauspy.platform.shared_state import StateReader
-from jauspy_sim import gl, log
+from jauspy_sim import assembly, gl
 from jauspy_sim.backend import choose_gl
 from jauspy_sim.rays import RayPainter
 
@@ -63,7 +63,7 @@ class SimulatedCamera:
 
     def open(self) -> SimulatedEye:
         """By GL if it works here, else by rays."""
-        log.redirect()
+        assembly.redirect()
         return SimulatedEye(self)
 
 
@@ -123,5 +123,5 @@ def _painter(camera: SimulatedCamera) -> Painter:
         try:
             return gl.GlPainter(camera.model, camera.number, camera.setup.fov, way)
         except Exception as error:  # noqa: BLE001 - GL has many ways to be unusable; each is said, and rays take over
-            log.logger.warning("%s does not work here: %s", way, error)
+            assembly.logger.warning("%s does not work here: %s", way, error)
     return RayPainter(camera.model, camera.number, camera.setup.fov)

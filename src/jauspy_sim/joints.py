@@ -10,8 +10,7 @@ from jauspy.geometry.urdf import Joint, RobotDescription
 from jauspy.platform.description import GroupSetup
 from jauspy.platform.joint_control import JointController
 from jauspy.platform.joints import JointState, Target
-from jauspy_sim.assembly import TIMESTEP
-from jauspy_sim.views import view
+from jauspy_sim.assembly import TIMESTEP, view
 
 
 class SimulatedJoints:

@@ -12,8 +12,7 @@ from numpy.typing import NDArray
 
 from jauspy.platform.ranging import LidarSetup
 from jauspy.platform.scanner import Scanner
-from jauspy_sim.assembly import COLLIDING, SEEN
-from jauspy_sim.terrain import DRAWN
+from jauspy_sim.assembly import COLLIDING, DRAWN, SEEN
 
 _GROUPS: Final = np.array([group not in (SEEN, COLLIDING, DRAWN) for group in range(mujoco.mjNGROUP)], np.uint8)
 """All but those of robots: a lidar that sits among its robot's own parts looks past them. Height fields have twins."""

@@ -9,10 +9,9 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from jauspy_sim.assembly import SEEN
+from jauspy_sim.assembly import FELT, SEEN
 from jauspy_sim.shading import Shading
 from jauspy_sim.sky import Sky
-from jauspy_sim.terrain import FELT
 
 PIXELS: Final = 160 * 120
 """Rays of one picture, at most: 11 ms on a small machine."""

@@ -12,7 +12,7 @@ from jauspy.platform.contract import OptionalPart
 from jauspy.platform.description import RobotModel
 from jauspy.platform.force_torque import SampledForceTorque
 from jauspy.platform.scanner import Scanner
-from jauspy_sim import log
+from jauspy_sim import assembly
 from jauspy_sim.assembly import TIMESTEP, build, prefix
 from jauspy_sim.camera import SimulatedCamera
 from jauspy_sim.cameras import SimulatedCameras
@@ -60,7 +60,7 @@ class SimulatedRobot:
     @classmethod
     def open(cls, robot: RobotModel, world: str) -> SimulatedRobot:
         """Build and settle that robot in that world; `ConfigError` lists the worlds there are."""
-        log.redirect()
+        assembly.redirect()
         return cls(build(robot, world), robot)
 
     @property

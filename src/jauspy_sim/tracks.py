@@ -10,7 +10,7 @@ import numpy as np
 from jauspy.geometry.poses import Pose, Twist
 from jauspy.platform.chassis import SkidSteerDrive
 from jauspy.platform.description import TrackSetup
-from jauspy_sim.views import view
+from jauspy_sim.assembly import view
 
 
 def roll_pitch_yaw(w: float, x: float, y: float, z: float) -> tuple[float, float, float]:
