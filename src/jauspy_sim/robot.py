@@ -14,8 +14,7 @@ from jauspy.platform.force_torque import SampledForceTorque
 from jauspy.platform.scanner import Scanner
 from jauspy_sim import assembly
 from jauspy_sim.assembly import TIMESTEP, build, prefix
-from jauspy_sim.camera import SimulatedCamera
-from jauspy_sim.cameras import SimulatedCameras
+from jauspy_sim.cameras import SimulatedCamera, SimulatedCameras
 from jauspy_sim.force_torque import simulated_force_torque
 from jauspy_sim.joints import SimulatedJoints
 from jauspy_sim.lidar import simulated_lidar

@@ -18,6 +18,7 @@ import numpy as np
 
 from jauspy.modules.robots import load, robot_model
 from jauspy.platform.camera import CameraSetup
+from jauspy_sim import cameras
 from jauspy_sim.backend import GL_PACKAGES, choose_gl, has_gl
 from jauspy_sim.rays import PIXELS, THOROUGH, RayPainter
 from jauspy_sim.robot import SimulatedRobot
@@ -118,7 +119,7 @@ def test_rays_are_fewer_than_the_pixels_of_a_large_picture(robot, monkeypatch):
 
 
 def test_gl_that_does_not_work_gives_way_to_rays_and_says_why(robot, monkeypatch, caplog):
-    monkeypatch.setattr(gl, "choose", lambda: "no_such_way")
+    monkeypatch.setattr(cameras, "choose_gl", lambda: "no_such_way")
     eye = robot.cameras["arm"].open()
     assert "casts rays" in eye.description
     assert eye.reduced
