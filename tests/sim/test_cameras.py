@@ -20,9 +20,8 @@ from jauspy.modules.robots import load, robot_model
 from jauspy.platform.camera import CameraSetup
 from jauspy_sim import cameras
 from jauspy_sim.backend import GL_PACKAGES, choose_gl, has_gl
-from jauspy_sim.rays import PIXELS, THOROUGH, RayPainter
+from jauspy_sim.rays import PIXELS, PLAIN, THOROUGH, RayPainter, Sky
 from jauspy_sim.robot import SimulatedRobot
-from jauspy_sim.sky import PLAIN, Sky
 
 FRONT = CameraSetup("front", "chassis_camera_link", math.radians(80.0))
 ARM = CameraSetup("arm", "arm_camera_link", math.radians(80.0))
