@@ -18,7 +18,7 @@ from jauspy.geometry.urdf import Joint, JointKind, RobotDescription
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.description import RobotModel, TrackSetup
 from jauspy.platform.joint_control import LIVELIEST
-from jauspy_sim.force_torque import add_force_torque
+from jauspy_sim.sensors import add_force_torque
 
 logger = logging.getLogger("jauspy_sim.mujoco")
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from jauspy.modules.robots import load, robot_model
 from jauspy_sim.assembly import DRAWN, FELT, build
-from jauspy_sim.lidar import cast_rays
+from jauspy_sim.sensors import cast_rays
 
 
 def test_rays_meet_the_twin_where_they_would_meet_the_height_field() -> None:
