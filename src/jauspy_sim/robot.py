@@ -15,9 +15,8 @@ from jauspy.platform.scanner import Scanner
 from jauspy_sim import assembly
 from jauspy_sim.assembly import TIMESTEP, build, prefix
 from jauspy_sim.cameras import SimulatedCamera, SimulatedCameras
-from jauspy_sim.joints import SimulatedJoints
+from jauspy_sim.joints import SimulatedJoints, TrackedDrive
 from jauspy_sim.sensors import simulated_force_torque, simulated_lidar
-from jauspy_sim.tracks import TrackedDrive
 
 SETTLING_STEPS: Final = 250
 """Steps before time starts, in which the robot sinks into its contacts and comes to rest."""
