@@ -17,7 +17,7 @@ from jauspy.modules.robot import announced
 from jauspy.modules.robots import robot_model
 from jauspy.platform import backends
 from jauspy.platform.description import RobotModel
-from jauspy.platform.stills import Still, StillSettings
+from jauspy.platform.video_settings import Still, StillSettings
 from jauspy.video.camera_process import CameraProcess
 from jauspy.video.still_orders import Then
 

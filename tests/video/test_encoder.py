@@ -8,8 +8,7 @@ pytest.importorskip("cv2", reason="the extra 'video' is not installed")
 import numpy as np
 
 from jauspy.errors import ConfigError
-from jauspy.platform.h264 import H264Settings, Preset, Profile
-from jauspy.platform.video_settings import VideoSettings
+from jauspy.platform.video_settings import H264Settings, Preset, Profile, VideoSettings
 from jauspy.video import nal
 from jauspy.video.decoder import H264Decoder
 from jauspy.video.depacketiser import Picture

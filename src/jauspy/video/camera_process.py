@@ -14,8 +14,7 @@ from typing import Final, Self
 from jauspy import workers
 from jauspy.errors import ConfigError
 from jauspy.platform.camera import Camera, CameraSetup
-from jauspy.platform.stills import StillSettings
-from jauspy.platform.video_settings import VideoSettings
+from jauspy.platform.video_settings import StillSettings, VideoSettings
 from jauspy.video.extra import need_video
 from jauspy.video.orders import Address, Begin, Change, Counted, Leave, Opened, Order, Take, Taken, Watch
 from jauspy.video.sender import MAX_RECEIVERS

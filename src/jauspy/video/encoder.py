@@ -13,8 +13,7 @@ from av.video.frame import PictureType
 from numpy.typing import NDArray
 
 from jauspy.errors import ConfigError
-from jauspy.platform.h264 import LEVELS, Profile
-from jauspy.platform.video_settings import VideoSettings
+from jauspy.platform.video_settings import LEVELS, Profile, VideoSettings
 from jauspy.video import nal
 from jauspy.video.packetiser import MAX_PAYLOAD
 

@@ -8,8 +8,7 @@ from dataclasses import dataclass
 from typing import Final, TypeAlias
 
 from jauspy.platform.camera import Camera
-from jauspy.platform.stills import StillSettings
-from jauspy.platform.video_settings import VideoSettings
+from jauspy.platform.video_settings import StillSettings, VideoSettings
 
 Address: TypeAlias = tuple[str, int]
 """Host, as a number, and port for RTP; RTCP goes to the port above it."""

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from typing import Final, TypeAlias
 
 from jauspy.errors import ConfigError
-from jauspy.platform.stills import Still, StillSettings
+from jauspy.platform.video_settings import Still, StillSettings
 from jauspy.video.orders import Take, Taken
 
 MOST: Final = 8
