@@ -17,7 +17,7 @@ from jauspy.platform.contract import OptionalPart
 from jauspy.platform.description import GroupSetup, RobotModel
 from jauspy.platform.force_torque import SampledForceTorque
 from jauspy.platform.joints import ControlMode, JointState, Target, joint_positions
-from jauspy.platform.kinematic_cameras import KinematicCameras
+from jauspy.platform.kinematic_camera import KinematicCameras
 from jauspy.platform.motion import Motion
 from jauspy.platform.scanner import Scanner
 
