@@ -5,8 +5,8 @@ from itertools import pairwise
 import pytest
 
 from jauspy.geometry.urdf import Joint, JointKind
+from jauspy.platform.joint_control import Motion
 from jauspy.platform.joints import ControlMode, Target
-from jauspy.platform.motion import Motion
 
 JOINT = Joint("elbow", JointKind.REVOLUTE, "a", "b", lower=-2.0, upper=1.0, effort=10.0, velocity=0.5)
 DT = 0.002

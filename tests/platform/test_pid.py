@@ -2,7 +2,7 @@
 
 import pytest
 
-from jauspy.platform.pid import Gains, Pid
+from jauspy.platform.joint_control import Gains, Pid
 
 
 def settle(pid: Pid, load: float, seconds: float, dt: float = 0.002) -> tuple[float, float]:

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from jauspy.geometry.urdf import RobotDescription
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.force_torque import ForceTorqueSetup
-from jauspy.platform.pid import Gains
+from jauspy.platform.joint_control import Gains
 from jauspy.platform.ranging import LidarSetup
 
 

@@ -16,9 +16,9 @@ from jauspy.platform.chassis import SkidSteerDrive
 from jauspy.platform.contract import OptionalPart
 from jauspy.platform.description import GroupSetup, RobotModel
 from jauspy.platform.force_torque import SampledForceTorque
+from jauspy.platform.joint_control import Motion
 from jauspy.platform.joints import ControlMode, JointState, Target, joint_positions
 from jauspy.platform.kinematic_camera import KinematicCameras
-from jauspy.platform.motion import Motion
 from jauspy.platform.scanner import Scanner
 
 

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Final
 from jauspy.geometry.denavit_hartenberg import DHLink, manipulator_geometry
 from jauspy.geometry.kinematics import KinematicState, forward_kinematics
 from jauspy.geometry.urdf import Joint
+from jauspy.platform.joint_control import ACCELERATION_TIME
 from jauspy.platform.joints import ControlMode, JointGroup, JointState, Target
-from jauspy.platform.motion import ACCELERATION_TIME
 
 if TYPE_CHECKING:
     from jauspy.services.manipulator.driver import ArmDriver
