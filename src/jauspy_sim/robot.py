@@ -11,7 +11,7 @@ import mujoco
 from jauspy.platform.contract import OptionalPart
 from jauspy.platform.description import RobotModel
 from jauspy.platform.force_torque import SampledForceTorque
-from jauspy.platform.scanner import Scanner
+from jauspy.platform.ranging import Scanner
 from jauspy_sim import assembly
 from jauspy_sim.assembly import TIMESTEP, build, prefix
 from jauspy_sim.cameras import SimulatedCamera, SimulatedCameras

@@ -12,8 +12,7 @@ from numpy.typing import NDArray
 
 from jauspy.geometry.vectors import Vector
 from jauspy.platform.force_torque import ForceTorqueSetup, SampledForceTorque
-from jauspy.platform.ranging import LidarSetup
-from jauspy.platform.scanner import Scanner
+from jauspy.platform.ranging import LidarSetup, Scanner
 from jauspy_sim.assembly import COLLIDING, DRAWN, SEEN
 
 _GROUPS: Final = np.array([group not in (SEEN, COLLIDING, DRAWN) for group in range(mujoco.mjNGROUP)], np.uint8)

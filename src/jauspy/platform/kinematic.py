@@ -19,7 +19,7 @@ from jauspy.platform.force_torque import SampledForceTorque
 from jauspy.platform.joint_control import Motion
 from jauspy.platform.joints import ControlMode, JointState, Target, joint_positions
 from jauspy.platform.kinematic_camera import KinematicCameras
-from jauspy.platform.scanner import Scanner
+from jauspy.platform.ranging import Scanner
 
 
 class KinematicJoints:
