@@ -1,4 +1,4 @@
-"""Shares the simulated robot's state with the processes of its cameras."""
+"""Cameras in the simulated world: the robot's process shares its state, the camera's process renders it."""
 
 from __future__ import annotations
 
@@ -12,35 +12,39 @@ from numpy.typing import NDArray
 
 from jauspy.platform.camera import CameraSetup, DepthFrame, Frame
 from jauspy.platform.shared_state import StateReader, StateWriter
-from jauspy_sim import assembly, gl
+from jauspy_sim.assembly import logger, redirect_warnings
 from jauspy_sim.backend import choose_gl
-from jauspy_sim.rays import RayPainter
+from jauspy_sim.gl import GlRenderer
+from jauspy_sim.rays import RayRenderer
 
 
 def state_of(data: mujoco.MjData) -> bytes:
-    """All that says where things are: joints, and bodies that are moved by hand."""
+    """Positions of joints and of mocap bodies (qpos, mocap_pos, mocap_quat), as doubles."""
     return b"".join(part.tobytes() for part in (data.qpos, data.mocap_pos, data.mocap_quat))
 
 
 def state_size(model: mujoco.MjModel) -> int:
-    """How many numbers that is."""
+    """The number of doubles in `state_of`."""
     return int(model.nq + 7 * model.nmocap)
 
 
-class Painter(Protocol):
-    """Paints what a camera sees."""
+class Renderer(Protocol):
+    """Renders what a camera sees."""
 
     @property
     def description(self) -> str:
-        """How."""
+        """How it renders, for the log."""
         ...
 
     def paint(self, data: mujoco.MjData, width: int, height: int, *, thoroughly: bool = False) -> NDArray[np.uint8]:
-        """A picture of that size."""
+        """A picture; shape (height, width, 3): red, green, blue. `thoroughly`: may take half a second."""
         ...
 
     def measure(self, data: mujoco.MjData, width: int, height: int) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
-        """A picture, at most that large, and how far its pixels are along the camera's axis: metres, or inf."""
+        """A picture, at most that large, and the distances of its pixels along the camera's axis: metres, or inf.
+
+        Shapes (rows, columns, 3) and (rows, columns).
+        """
         ...
 
     def close(self) -> None:
@@ -64,7 +68,7 @@ class SimulatedCamera:
 
     def open(self) -> SimulatedEye:
         """By GL if it works here, else by rays."""
-        assembly.redirect()
+        redirect_warnings()
         return SimulatedEye(self)
 
 
@@ -75,31 +79,31 @@ class SimulatedEye:
         self._model = camera.model
         self._data = mujoco.MjData(camera.model)
         self._state = StateReader(camera.descriptor)
-        self._painter = _painter(camera)
+        self._renderer = _renderer(camera)
 
     @property
     def description(self) -> str:
         """By which GL, or why by none."""
-        return self._painter.description
+        return self._renderer.description
 
     @property
     def reduced(self) -> bool:
         """Rays are fewer than pixels."""
-        return isinstance(self._painter, RayPainter)
+        return isinstance(self._renderer, RayRenderer)
 
     def look(self, width: int, height: int, *, thoroughly: bool = False) -> Frame:
         """The world as the robot's process left it with its last step."""
         taken = self._update()
-        return Frame(self._painter.paint(self._data, width, height, thoroughly=thoroughly), taken)
+        return Frame(self._renderer.paint(self._data, width, height, thoroughly=thoroughly), taken)
 
     def measure(self, width: int, height: int) -> DepthFrame:
         """The same, with distances; rays are fewer than pixels may be."""
         taken = self._update()
-        return DepthFrame(*self._painter.measure(self._data, width, height), taken)
+        return DepthFrame(*self._renderer.measure(self._data, width, height), taken)
 
     def close(self) -> None:
         """Give GL and memory back."""
-        self._painter.close()
+        self._renderer.close()
         self._state.close()
 
     def _update(self) -> float:
@@ -118,14 +122,14 @@ class SimulatedEye:
         mujoco.mj_camlight(model, data)
 
 
-def _painter(camera: SimulatedCamera) -> Painter:
+def _renderer(camera: SimulatedCamera) -> Renderer:
     way = choose_gl()
     if way is not None:
         try:
-            return gl.GlPainter(camera.model, camera.number, camera.setup.fov, way)
+            return GlRenderer(camera.model, camera.number, camera.setup.fov, way)
         except Exception as error:  # noqa: BLE001 - GL has many ways to be unusable; each is said, and rays take over
-            assembly.logger.warning("%s does not work here: %s", way, error)
-    return RayPainter(camera.model, camera.number, camera.setup.fov)
+            logger.warning("%s does not work here: %s", way, error)
+    return RayRenderer(camera.model, camera.number, camera.setup.fov)
 
 
 class SimulatedCameras:

@@ -1,4 +1,4 @@
-"""Groups of joints in MuJoCo: controllers read its state and set the efforts of its motors."""
+"""Joint groups and the tracked chassis in MuJoCo: commands to motors and belts, states from its state."""
 
 from __future__ import annotations
 

@@ -9,34 +9,34 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from jauspy_sim.assembly import FELT, SEEN
+from jauspy_sim.assembly import RAY_MESHES, VISUAL
 
-PLAIN: Final = (150, 190, 230)
-"""Of a world without a sky box."""
+PLAIN_SKY: Final = (150, 190, 230)
+"""Red, green, blue of the sky of a world without a sky box."""
 
-UP: Final = 90
-"""Degrees; the colours go from -90 to 90."""
+ZENITH: Final = 90
+"""Degrees of elevation; colours are kept for -90..90."""
 
 _SIDE, _TOP, _BOTTOM = 0, 2, 3
 """Faces of the box, as MuJoCo stacks them: right, left, up, down, front, back."""
 
 
 class Sky:
-    """Skies that look the same in all directions, as gradients do."""
+    """The sky by elevation, read from the world's sky box; it looks the same in all directions."""
 
     def __init__(self, model: mujoco.MjModel) -> None:
         boxes = np.flatnonzero(model.tex_type == mujoco.mjtTexture.mjTEXTURE_SKYBOX)
-        elevations = np.radians(np.arange(-UP, UP + 1))
+        elevations = np.radians(np.arange(-ZENITH, ZENITH + 1))
         self._colours = (
             np.array([_colour(_faces(model, int(boxes[0])), elevation) for elevation in elevations])
             if len(boxes)
-            else np.tile(np.array(PLAIN, np.float64), (2 * UP + 1, 1))
+            else np.tile(np.array(PLAIN_SKY, np.float64), (2 * ZENITH + 1, 1))
         )
 
     def colours(self, directions: NDArray[np.float64]) -> NDArray[np.float64]:
         """What is seen in each direction (unit vectors, z up): red, green, blue, 0..255."""
         degrees = np.degrees(np.arcsin(np.clip(directions[:, 2], -1.0, 1.0)))
-        seen: NDArray[np.float64] = self._colours[np.rint(degrees).astype(np.int64) + UP]
+        seen: NDArray[np.float64] = self._colours[np.rint(degrees).astype(np.int64) + ZENITH]
         return seen
 
 
@@ -58,7 +58,7 @@ def _colour(faces: NDArray[np.uint8], elevation: float) -> NDArray[np.float64]:
     return np.array(faces[_TOP if elevation > 0.0 else _BOTTOM, row, last // 2], np.float64)
 
 
-PERIOD: Final = 2.0
+PATTERN_PERIOD: Final = 2.0
 """Metres after which a pattern repeats on a floor, when its material says once for each unit."""
 
 
@@ -83,8 +83,8 @@ class Shading:
             on = hit == geom
             local = (points[on] - data.geom_xpos[geom]) @ data.geom_xmat[geom].reshape(3, 3)
             size = np.array(pattern.shape[:2])
-            at = np.floor(local[:, 1::-1] / [-PERIOD, PERIOD] % 1.0 * size).astype(np.int64) % size
-            blur = np.clip(2.0 * widths[on] / PERIOD, 0.0, 1.0)[:, None]
+            at = np.floor(local[:, 1::-1] / [-PATTERN_PERIOD, PATTERN_PERIOD] % 1.0 * size).astype(np.int64) % size
+            blur = np.clip(2.0 * widths[on] / PATTERN_PERIOD, 0.0, 1.0)[:, None]
             colours[on] *= (1.0 - blur) * pattern[at[:, 0], at[:, 1]] + blur * pattern.mean(axis=(0, 1))
         return colours
 
@@ -123,20 +123,20 @@ def _pattern(model: mujoco.MjModel, geom: int) -> NDArray[np.float64] | None:
     return np.array(pixels[..., :3], np.float64) / 255.0
 
 
-PIXELS: Final = 160 * 120
+MAX_RAYS: Final = 160 * 120
 """Rays of one picture, at most: 11 ms on a small machine."""
 
-THOROUGH: Final = 480 * 360
+MAX_RAYS_OF_STILL: Final = 480 * 360
 """The same for one that may take half a second."""
 
-FAR: Final = 40.0
+MAX_DISTANCE: Final = 40.0
 """Metres beyond which nothing is seen."""
 
-_SEEN: Final = np.array([group in (0, SEEN, FELT) for group in range(mujoco.mjNGROUP)], np.uint8)
-_HAS_NORMALS: Final = "normal" in (mujoco.mj_multiRay.__doc__ or "")  # since MuJoCo 3.5
+_VISIBLE_GROUPS: Final = np.array([group in (0, VISUAL, RAY_MESHES) for group in range(mujoco.mjNGROUP)], np.uint8)
+_GIVES_NORMALS: Final = "normal" in (mujoco.mj_multiRay.__doc__ or "")  # since MuJoCo 3.5
 
 
-class RayPainter:
+class RayRenderer:
     """Paints what a camera of the model sees; it is told the horizontal field of view in radians."""
 
     description: Final = (
@@ -150,7 +150,7 @@ class RayPainter:
 
     def paint(self, data: mujoco.MjData, width: int, height: int, *, thoroughly: bool = False) -> NDArray[np.uint8]:
         """A picture of that size, made of fewer and larger dots; of more when there is time."""
-        columns, rows = _affordable(width, height, THOROUGH if thoroughly else PIXELS)
+        columns, rows = _grid_size(width, height, MAX_RAYS_OF_STILL if thoroughly else MAX_RAYS)
         dots, _ = self._cast(data, self._rays(columns, rows), self._dot(columns))
         dots = dots.reshape(rows, columns, 3)
         down = np.arange(height) * rows // height
@@ -159,14 +159,14 @@ class RayPainter:
 
     def measure(self, data: mujoco.MjData, width: int, height: int) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
         """The dots, and how far each is along the camera's axis."""
-        columns, rows = _affordable(width, height, PIXELS)
+        columns, rows = _grid_size(width, height, MAX_RAYS)
         rays = self._rays(columns, rows)
         dots, far = self._cast(data, rays, self._dot(columns))
         along = (far * -rays[:, 2]).astype(np.float32)
         return dots.reshape(rows, columns, 3), along.reshape(rows, columns)
 
     def close(self) -> None:
-        """Nothing to give back."""
+        """Does nothing: it holds no resources."""
 
     def _rays(self, columns: int, rows: int) -> NDArray[np.float64]:
         """Directions through the middles of pixels in the camera's frame, which looks along -z with y up."""
@@ -195,14 +195,14 @@ class RayPainter:
             data,
             pnt=data.cam_xpos[self._camera],
             vec=directions.ravel(),
-            geomgroup=_SEEN,
+            geomgroup=_VISIBLE_GROUPS,
             flg_static=True,
             bodyexclude=-1,
             geomid=hit,
             dist=far,
             nray=count,
-            cutoff=FAR,
-            **({"normal": normals.reshape(-1)} if _HAS_NORMALS else {}),
+            cutoff=MAX_DISTANCE,
+            **({"normal": normals.reshape(-1)} if _GIVES_NORMALS else {}),
         )
         painted = self._sky.colours(directions)
         seen = hit >= 0
@@ -213,7 +213,7 @@ class RayPainter:
         return np.clip(painted, 0.0, 255.0).astype(np.uint8), np.where(seen, far, math.inf)
 
 
-def _affordable(width: int, height: int, most: int) -> tuple[int, int]:
+def _grid_size(width: int, height: int, most: int) -> tuple[int, int]:
     """Columns and rows of a picture of that shape, in rays."""
     shrink = max(1.0, math.sqrt(width * height / most))
     return round(width / shrink), round(height / shrink)

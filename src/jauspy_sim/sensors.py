@@ -1,4 +1,4 @@
-"""Distances by rays through MuJoCo's world."""
+"""Lidars, which cast rays through MuJoCo's world, and its sensors of force and torque at the joint above a link."""
 
 from __future__ import annotations
 
@@ -13,10 +13,11 @@ from numpy.typing import NDArray
 from jauspy.geometry.vectors import Vector
 from jauspy.platform.force_torque import ForceTorqueSetup, SampledForceTorque
 from jauspy.platform.ranging import LidarSetup, Scanner
-from jauspy_sim.assembly import COLLIDING, DRAWN, SEEN
+from jauspy_sim.assembly import COLLISION, HEIGHT_FIELDS, VISUAL
 
-_GROUPS: Final = np.array([group not in (SEEN, COLLIDING, DRAWN) for group in range(mujoco.mjNGROUP)], np.uint8)
-"""All but those of robots: a lidar that sits among its robot's own parts looks past them. Height fields have twins."""
+_IGNORED: Final = (VISUAL, COLLISION, HEIGHT_FIELDS)
+_GROUPS: Final = np.array([group not in _IGNORED for group in range(mujoco.mjNGROUP)], np.uint8)
+"""All but robots, since a lidar sits among its robot's own parts, and height fields, which have ray meshes."""
 
 _NO_NORMALS: Final[dict[str, Any]] = {"normal": None} if "normal" in (mujoco.mj_multiRay.__doc__ or "") else {}
 """MuJoCo 4 can give the normals of what the rays hit."""
@@ -74,13 +75,6 @@ def cast_rays(
         **_NO_NORMALS,
     )
     return np.where(distances < 0.0, math.inf, distances)
-
-
-def add_force_torque(spec: mujoco.MjSpec, setup: ForceTorqueSetup) -> None:
-    """Put a sensor between that link and the one that carries it."""
-    spec.body(setup.link).add_site(name=setup.name)
-    for kind, type_ in (("force", mujoco.mjtSensor.mjSENS_FORCE), ("torque", mujoco.mjtSensor.mjSENS_TORQUE)):
-        spec.add_sensor(name=f"{setup.name}_{kind}", type=type_, objtype=mujoco.mjtObj.mjOBJ_SITE, objname=setup.name)
 
 
 def simulated_force_torque(data: mujoco.MjData, prefix: str, setup: ForceTorqueSetup) -> SampledForceTorque:
